@@ -1,0 +1,32 @@
+//! What the host tells of each body, every step.
+
+use crate::vec2::{Pose, Vec2};
+
+/// State of one body at the start of a step, earth-fixed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyState {
+    /// Position of the centre of gravity: north, east [m].
+    pub position_m: Vec2,
+    /// ψ, clockwise from north [rad].
+    pub heading_rad: f64,
+    /// Velocity of the centre of gravity: north, east [m/s].
+    pub velocity_mps: Vec2,
+    /// Rate of turn, positive to starboard [rad/s].
+    pub yaw_rate_radps: f64,
+}
+
+impl BodyState {
+    /// Position and attitude.
+    #[must_use]
+    #[inline]
+    pub fn pose(&self) -> Pose {
+        Pose::new(self.position_m, self.heading_rad)
+    }
+
+    /// Velocity of the body's material point at earth-fixed `point_m` (eq. 14) [m/s].
+    #[must_use]
+    #[inline]
+    pub fn velocity_at(&self, point_m: Vec2) -> Vec2 {
+        self.velocity_mps + (point_m - self.position_m).spun_by(self.yaw_rate_radps)
+    }
+}
