@@ -1,0 +1,37 @@
+//! Charts and plan views as SVG, and the page that holds them.
+//!
+//! Everything is written as plain markup with no outside resource: a page is complete without its
+//! script, prints on A4, and reads in black and white because series differ in dash and mark as
+//! well as in colour. The same input gives the same bytes.
+
+mod axis;
+mod chart;
+mod number;
+mod page;
+mod plan;
+mod series;
+
+pub(crate) use axis::Axis;
+pub(crate) use chart::{Chart, Reference};
+pub(crate) use number::{Scaled, significant};
+pub(crate) use page::page;
+pub(crate) use plan::{Arrow, Frame, Label, Outlined, Plan, Stage, Track, outlined_legend};
+pub(crate) use series::{Decimator, Point, Series};
+
+/// Colours that the colour-blind can tell apart (Okabe and Ito, 2008), in the order in which
+/// series take them; yellow is left out because it does not show on white.
+const COLOURS: [&str; 7] =
+    ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"];
+
+/// Dashes in the same order, so that print without colour still tells series apart.
+const DASHES: [&str; 7] = ["", "7 3", "2 2.5", "9 3 2 3", "12 4", "4 2 1 2 1 2", "1 4"];
+
+/// The colour of the series or body number `index`.
+fn colour(index: usize) -> &'static str {
+    COLOURS[index % COLOURS.len()]
+}
+
+/// The dash of the series number `index`.
+fn dash(index: usize) -> &'static str {
+    DASHES[index % DASHES.len()]
+}

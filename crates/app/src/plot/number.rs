@@ -1,0 +1,109 @@
+//! Numbers as a reader wants them.
+
+/// Separates groups of three digits: a narrow space at which no line breaks.
+const GROUP: char = '\u{202f}';
+const MINUS: char = '\u{2212}';
+
+/// `value` with a true minus sign and grouped thousands, to `decimals` places; powers of ten where
+/// the digits would run away.
+pub(crate) fn fixed(value: f64, decimals: usize) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    let magnitude = value.abs();
+    if magnitude >= 1e12 || decimals > 9 {
+        return exponent(value);
+    }
+    let digits = format!("{magnitude:.decimals$}");
+    let is_zero = digits.bytes().all(|b| b == b'0' || b == b'.');
+    let (whole, fraction) = digits.split_once('.').unwrap_or((&digits, ""));
+    let mut text = String::with_capacity(digits.len() + 4);
+    if value < 0.0 && !is_zero {
+        text.push(MINUS);
+    }
+    for (i, digit) in whole.chars().enumerate() {
+        // Four digits stay together, as in most engineering print.
+        if i > 0 && whole.len() > 4 && (whole.len() - i).is_multiple_of(3) {
+            text.push(GROUP);
+        }
+        text.push(digit);
+    }
+    if !fraction.is_empty() {
+        text.push('.');
+        text.push_str(fraction);
+    }
+    text
+}
+
+/// `value` to about `digits` significant digits, never more than six decimals; zero is `0`.
+pub(crate) fn significant(value: f64, digits: i32) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return fixed(value, 0);
+    }
+    let order = order_of(value);
+    let decimals = digits - 1 - order;
+    if decimals > 9 {
+        return exponent(value);
+    }
+    fixed(value, usize::try_from(decimals.max(0)).unwrap_or(0))
+}
+
+fn exponent(value: f64) -> String {
+    format!("{value:.3e}").replace('-', "\u{2212}")
+}
+
+/// The power of ten of the first digit.
+pub(crate) fn order_of(value: f64) -> i32 {
+    // Saturating cast: the argument is finite and non-zero at every caller.
+    libm::floor(libm::log10(value.abs())) as i32
+}
+
+/// A unit with the prefix that suits the largest value shown with it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Scaled {
+    /// What to multiply SI values by.
+    pub(crate) factor: f64,
+    /// The prefix to put before the unit.
+    pub(crate) prefix: &'static str,
+}
+
+impl Scaled {
+    /// The prefix for a quantity whose largest magnitude is `largest`, in SI.
+    pub(crate) fn for_largest(largest: f64) -> Scaled {
+        match largest {
+            x if x >= 1e10 => Scaled { factor: 1e-9, prefix: "G" },
+            x if x >= 1e7 => Scaled { factor: 1e-6, prefix: "M" },
+            x if x >= 1e3 || x == 0.0 => Scaled { factor: 1e-3, prefix: "k" },
+            _ => Scaled { factor: 1.0, prefix: "" },
+        }
+    }
+
+    /// The unit with its prefix.
+    pub(crate) fn unit(self, base: &str) -> String {
+        format!("{}{base}", self.prefix)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_as_in_print() {
+        let table = [
+            (fixed(1234.5, 1), "1234.5"),
+            (fixed(12345.6, 0), "12\u{202f}346"),
+            (fixed(-0.0001, 2), "0.00"),
+            (fixed(-2.5, 1), "\u{2212}2.5"),
+            (fixed(f64::NAN, 1), "–"),
+            (significant(0.20579, 3), "0.206"),
+            (significant(5012.3, 3), "5012"),
+            (significant(1e-30, 3), "1.000e\u{2212}30"),
+            (significant(0.0, 3), "0"),
+            (significant(1e300, 3), "1.000e300"),
+        ];
+        for (got, want) in table {
+            assert_eq!(got, want);
+        }
+    }
+}

@@ -1,0 +1,440 @@
+//! Plan views: bodies seen from above, north up, one scale both ways.
+
+use core::fmt::Write as _;
+
+use fenderline_contact::{Vec2, vec2};
+use maud::{Markup, html};
+
+use super::axis::{Axis, Fitted, nice_step};
+use super::number::fixed;
+use super::{colour, dash};
+
+/// A plan view to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Plan {
+    /// Printed above the view.
+    pub(crate) title: String,
+    /// What part of the plane it shows.
+    pub(crate) frame: Frame,
+    /// Outlines, drawn first to last.
+    pub(crate) outlines: Vec<Outlined>,
+    /// Paths of bodies.
+    pub(crate) tracks: Vec<Track>,
+    /// Forces and the like, and points where they act.
+    pub(crate) arrows: Vec<Arrow>,
+    /// Names.
+    pub(crate) labels: Vec<Label>,
+    /// Printed small below the view; empty for none.
+    pub(crate) note: String,
+}
+
+/// When an outline is shown, which sets how it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stage {
+    /// Does not move.
+    Fixed,
+    /// At the start of the run.
+    Start,
+    /// At the peak force.
+    Peak,
+    /// At the end of the run.
+    End,
+}
+
+/// The outline of a body, earth-fixed [m].
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Outlined {
+    pub(crate) vertices_m: Vec<Vec2>,
+    pub(crate) stage: Stage,
+    /// Number of the colour; fixed bodies are grey.
+    pub(crate) style: usize,
+}
+
+/// The path of a body's centre of gravity, earth-fixed [m].
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Track {
+    pub(crate) points_m: Vec<Vec2>,
+    pub(crate) style: usize,
+}
+
+/// An arrow from a point, with a text at its head.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Arrow {
+    /// Where it starts; a dot is drawn there [m].
+    pub(crate) from_m: Vec2,
+    /// Which way it points, of length 1; zero: the dot alone.
+    pub(crate) direction: Vec2,
+    pub(crate) label: String,
+}
+
+/// A text at a point [m].
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Label {
+    pub(crate) at_m: Vec2,
+    pub(crate) text: String,
+}
+
+/// A rectangle of the plane [m].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Frame {
+    pub(crate) low: Vec2,
+    pub(crate) high: Vec2,
+}
+
+impl Frame {
+    /// The smallest frame round `points`; `None` where there are none.
+    pub(crate) fn around(points: impl IntoIterator<Item = Vec2>) -> Option<Frame> {
+        points.into_iter().filter(|p| p.is_finite()).fold(None, |frame, p| {
+            let point = Frame { low: p, high: p };
+            Some(frame.map_or(point, |f: Frame| f.with(point)))
+        })
+    }
+
+    /// A square frame about `centre`.
+    pub(crate) fn square(centre: Vec2, half_m: f64) -> Frame {
+        Frame { low: centre - vec2(half_m, half_m), high: centre + vec2(half_m, half_m) }
+    }
+
+    /// The smallest frame round both.
+    pub(crate) fn with(self, other: Frame) -> Frame {
+        Frame {
+            low: vec2(self.low.x.min(other.low.x), self.low.y.min(other.low.y)),
+            high: vec2(self.high.x.max(other.high.x), self.high.y.max(other.high.y)),
+        }
+    }
+
+    /// North and east extent [m].
+    pub(crate) fn size(self) -> Vec2 {
+        self.high - self.low
+    }
+
+    fn centre(self) -> Vec2 {
+        self.low + self.size() * 0.5
+    }
+}
+
+const WIDTH: f64 = 720.0;
+/// Room for the northern axis' title, its labels apart, and round the rest [px].
+const LEFT: f64 = 32.0;
+const RIGHT: f64 = 12.0;
+const TOP: f64 = 8.0;
+const BOTTOM: f64 = 40.0;
+const DIGIT: f64 = 6.4;
+/// Least and greatest height of the drawn area [px].
+const HEIGHTS: (f64, f64) = (230.0, 640.0);
+/// Room round what is shown, as a share of its size.
+const MARGIN: f64 = 0.06;
+/// Vertices closer than this to the one before are not drawn [px].
+const FINEST: f64 = 0.15;
+const ARROW: f64 = 64.0;
+
+/// The map from the plane to the drawn area, whose own origin is its upper left corner.
+struct Map {
+    centre: Vec2,
+    px_per_m: f64,
+    width: f64,
+    height: f64,
+    left: f64,
+    north: Fitted,
+    east: Fitted,
+}
+
+impl Map {
+    fn of(frame: Frame) -> Map {
+        let size = frame.size();
+        // No frame is so small that doubles at its place could not tell its ends apart.
+        let far = frame.centre().x.abs().max(frame.centre().y.abs());
+        let least = 1e-6_f64.max(far * 1e-12);
+        let (tall, wide) = (size.x.max(least), size.y.max(least));
+        let room = 1.0 + 2.0 * MARGIN;
+        // The labels of the northern axis set the left margin, and so the scale; their length
+        // hardly depends on it.
+        let longest = Axis::new("", "")
+            .tight()
+            .fit([frame.low.x, frame.low.x + tall].into_iter(), 6)
+            .ticks()
+            .iter()
+            .map(|(_, label)| label.chars().count())
+            .max();
+        let left =
+            LEFT + DIGIT * longest.and_then(|n| u32::try_from(n).ok()).map_or(8.0, f64::from);
+        let width = WIDTH - left - RIGHT;
+        let height = (width * tall / wide).clamp(HEIGHTS.0, HEIGHTS.1);
+        let px_per_m = (width / (wide * room)).min(height / (tall * room));
+        let centre = frame.centre();
+        let step = nice_step(width / px_per_m, 8);
+        let half = vec2(height / px_per_m / 2.0, width / px_per_m / 2.0);
+        let north = Fitted::new(centre.x - half.x, centre.x + half.x, step);
+        let east = Fitted::new(centre.y - half.y, centre.y + half.y, step);
+        Map { centre, px_per_m, width, height, left, north, east }
+    }
+
+    /// Right and down from the drawn area's upper left corner [px].
+    fn px(&self, point_m: Vec2) -> (f64, f64) {
+        let from_centre = point_m - self.centre;
+        (
+            self.width / 2.0 + from_centre.y * self.px_per_m,
+            self.height / 2.0 - from_centre.x * self.px_per_m,
+        )
+    }
+
+    fn path(&self, points_m: &[Vec2]) -> String {
+        let mut path = String::with_capacity(points_m.len() * 12);
+        let mut last = None;
+        for (index, point) in points_m.iter().enumerate() {
+            let (x, y) = self.px(*point);
+            let is_end = index + 1 == points_m.len();
+            let is_near = |(x0, y0): (f64, f64)| (x - x0).abs() < FINEST && (y - y0).abs() < FINEST;
+            if last.is_some_and(is_near) && !is_end {
+                continue;
+            }
+            let _ = write!(path, "{}{x:.2},{y:.2}", if last.is_none() { 'M' } else { 'L' });
+            last = Some((x, y));
+        }
+        path
+    }
+}
+
+impl Plan {
+    /// The view as a `figure` with its title and note.
+    pub(crate) fn render(&self) -> Markup {
+        let map = Map::of(self.frame);
+        let (full_width, full_height) = (WIDTH, TOP + map.height + BOTTOM);
+        html! {
+            figure class="plan" {
+                figcaption { (self.title) }
+                svg viewBox=(format!("0 0 {full_width} {full_height:.1}")) role="img"
+                    aria-label=(self.title) {
+                    (grid(&map))
+                    // A nested picture cuts what lies outside.
+                    svg x=(format!("{:.1}", map.left)) y=(TOP) width=(format!("{:.1}", map.width))
+                        height=(format!("{:.1}", map.height)) overflow="hidden" {
+                        @for outline in &self.outlines { (outlined(outline, &map)) }
+                        @for track in &self.tracks {
+                            path d=(map.path(&track.points_m)) fill="none" stroke=(colour(track.style))
+                                stroke-width="1" stroke-dasharray=(dash(2)) {}
+                        }
+                        @for label in &self.labels { (named(label, &map)) }
+                        @for arrow in &self.arrows { (arrowed(arrow, &map)) }
+                        (north_arrow(&map))
+                        (scale_bar(&map))
+                    }
+                    rect class="frame" x=(format!("{:.1}", map.left)) y=(TOP)
+                        width=(format!("{:.1}", map.width)) height=(format!("{:.1}", map.height)) {}
+                }
+                @if !self.note.is_empty() { p class="note" { (self.note) } }
+            }
+        }
+    }
+}
+
+fn grid(map: &Map) -> Markup {
+    let (right, base) = (map.left + map.width, TOP + map.height);
+    let px = |east: f64| map.left + map.east.share(east) * map.width;
+    let py = |north: f64| base - map.north.share(north) * map.height;
+    let mut lines = String::new();
+    for (value, _) in map.east.ticks() {
+        let _ = write!(lines, "M{:.1},{TOP}V{base:.1}", px(value));
+    }
+    for (value, _) in map.north.ticks() {
+        let _ = write!(lines, "M{:.1},{:.1}H{right:.1}", map.left, py(value));
+    }
+    html! {
+        path class="grid" d=(lines) {}
+        g class="ticks" {
+            @for (value, label) in map.east.ticks() {
+                text x=(format!("{:.1}", px(value))) y=(format!("{:.1}", base + 15.0))
+                    text-anchor="middle" { (label) }
+            }
+            @for (value, label) in map.north.ticks() {
+                text x=(format!("{:.1}", map.left - 6.0)) y=(format!("{:.1}", py(value) + 3.8))
+                    text-anchor="end" { (label) }
+            }
+        }
+        text class="axis" x=(format!("{:.1}", map.left + map.width / 2.0))
+            y=(format!("{:.1}", base + BOTTOM - 7.0)) text-anchor="middle" { "east [m]" }
+        text class="axis" text-anchor="middle"
+            transform=(format!("translate(12 {:.1}) rotate(-90)", TOP + map.height / 2.0)) {
+            "north [m]"
+        }
+    }
+}
+
+/// Fill, its opacity, stroke width and dash of a stage.
+fn look(stage: Stage) -> (&'static str, &'static str, &'static str) {
+    match stage {
+        Stage::Fixed => ("0.55", "1.2", ""),
+        Stage::Start => ("0", "0.8", ""),
+        Stage::Peak => ("0.18", "1.6", ""),
+        Stage::End => ("0", "1.1", "5 3"),
+    }
+}
+
+fn outlined(outline: &Outlined, map: &Map) -> Markup {
+    let (opacity, stroke_width, dashes) = look(outline.stage);
+    let is_fixed = outline.stage == Stage::Fixed;
+    let (fill, stroke) = if is_fixed {
+        ("#b9c0c8", "#4a5460")
+    } else {
+        (colour(outline.style), colour(outline.style))
+    };
+    html! {
+        path d={ (map.path(&outline.vertices_m)) "Z" } fill=(fill) fill-opacity=(opacity)
+            stroke=(stroke) stroke-width=(stroke_width) stroke-dasharray=(dashes)
+            stroke-linejoin="round" {}
+    }
+}
+
+/// The key to how outlines are drawn, for the stages that `plans` show.
+pub(crate) fn outlined_legend() -> Markup {
+    let entries = [
+        (Stage::Start, "at the start"),
+        (Stage::Peak, "at the peak force"),
+        (Stage::End, "at the end"),
+        (Stage::Fixed, "fixed"),
+    ];
+    html! {
+        ul class="legend" {
+            @for (stage, text) in entries {
+                @let (opacity, stroke_width, dashes) = look(stage);
+                @let (fill, stroke) = if stage == Stage::Fixed { ("#b9c0c8", "#4a5460") }
+                    else { (colour(0), colour(0)) };
+                li {
+                    svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
+                        path d="M2,2H22L28,6L22,10H2Z" fill=(fill) fill-opacity=(opacity)
+                            stroke=(stroke) stroke-width=(stroke_width) stroke-dasharray=(dashes) {}
+                    }
+                    (text)
+                }
+            }
+            li {
+                svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
+                    path d="M1,6H29" fill="none" stroke=(colour(0)) stroke-dasharray=(dash(2)) {}
+                }
+                "track of the centre of gravity"
+            }
+        }
+    }
+}
+
+fn named(label: &Label, map: &Map) -> Markup {
+    let (x, y) = map.px(label.at_m);
+    html! {
+        text class="halo name" x=(format!("{x:.1}")) y=(format!("{:.1}", y + 4.0))
+            text-anchor="middle" { (label.text) }
+    }
+}
+
+fn arrowed(arrow: &Arrow, map: &Map) -> Markup {
+    let (x, y) = map.px(arrow.from_m);
+    let (dx, dy) = (arrow.direction.y, -arrow.direction.x);
+    let has_length = arrow.direction != Vec2::ZERO;
+    let (tip_x, tip_y) = (x + dx * ARROW, y + dy * ARROW);
+    let (neck_x, neck_y) = (tip_x - dx * 9.0, tip_y - dy * 9.0);
+    let shaft = format!("M{x:.1},{y:.1}L{neck_x:.1},{neck_y:.1}");
+    let head = format!(
+        "M{tip_x:.1},{tip_y:.1}L{:.1},{:.1}L{:.1},{:.1}Z",
+        neck_x - dy * 4.0,
+        neck_y + dx * 4.0,
+        neck_x + dy * 4.0,
+        neck_y - dx * 4.0
+    );
+    let (anchor, shift) = if dx < -0.3 { ("end", -8.0) } else { ("start", 8.0) };
+    let (text_x, text_y) =
+        if has_length { (tip_x + shift, tip_y + 4.0) } else { (x + 8.0, y - 8.0) };
+    html! {
+        @if has_length {
+            path d=(shaft) stroke="#000" stroke-width="1.6" fill="none" {}
+            path d=(head) fill="#000" {}
+        }
+        circle cx=(format!("{x:.1}")) cy=(format!("{y:.1}")) r="3" fill="#000" {}
+        text class="halo name" x=(format!("{text_x:.1}")) y=(format!("{text_y:.1}"))
+            text-anchor=(anchor) { (arrow.label) }
+    }
+}
+
+fn north_arrow(map: &Map) -> Markup {
+    let x = map.width - 22.0;
+    html! {
+        g aria-label="north is up" {
+            path d=(format!("M{x:.1},10l7,26l-7,-6l-7,6Z")) fill="#fff" stroke="#222" {}
+            path d=(format!("M{x:.1},10l0,20l-7,6Z")) fill="#222" {}
+            text class="halo name" x=(format!("{x:.1}")) y="49" text-anchor="middle" { "N" }
+        }
+    }
+}
+
+fn scale_bar(map: &Map) -> Markup {
+    let length_m = nice_step(map.width / map.px_per_m, 6);
+    let length = length_m * map.px_per_m;
+    let (x, y) = (14.0, map.height - 14.0);
+    let label = format!("{} m", fixed(length_m, decimals_of(length_m)));
+    html! {
+        rect x=(x) y=(format!("{:.1}", y - 5.0)) width=(format!("{length:.1}")) height="5"
+            fill="#fff" stroke="#222" {}
+        rect x=(x) y=(format!("{:.1}", y - 5.0)) width=(format!("{:.1}", length / 2.0)) height="5"
+            fill="#222" stroke="#222" {}
+        text class="halo" x=(format!("{:.1}", x + length + 6.0)) y=(format!("{y:.1}")) { (label) }
+    }
+}
+
+/// Decimals that show a length of one digit.
+fn decimals_of(length_m: f64) -> usize {
+    usize::try_from(-super::number::order_of(length_m * 1.000_001)).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plan(frame: Frame) -> String {
+        Plan {
+            title: "<plan>".to_owned(),
+            frame,
+            outlines: vec![Outlined {
+                vertices_m: vec![frame.low, frame.high, vec2(frame.low.x, frame.high.y)],
+                stage: Stage::Peak,
+                style: 9,
+            }],
+            tracks: vec![Track { points_m: vec![frame.low, frame.high], style: 1 }],
+            arrows: vec![Arrow {
+                from_m: frame.low,
+                direction: vec2(1.0, 0.0),
+                label: "<script>".to_owned(),
+            }],
+            labels: vec![Label { at_m: frame.low, text: "<script>".to_owned() }],
+            note: String::new(),
+        }
+        .render()
+        .into_string()
+    }
+
+    #[test]
+    fn any_frame_is_drawn() {
+        let frames = [
+            Frame { low: Vec2::ZERO, high: vec2(400.0, 50.0) },
+            Frame { low: vec2(1e7, 1e7), high: vec2(1e7 + 1.0, 1e7 + 400.0) },
+            Frame { low: Vec2::ZERO, high: Vec2::ZERO },
+            Frame { low: vec2(-1e9, -1e9), high: vec2(1e9, 1e9) },
+            Frame::square(vec2(1e8, 1e8), 1e-9),
+        ];
+        for frame in frames {
+            let svg = plan(frame);
+            assert!(
+                !svg.contains("NaN") && !svg.contains("inf") && !svg.contains("<script"),
+                "{svg}"
+            );
+        }
+    }
+
+    #[test]
+    fn north_is_up_and_east_is_right_at_one_scale() {
+        let map = Map::of(Frame { low: Vec2::ZERO, high: vec2(100.0, 300.0) });
+        let origin = map.px(vec2(50.0, 50.0));
+        let north = map.px(vec2(60.0, 50.0));
+        let east = map.px(vec2(50.0, 60.0));
+        assert!(north.1 < origin.1 && (north.0 - origin.0).abs() < 1e-9);
+        assert!(east.0 > origin.0 && (east.1 - origin.1).abs() < 1e-9);
+        assert!(((origin.1 - north.1) - (east.0 - origin.0)).abs() < 1e-9);
+    }
+}

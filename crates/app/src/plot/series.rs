@@ -1,0 +1,206 @@
+//! Series of points, and how a long one is cut to a length that can be drawn.
+
+/// A point of a series, in the units of the chart's axes. A `y` that is NaN breaks the line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Point {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+}
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Drawn {
+    Line,
+    Marks,
+    LineAndMarks,
+}
+
+/// One named line or set of marks of a chart.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Series {
+    pub(super) name: String,
+    pub(super) points: Vec<Point>,
+    pub(super) drawn: Drawn,
+    pub(super) style: Option<usize>,
+}
+
+impl Series {
+    /// A line through `points`, which are in the order of x.
+    pub(crate) fn line(name: &str, points: Vec<Point>) -> Series {
+        Series { name: name.to_owned(), points, drawn: Drawn::Line, style: None }
+    }
+
+    /// A mark at each point, without a line.
+    pub(crate) fn marks(name: &str, points: Vec<Point>) -> Series {
+        Series { name: name.to_owned(), points, drawn: Drawn::Marks, style: None }
+    }
+
+    /// Adds a mark at each point to a line.
+    #[cfg_attr(not(test), expect(dead_code, reason = "drawn by the validation report"))]
+    pub(crate) fn with_marks(mut self) -> Series {
+        self.drawn = Drawn::LineAndMarks;
+        self
+    }
+
+    /// Colour, dash and mark number `style` in place of those of the series' place in the chart,
+    /// so that the marks of a reference share the colour of the line they belong to.
+    pub(crate) fn styled(mut self, style: usize) -> Series {
+        self.style = Some(style);
+        self
+    }
+
+    /// The same series with y multiplied by `factor`.
+    pub(crate) fn scaled(mut self, factor: f64) -> Series {
+        for point in &mut self.points {
+            point.y *= factor;
+        }
+        self
+    }
+
+    /// The largest |y|, 0 for a series without points.
+    pub(crate) fn largest(&self) -> f64 {
+        self.points.iter().map(|p| p.y.abs()).filter(|y| y.is_finite()).fold(0.0, f64::max)
+    }
+}
+
+/// Keeps a series of any length in bounded memory: what lies within one bucket is kept as its
+/// first, lowest, highest and last sample, so that no peak is lost. A full store halves its number
+/// of buckets.
+#[derive(Clone, Debug)]
+pub(crate) struct Decimator {
+    buckets: Vec<Bucket>,
+    samples_per_bucket: u64,
+    samples_in_last: u64,
+}
+
+/// Largest number of buckets; at most four points each.
+const BUCKETS: usize = 1000;
+
+#[derive(Clone, Copy, Debug)]
+struct Bucket {
+    first: Point,
+    low: Point,
+    high: Point,
+    last: Point,
+    breaks_before: bool,
+}
+
+impl Bucket {
+    fn of(sample: Point) -> Bucket {
+        let breaks_before = sample.y.is_nan();
+        Bucket { first: sample, low: sample, high: sample, last: sample, breaks_before }
+    }
+
+    fn with(self, later: Bucket) -> Bucket {
+        // A break is kept as its own flag; its NaN must not hide real extremes.
+        let lower = |a: Point, b: Point| if b.y < a.y || a.y.is_nan() { b } else { a };
+        let higher = |a: Point, b: Point| if b.y > a.y || a.y.is_nan() { b } else { a };
+        Bucket {
+            first: if self.first.y.is_nan() { later.first } else { self.first },
+            low: lower(self.low, later.low),
+            high: higher(self.high, later.high),
+            last: if later.last.y.is_nan() { self.last } else { later.last },
+            breaks_before: self.breaks_before,
+        }
+    }
+}
+
+impl Decimator {
+    pub(crate) fn new() -> Decimator {
+        Decimator { buckets: Vec::new(), samples_per_bucket: 1, samples_in_last: 0 }
+    }
+
+    /// Adds a sample; x must not fall.
+    pub(crate) fn push(&mut self, x: f64, y: f64) {
+        let sample = Bucket::of(Point { x, y });
+        match self.buckets.last_mut() {
+            Some(last) if self.samples_in_last < self.samples_per_bucket => {
+                *last = last.with(sample);
+                self.samples_in_last += 1;
+            }
+            _ => {
+                if self.buckets.len() == BUCKETS {
+                    self.halve();
+                }
+                self.buckets.push(sample);
+                self.samples_in_last = 1;
+            }
+        }
+    }
+
+    fn halve(&mut self) {
+        let merged = self.buckets.chunks(2).map(|two| match two {
+            [a, b] => a.with(*b),
+            rest => rest[0],
+        });
+        self.buckets = merged.collect();
+        self.samples_per_bucket *= 2;
+    }
+
+    /// The points kept, at most four a bucket, in the order of x.
+    pub(crate) fn points(&self) -> Vec<Point> {
+        let mut points: Vec<Point> = Vec::with_capacity(self.buckets.len());
+        for bucket in &self.buckets {
+            if bucket.breaks_before && !points.is_empty() {
+                points.push(Point { x: bucket.first.x, y: f64::NAN });
+            }
+            let (a, b) = if bucket.low.x <= bucket.high.x {
+                (bucket.low, bucket.high)
+            } else {
+                (bucket.high, bucket.low)
+            };
+            for point in [bucket.first, a, b, bucket.last] {
+                if !point.y.is_nan() && points.last() != Some(&point) {
+                    points.push(point);
+                }
+            }
+        }
+        points
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_short_series_is_kept_whole() {
+        let mut store = Decimator::new();
+        for i in 0..500 {
+            store.push(f64::from(i), f64::from(i * i));
+        }
+        let points = store.points();
+        assert_eq!(points.len(), 500);
+        assert_eq!(points[20], Point { x: 20.0, y: 400.0 });
+    }
+
+    #[test]
+    fn peaks_survive_a_long_run() {
+        let mut store = Decimator::new();
+        for i in 0..1_000_000 {
+            let y = match i {
+                123_457 => 99.0,
+                765_431 => -77.0,
+                _ => f64::from(i % 7),
+            };
+            store.push(f64::from(i), y);
+        }
+        let points = store.points();
+        assert!(points.len() <= 4 * BUCKETS);
+        assert!(points.contains(&Point { x: 123_457.0, y: 99.0 }));
+        assert!(points.contains(&Point { x: 765_431.0, y: -77.0 }));
+        assert!(points.windows(2).all(|w| w[0].x <= w[1].x));
+        assert_eq!(points.first().map(|p| p.x), Some(0.0));
+        assert_eq!(points.last().map(|p| p.x), Some(999_999.0));
+    }
+
+    #[test]
+    fn a_break_stays_a_break() {
+        let mut store = Decimator::new();
+        for (x, y) in [(0.0, 1.0), (1.0, f64::NAN), (2.0, 2.0), (3.0, 2.5)] {
+            store.push(x, y);
+        }
+        let ys: Vec<_> = store.points().iter().map(|p| p.y.is_nan()).collect();
+        assert_eq!(ys, [false, true, false, false]);
+    }
+}
