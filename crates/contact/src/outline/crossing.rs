@@ -1,0 +1,148 @@
+//! Looks for two edges of an outline that meet where they should not.
+
+use alloc::vec::Vec;
+
+use super::MERGE_DISTANCE_M;
+use super::exact::turn;
+use crate::vec2::Vec2;
+
+/// Two edges that are not neighbours and cross, touch, overlap or come within
+/// [`MERGE_DISTANCE_M`] of each other; edge i goes from vertex i to vertex i + 1. `None`: the
+/// polygon is simple, if successive edges do not lie on each other.
+///
+/// A sweep along the axis on which the edges are shorter: n log n for hulls and quays, n² light
+/// tests (0.3 s for 10,000 vertices) at worst.
+pub(super) fn meeting_edges(vertices: &[Vec2]) -> Option<[usize; 2]> {
+    let edges = swept(vertices);
+    let neighbours = |i: usize, j: usize| {
+        let apart = i.abs_diff(j);
+        apart <= 1 || apart == vertices.len() - 1
+    };
+    for (rank, edge) in edges.iter().enumerate() {
+        for other in &edges[rank + 1..] {
+            if other.sweep.low > edge.sweep.high {
+                break;
+            }
+            if edge.across.low <= other.across.high
+                && other.across.low <= edge.across.high
+                && !edge.passes(other)
+                && !other.passes(edge)
+                && !neighbours(edge.index, other.index)
+                && (segments_meet(edge.ends(), other.ends())
+                    || segments_near(edge.ends(), other.ends()))
+            {
+                return Some([edge.index.min(other.index), edge.index.max(other.index)]);
+            }
+        }
+    }
+    None
+}
+
+/// An edge as the sweep meets it.
+struct Edge {
+    index: usize,
+    from: Vec2,
+    to: Vec2,
+    length_m: f64,
+    sweep: Span,
+    across: Span,
+}
+
+/// An interval with room for [`MERGE_DISTANCE_M`] (half of it at either end of either edge).
+#[derive(Clone, Copy)]
+struct Span {
+    low: f64,
+    high: f64,
+}
+
+impl Span {
+    fn new(a: f64, b: f64) -> Span {
+        Span { low: a.min(b) - MERGE_DISTANCE_M, high: a.max(b) + MERGE_DISTANCE_M }
+    }
+}
+
+/// The edges in the order in which the sweep meets them.
+fn swept(vertices: &[Vec2]) -> Vec<Edge> {
+    let successors = || vertices.iter().skip(1).chain(vertices.first());
+    let (mut along, mut low, mut high) = (Vec2::ZERO, vertices[0], vertices[0]);
+    for (a, b) in vertices.iter().zip(successors()) {
+        along.x += (b.x - a.x).abs();
+        along.y += (b.y - a.y).abs();
+        low = Vec2 { x: low.x.min(a.x), y: low.y.min(a.y) };
+        high = Vec2 { x: high.x.max(a.x), y: high.y.max(a.y) };
+    }
+    let extent = high - low;
+    let along_x = along.x * extent.y <= along.y * extent.x;
+    let mut edges: Vec<Edge> = vertices
+        .iter()
+        .zip(successors())
+        .enumerate()
+        .map(|(index, (&from, &to))| {
+            let (x, y) = (Span::new(from.x, to.x), Span::new(from.y, to.y));
+            let (sweep, across) = if along_x { (x, y) } else { (y, x) };
+            Edge { index, from, to, length_m: (to - from).length(), sweep, across }
+        })
+        .collect();
+    edges.sort_by(|a, b| a.sweep.low.total_cmp(&b.sweep.low).then(a.index.cmp(&b.index)));
+    edges
+}
+
+impl Edge {
+    fn ends(&self) -> [Vec2; 2] {
+        [self.from, self.to]
+    }
+
+    /// The whole of `other` is on one side of this edge's line, farther than
+    /// [`MERGE_DISTANCE_M`] and than rounding reaches.
+    fn passes(&self, other: &Edge) -> bool {
+        let direction = self.to - self.from;
+        let (a, b) = (other.from - self.from, other.to - self.from);
+        let reach = a.x.abs() + a.y.abs() + b.x.abs() + b.y.abs();
+        let margin = self.length_m * (MERGE_DISTANCE_M + 1.0e-15 * reach);
+        let (side_a, side_b) = (direction.cross(a), direction.cross(b));
+        (side_a > margin && side_b > margin) || (side_a < -margin && side_b < -margin)
+    }
+}
+
+/// Exact: two closed segments have a point in common.
+pub(super) fn segments_meet([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
+    let (c_side, d_side) = (turn(a, b, c), turn(a, b, d));
+    let (a_side, b_side) = (turn(c, d, a), turn(c, d, b));
+    if opposite(c_side, d_side) && opposite(a_side, b_side) {
+        return true;
+    }
+    (c_side == 0.0 && in_box(c, a, b))
+        || (d_side == 0.0 && in_box(d, a, b))
+        || (a_side == 0.0 && in_box(a, c, d))
+        || (b_side == 0.0 && in_box(b, c, d))
+}
+
+fn opposite(a: f64, b: f64) -> bool {
+    (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)
+}
+
+/// p is in the box that a and b span: on the segment, if it is on its line.
+fn in_box(p: Vec2, a: Vec2, b: Vec2) -> bool {
+    p.x >= a.x.min(b.x) && p.x <= a.x.max(b.x) && p.y >= a.y.min(b.y) && p.y <= a.y.max(b.y)
+}
+
+/// Two segments that do not cross come within [`MERGE_DISTANCE_M`]: one of the four end points
+/// does.
+fn segments_near([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
+    point_near(a, c, d) || point_near(b, c, d) || point_near(c, a, b) || point_near(d, a, b)
+}
+
+fn point_near(p: Vec2, a: Vec2, b: Vec2) -> bool {
+    let (direction, from_a) = (b - a, p - a);
+    let along = direction.dot(from_a);
+    let squared_length = direction.length_squared();
+    let limit = MERGE_DISTANCE_M * MERGE_DISTANCE_M;
+    if along <= 0.0 {
+        from_a.length_squared() <= limit
+    } else if along >= squared_length {
+        (p - b).length_squared() <= limit
+    } else {
+        let across = direction.cross(from_a);
+        across * across <= limit * squared_length
+    }
+}

@@ -1,0 +1,168 @@
+//! What can be wrong with an outline, and what was put right without asking.
+
+use alloc::vec::Vec;
+use core::error::Error;
+use core::fmt;
+
+/// An edge of the outline as the user gave it, by the numbers of its end points, counted from 0.
+/// Where vertices between them were merged, they are not the ends of one edge as given but of
+/// several that lie on one line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OutlineEdge {
+    /// Number of the first vertex.
+    pub from: usize,
+    /// Number of the second vertex.
+    pub to: usize,
+}
+
+/// Why a list of vertices is not an outline. Vertices are counted from 0, as given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OutlineError {
+    /// More than [`MAX_VERTICES`](super::MAX_VERTICES).
+    TooManyVertices {
+        /// How many were given.
+        count: usize,
+    },
+    /// A coordinate is infinite or not a number.
+    NonFinite {
+        /// Number of the vertex.
+        vertex: usize,
+    },
+    /// A coordinate is beyond [`MAX_COORDINATE_M`](super::MAX_COORDINATE_M).
+    TooFar {
+        /// Number of the vertex.
+        vertex: usize,
+        /// The larger of its coordinates in size [m].
+        coordinate_m: f64,
+    },
+    /// Fewer than three vertices in different places.
+    TooFewVertices {
+        /// How many were given.
+        count: usize,
+        /// How many different ones are left of them.
+        distinct: usize,
+    },
+    /// All the vertices are on one line, or the area is nothing beside the length.
+    ZeroArea,
+    /// Two edges cross, touch or lie on each other.
+    SelfIntersection {
+        /// The two edges.
+        edges: [OutlineEdge; 2],
+    },
+}
+
+impl fmt::Display for OutlineEdge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}–{}", self.from, self.to)
+    }
+}
+
+impl fmt::Display for OutlineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            OutlineError::TooManyVertices { count } => {
+                write!(
+                    f,
+                    "the outline has {count} vertices; at most {} are allowed",
+                    super::MAX_VERTICES
+                )
+            }
+            OutlineError::NonFinite { vertex } => write!(
+                f,
+                "vertex {vertex} of the outline (counted from 0) is infinite or not a number"
+            ),
+            OutlineError::TooFar { vertex, coordinate_m } => write!(
+                f,
+                "vertex {vertex} of the outline (counted from 0) has the coordinate \
+                 {coordinate_m:e} m; at most {:e} m is allowed. An outline is given in the \
+                 body's own frame, from its centre of gravity",
+                super::MAX_COORDINATE_M
+            ),
+            OutlineError::TooFewVertices { count, distinct } if count == distinct => {
+                write!(f, "the outline has {count} vertices; it needs at least 3")
+            }
+            OutlineError::TooFewVertices { count, distinct } => write!(
+                f,
+                "of the {count} vertices of the outline only {distinct} are in different places; \
+                 it needs at least 3"
+            ),
+            OutlineError::ZeroArea => {
+                f.write_str("the outline encloses no area: its vertices are on one line")
+            }
+            OutlineError::SelfIntersection { edges: [a, b] } => match shared_vertex(*a, *b) {
+                Some(vertex) => write!(
+                    f,
+                    "the outline doubles back on itself at vertex {vertex} (counted from 0): \
+                     edges {a} and {b} lie on each other"
+                ),
+                None => write!(
+                    f,
+                    "the outline crosses or touches itself: edges {a} and {b} (vertices counted \
+                     from 0) meet"
+                ),
+            },
+        }
+    }
+}
+
+fn shared_vertex(a: OutlineEdge, b: OutlineEdge) -> Option<usize> {
+    if a.to == b.from {
+        Some(a.to)
+    } else if b.to == a.from {
+        Some(b.to)
+    } else {
+        None
+    }
+}
+
+impl Error for OutlineError {}
+
+/// What was put right in an outline. Vertices are counted from 0, as given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum OutlineNotice {
+    /// Vertices within [`MERGE_DISTANCE_M`](super::MERGE_DISTANCE_M) of the one before them (or
+    /// the last ones, of the first) were dropped.
+    DuplicatesMerged {
+        /// The dropped ones, ascending.
+        vertices: Vec<usize>,
+    },
+    /// Vertices on the straight line between their neighbours were dropped.
+    CollinearMerged {
+        /// The dropped ones, ascending.
+        vertices: Vec<usize>,
+    },
+    /// The outline was given in the negative sense (anticlockwise on a chart) and was turned.
+    Turned,
+}
+
+impl fmt::Display for OutlineNotice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            OutlineNotice::DuplicatesMerged { vertices } => {
+                f.write_str("dropped as repeated: ")?;
+                list(f, vertices)
+            }
+            OutlineNotice::CollinearMerged { vertices } => {
+                f.write_str("dropped as lying on the line between their neighbours: ")?;
+                list(f, vertices)
+            }
+            OutlineNotice::Turned => f.write_str(
+                "the outline was given in the negative sense (from starboard to forward) and was \
+                 turned",
+            ),
+        }
+    }
+}
+
+/// The numbers of some vertices, at most ten of them.
+fn list(f: &mut fmt::Formatter<'_>, vertices: &[usize]) -> fmt::Result {
+    const SHOWN: usize = 10;
+    f.write_str(if vertices.len() == 1 { "vertex " } else { "vertices " })?;
+    for (i, vertex) in vertices.iter().take(SHOWN).enumerate() {
+        write!(f, "{}{vertex}", if i == 0 { "" } else { ", " })?;
+    }
+    if vertices.len() > SHOWN {
+        write!(f, " and {} more", vertices.len() - SHOWN)?;
+    }
+    f.write_str(" (counted from 0)")
+}
