@@ -7,8 +7,9 @@ use super::exact::turn;
 use crate::vec2::Vec2;
 
 /// Two edges that are not neighbours and cross, touch, overlap or come within
-/// [`MERGE_DISTANCE_M`] of each other; edge i goes from vertex i to vertex i + 1. `None`: the
-/// polygon is simple, if successive edges do not lie on each other.
+/// [`MERGE_DISTANCE_M`] of each other; edge i goes from vertex i to vertex i + 1. Of several such
+/// pairs the first, by its lower edge and then by the other. `None`: the polygon is simple, if
+/// successive edges do not lie on each other.
 ///
 /// A sweep along the axis on which the edges are shorter: n log n for hulls and quays, n² light
 /// tests (0.3 s for 10,000 vertices) at worst.
@@ -18,24 +19,27 @@ pub(super) fn meeting_edges(vertices: &[Vec2]) -> Option<[usize; 2]> {
         let apart = i.abs_diff(j);
         apart <= 1 || apart == vertices.len() - 1
     };
+    let mut first: Option<[usize; 2]> = None;
     for (rank, edge) in edges.iter().enumerate() {
         for other in &edges[rank + 1..] {
             if other.sweep.low > edge.sweep.high {
                 break;
             }
+            let pair = [edge.index.min(other.index), edge.index.max(other.index)];
             if edge.across.low <= other.across.high
                 && other.across.low <= edge.across.high
+                && first.is_none_or(|best| pair < best)
                 && !edge.passes(other)
                 && !other.passes(edge)
                 && !neighbours(edge.index, other.index)
                 && (segments_meet(edge.ends(), other.ends())
                     || segments_near(edge.ends(), other.ends()))
             {
-                return Some([edge.index.min(other.index), edge.index.max(other.index)]);
+                first = Some(pair);
             }
         }
     }
-    None
+    first
 }
 
 /// An edge as the sweep meets it.
