@@ -1,2 +1,46 @@
-//! x
-fn main() {}
+//! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
+//!
+//! `cli` is the command line; `run` and `check` are the commands; `load` reads a scenario;
+//! `output` writes the result files, `report` the page, with the charts of `plot`.
+
+mod check;
+mod cli;
+mod failure;
+mod load;
+mod output;
+mod plot;
+mod progress;
+mod report;
+mod run;
+mod terminal;
+
+use std::process::ExitCode;
+
+use clap::Parser as _;
+
+use cli::{Cli, Command};
+
+fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(e) => {
+            // Help and version come this way too, with exit code 0; wrong usage has 2.
+            let _ = e.print();
+            return ExitCode::from(u8::try_from(e.exit_code()).unwrap_or(2));
+        }
+    };
+    let done = match &cli.command {
+        Command::Run(args) => run::run(args),
+        Command::Check(args) => check::check(args),
+        Command::Schema => check::schema(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            if let Some(message) = failure.message() {
+                terminal::tell(message);
+            }
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}

@@ -36,7 +36,7 @@ impl Series {
     }
 
     /// Adds a mark at each point to a line.
-    #[cfg_attr(not(test), expect(dead_code, reason = "drawn by the validation report"))]
+    #[cfg_attr(not(test), allow(dead_code, reason = "for the validation report"))]
     pub(crate) fn with_marks(mut self) -> Series {
         self.drawn = Drawn::LineAndMarks;
         self

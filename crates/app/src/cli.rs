@@ -1,0 +1,94 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::output::Format;
+
+/// Ship, fender, quay and tug contact: run, check and validate scenarios.
+///
+/// Exit codes: 0 done, 1 the case failed, 2 bad input.
+#[derive(Debug, Parser)]
+#[command(name = "fenderline", version, propagate_version = true)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Run a scenario: print a summary, write tables, summary.json and report.html
+    Run(RunArgs),
+    /// Print the JSON Schema of scenario files
+    Schema,
+    /// Parse and check a scenario without running it
+    Check(CheckArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    /// Scenario file
+    #[arg(value_name = "SCENARIO.toml")]
+    pub(crate) scenario: PathBuf,
+    /// Folder for the results [default: out/<scenario name>/]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Format of the tables of bodies and contacts
+    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    pub(crate) format: Format,
+    #[command(flatten)]
+    pub(crate) changes: Changes,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    /// Scenario file
+    #[arg(value_name = "SCENARIO.toml")]
+    pub(crate) scenario: PathBuf,
+    #[command(flatten)]
+    pub(crate) changes: Changes,
+}
+
+/// Keys of the scenario that the command line overrides.
+#[derive(Debug, Default, Args)]
+pub(crate) struct Changes {
+    /// Time step, such as 0.5 or "0.5 s"; short for --set time.step=S
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    step: Option<String>,
+    /// Length of the run, such as 60 or "1 min"; short for --set time.duration=S
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    duration: Option<String>,
+    /// Contact method; short for --set contact.method=METHOD
+    #[arg(long, value_name = "METHOD")]
+    method: Option<String>,
+    /// Override one key of the scenario, such as body.tug.velocity.surge="2 kn"; repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+}
+
+impl Changes {
+    /// All changes as `KEY=VALUE`, the shorthands first.
+    pub(crate) fn key_values(&self) -> Vec<String> {
+        let shorthands = [
+            ("time.step", &self.step),
+            ("time.duration", &self.duration),
+            ("contact.method", &self.method),
+        ];
+        let shorthands = shorthands
+            .into_iter()
+            .filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?)));
+        shorthands.chain(self.set.iter().cloned()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        Cli::command().debug_assert();
+    }
+}

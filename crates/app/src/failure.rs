@@ -1,0 +1,51 @@
+//! Why the program ends without its result, and with which exit code.
+
+use core::fmt;
+
+use crate::output::OutputError;
+
+/// The end of a command that did not succeed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Failure {
+    /// The user's input cannot be used: exit code 2.
+    Input(String),
+    /// The input is good and the case failed: exit code 1.
+    Case(String),
+    /// Who reads our output has gone, as `head` does: no failure of ours, exit code 0.
+    ReaderGone,
+}
+
+impl Failure {
+    /// Input that is refused with `error`, whose text tells all.
+    pub(crate) fn input(error: impl fmt::Display) -> Failure {
+        Failure::Input(error.to_string())
+    }
+
+    /// A case that failed with `error`.
+    pub(crate) fn case(error: impl fmt::Display) -> Failure {
+        Failure::Case(error.to_string())
+    }
+
+    /// The program's exit code.
+    pub(crate) fn exit_code(&self) -> u8 {
+        match self {
+            Failure::Input(_) => 2,
+            Failure::Case(_) => 1,
+            Failure::ReaderGone => 0,
+        }
+    }
+
+    /// What to print, if anything.
+    pub(crate) fn message(&self) -> Option<&str> {
+        match self {
+            Failure::Input(text) | Failure::Case(text) => Some(text),
+            Failure::ReaderGone => None,
+        }
+    }
+}
+
+impl From<OutputError> for Failure {
+    fn from(error: OutputError) -> Failure {
+        Failure::case(error)
+    }
+}

@@ -1,0 +1,77 @@
+//! Tables as comma-separated text.
+
+use std::io::Write as _;
+
+use super::OutputError;
+use super::columns::{Column, Value};
+use super::part_file::{PartFile, Sealed};
+
+/// A csv file being written.
+pub(super) struct CsvTable<R> {
+    writer: csv::Writer<PartFile>,
+    columns: Vec<Column<R>>,
+    body_names: Vec<String>,
+    /// The text of one field, kept for its allocation.
+    field: Vec<u8>,
+}
+
+impl<R> CsvTable<R> {
+    /// Writes the header to `file`.
+    pub(super) fn create(
+        file: PartFile,
+        columns: Vec<Column<R>>,
+        body_names: Vec<String>,
+    ) -> Result<CsvTable<R>, OutputError> {
+        let path = file.path().to_owned();
+        let mut writer = csv::Writer::from_writer(file);
+        writer
+            .write_record(columns.iter().map(|c| c.name))
+            .map_err(|e| OutputError::new(&path, e))?;
+        Ok(CsvTable { writer, columns, body_names, field: Vec::with_capacity(32) })
+    }
+
+    /// Adds a row.
+    pub(super) fn push(&mut self, row: &R) -> Result<(), OutputError> {
+        for column in &self.columns {
+            self.field.clear();
+            match column.value {
+                Value::Float(value) => {
+                    let value = value(row);
+                    if !value.is_finite() {
+                        return Err(not_finite(self.writer.get_ref(), column.name, value));
+                    }
+                    // Debug is the shortest form that reads back to the same bits, with an
+                    // exponent where the digits would run away.
+                    let _ = write!(self.field, "{value:?}");
+                }
+                Value::Body(body) => {
+                    self.field.extend_from_slice(self.body_names[body(row)].as_bytes());
+                }
+                Value::Word(word) => self.field.extend_from_slice(word(row).as_bytes()),
+                Value::Flag(flag) => {
+                    let _ = write!(self.field, "{}", flag(row));
+                }
+                Value::Count(count) => {
+                    let _ = write!(self.field, "{}", count(row));
+                }
+            }
+            self.writer
+                .write_field(&self.field)
+                .map_err(|e| OutputError::new(self.writer.get_ref().path(), e))?;
+        }
+        self.writer
+            .write_record(None::<&[u8]>)
+            .map_err(|e| OutputError::new(self.writer.get_ref().path(), e))
+    }
+
+    /// Brings the file to the disk, still under its `.part` name.
+    pub(super) fn finish(self) -> Result<Sealed, OutputError> {
+        let path = self.writer.get_ref().path().to_owned();
+        let file = self.writer.into_inner().map_err(|e| OutputError::new(&path, e.error()))?;
+        file.seal()
+    }
+}
+
+pub(super) fn not_finite(file: &PartFile, column: &str, value: f64) -> OutputError {
+    OutputError::new(file.path(), format_args!("the simulation gave {value} for `{column}`"))
+}

@@ -1,0 +1,167 @@
+//! Time series of the report.
+
+use fenderline_sim::Setup;
+use maud::{Markup, html};
+
+use super::Recorder;
+use super::recorder::{BodyTrace, PairTrace};
+use crate::output::Outcome;
+use crate::plot::{Axis, Chart, Decimator, Point, Reference, Scaled, Series};
+
+/// Charts of a report share the read-out under the pointer.
+const LINK: &str = "time";
+/// Bodies drawn in a chart at most.
+const DRAWN_BODIES: usize = 6;
+
+/// All charts of a run, for the pairs in `drawn`.
+pub(super) fn all(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
+    let page = Charts { outcome, end_s: outcome.steps as f64 * outcome.setup.step_s };
+    html! {
+        @match drawn {
+            [] => {}
+            [pair] => { (page.forces_of_one(pair)) }
+            pairs => {
+                (page.forces("Normal force", pairs, |p| &p.normal_n))
+                (page.forces("Tangential force", pairs, |p| &p.tangential_n))
+            }
+        }
+        @if !drawn.is_empty() {
+            (page.depth(drawn))
+            (page.relative_speed(drawn))
+        }
+        (page.body_speeds(recorder))
+        (page.energy(recorder))
+    }
+}
+
+struct Charts<'a> {
+    outcome: &'a Outcome<'a>,
+    end_s: f64,
+}
+
+impl Charts<'_> {
+    fn chart(&self, title: &str, y: Axis, series: Vec<Series>) -> Chart {
+        Chart {
+            title: title.to_owned(),
+            x: Axis::new("time", "s").including(0.0).including(self.end_s).tight(),
+            y,
+            series,
+            references: Vec::new(),
+            linked: Some(LINK),
+            note: String::new(),
+        }
+    }
+
+    fn pair_name(&self, pair: &PairTrace) -> String {
+        let [a, b] = pair.bodies.map(|i| self.outcome.setup.bodies[i].name.as_str());
+        format!("{a} – {b}")
+    }
+
+    fn pair_series(&self, pairs: &[&PairTrace], of: fn(&PairTrace) -> &Decimator) -> Vec<Series> {
+        pairs.iter().map(|pair| Series::line(&self.pair_name(pair), of(pair).points())).collect()
+    }
+
+    /// Normal and tangential force of the only pair, with the peak marked.
+    fn forces_of_one(&self, pair: &PairTrace) -> Markup {
+        let peak = Point { x: pair.peak.t_s, y: pair.peak.normal_n };
+        let series = vec![
+            Series::line("normal force N", pair.normal_n.points()),
+            Series::line("tangential force T", pair.tangential_n.points()),
+            Series::marks("peak", vec![peak]).styled(0),
+        ];
+        let (unit, series) = scaled(series, "N");
+        let title = format!("Contact force, {}", self.pair_name(pair));
+        self.chart(&title, Axis::new("force", &unit).including(0.0), series).render()
+    }
+
+    fn forces(
+        &self,
+        title: &str,
+        pairs: &[&PairTrace],
+        of: fn(&PairTrace) -> &Decimator,
+    ) -> Markup {
+        let (unit, series) = scaled(self.pair_series(pairs, of), "N");
+        self.chart(title, Axis::new("force", &unit).including(0.0), series).render()
+    }
+
+    fn depth(&self, pairs: &[&PairTrace]) -> Markup {
+        let series = self.pair_series(pairs, |p| &p.depth_m);
+        self.chart("Penetration", Axis::new("depth", "m").including(0.0), series).render()
+    }
+
+    fn relative_speed(&self, pairs: &[&PairTrace]) -> Markup {
+        let series = self.pair_series(pairs, |p| &p.v_normal_mps);
+        let axis = Axis::new("speed", "m/s").including(0.0);
+        let mut chart = self.chart("Relative normal speed (positive closing)", axis, series);
+        chart.references.extend(match pairs {
+            [pair] => self.rebound(pair),
+            _ => None,
+        });
+        chart.note = "After the contact: along its last normal, at its last point.".to_owned();
+        chart.render()
+    }
+
+    /// The rebound speed −γV⁰ that the limiter aims at, after the first touch.
+    fn rebound(&self, pair: &PairTrace) -> Option<Reference> {
+        let summary = self.outcome.pairs.iter().find(|p| p.bodies == pair.bodies)?;
+        let restitution = restitution_of(self.outcome.setup, pair.bodies)?;
+        let value = -restitution * summary.approach_speed_mps.max(0.0);
+        Some(Reference { label: "−γV⁰".to_owned(), value })
+    }
+
+    fn body_speeds(&self, recorder: &Recorder) -> Markup {
+        let mut traces: Vec<(f64, &BodyTrace, Series)> = recorder
+            .bodies
+            .iter()
+            .map(|trace| {
+                let name = &self.outcome.setup.bodies[trace.body].name;
+                let series = Series::line(name, trace.speed_mps.points());
+                (series.largest(), trace, series)
+            })
+            .collect();
+        // The fastest, in the order of the scenario.
+        traces.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.body.cmp(&b.1.body)));
+        traces.truncate(DRAWN_BODIES);
+        traces.sort_by_key(|(_, trace, _)| trace.body);
+        if traces.is_empty() {
+            return html! {};
+        }
+        let floating = self.outcome.setup.bodies.iter().filter(|b| b.mass.is_some()).count();
+        let drawn = traces.len();
+        let series = traces.into_iter().map(|(_, _, series)| series).collect();
+        let axis = Axis::new("speed", "m/s").including(0.0);
+        let mut chart = self.chart("Speed of the bodies over ground", axis, series);
+        if floating > drawn {
+            chart.note = format!("The {drawn} fastest of {floating} floating bodies.");
+        }
+        chart.render()
+    }
+
+    fn energy(&self, recorder: &Recorder) -> Markup {
+        let mut series = vec![
+            Series::line("kinetic energy", recorder.kinetic_j.points()),
+            Series::line("work of the contacts", recorder.contact_work_j.points()),
+            Series::line("residual", recorder.residual_j.points()),
+        ];
+        if recorder.has_loads() {
+            series.push(Series::line("work of the loads", recorder.load_work_j.points()));
+        }
+        let (unit, series) = scaled(series, "J");
+        let axis = Axis::new("energy", &unit).including(0.0);
+        self.chart("Energy, added mass included", axis, series).render()
+    }
+}
+
+/// The series in the unit with the prefix that suits the largest of them.
+fn scaled(series: Vec<Series>, base: &str) -> (String, Vec<Series>) {
+    let scaled = Scaled::for_largest(series.iter().map(Series::largest).fold(0.0, f64::max));
+    let series = series.into_iter().map(|s| s.scaled(scaled.factor)).collect();
+    (scaled.unit(base), series)
+}
+
+fn restitution_of(setup: &Setup, bodies: [usize; 2]) -> Option<f64> {
+    let [a, b] = bodies;
+    let named = setup.pairs.iter().find(|p| p.bodies == [a, b] || p.bodies == [b, a]);
+    let material = named.map(|p| p.material).or(setup.every_other_pair)?;
+    Some(setup.materials[material].material.restitution)
+}

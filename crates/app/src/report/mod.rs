@@ -1,0 +1,135 @@
+//! `report.html`: one page that an engineer can put before a client. It holds no date and no path,
+//! so that the same scenario gives the same bytes.
+
+mod charts;
+mod recorder;
+mod scene;
+mod tables;
+
+use maud::{Markup, html};
+
+use crate::output::{Outcome, event_text};
+use crate::plot::{outlined_legend, page};
+
+pub(crate) use recorder::Recorder;
+
+use recorder::PairTrace;
+
+/// Pairs drawn in a chart at most: more lines than this cannot be told apart.
+const DRAWN_PAIRS: usize = 6;
+/// Pairs with a close-up of their own.
+const CLOSE_UPS: usize = 2;
+
+/// The page, from what the run gave and what was gathered on the way.
+pub(crate) fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
+    let drawn = strongest(recorder);
+    let body = html! {
+        h1 { (outcome.title) }
+        p class="subtitle" {
+            "Ship contact simulation · scenario " (outcome.scenario_file)
+            " · fenderline " (env!("CARGO_PKG_VERSION"))
+        }
+        h2 { "Result" }
+        (tables::results(outcome))
+        (remarks(outcome))
+        h2 { "Plan view" }
+        (outlined_legend())
+        (scene::whole(outcome, recorder))
+        @for trace in drawn.iter().take(CLOSE_UPS) { (scene::close_up(outcome, trace)) }
+        h2 { "Time series" }
+        (left_out(recorder, &drawn))
+        (charts::all(outcome, recorder, &drawn))
+        h2 { "Set-up" }
+        (tables::setup(outcome))
+        h2 { "Method and its limits" }
+        (method_notes(outcome))
+        footer {
+            "Made by fenderline " (env!("CARGO_PKG_VERSION")) " from " (outcome.scenario_file)
+            ". The same scenario gives this page again, byte for byte."
+        }
+    };
+    page(outcome.title, &body)
+}
+
+/// The pairs with the largest forces, largest first.
+fn strongest(recorder: &Recorder) -> Vec<&PairTrace> {
+    let mut pairs: Vec<&PairTrace> = recorder.pairs.iter().collect();
+    pairs.sort_by(|a, b| b.peak.normal_n.total_cmp(&a.peak.normal_n));
+    pairs.truncate(DRAWN_PAIRS);
+    pairs
+}
+
+fn left_out(recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
+    let touched = recorder.pairs.len();
+    html! {
+        @if recorder.pairs_not_followed {
+            p class="note" {
+                "More than " (touched) " pairs touched. The charts draw the " (drawn.len())
+                " with the largest forces among the first " (touched)
+                "; all pairs are in summary.json and in the contacts table."
+            }
+        } @else if touched > drawn.len() {
+            p class="note" {
+                (touched) " pairs touched; the charts draw the " (drawn.len())
+                " with the largest forces. All are in summary.json and in the contacts table."
+            }
+        }
+    }
+}
+
+/// What the scenario's author and the reader should know of this run.
+fn remarks(outcome: &Outcome<'_>) -> Markup {
+    let events: Vec<_> = outcome.events.counts().collect();
+    html! {
+        @if !events.is_empty() {
+            h3 { "Events" }
+            ul class="plain" {
+                @for (kind, count) in events {
+                    li { (event_text(kind)) @if count > 1 { " (" (count) " times)" } }
+                }
+            }
+        }
+        @if !outcome.notices.is_empty() {
+            h3 { "Notices about the scenario" }
+            ul class="plain" {
+                @for notice in outcome.notices.iter().take(20) { li { (notice) } }
+                @if outcome.notices.len() > 20 {
+                    li { "and " (outcome.notices.len() - 20) " more, in summary.json" }
+                }
+            }
+        }
+    }
+}
+
+fn method_notes(outcome: &Outcome<'_>) -> Markup {
+    html! {
+        ul class="plain" {
+            li {
+                "Contact forces by the overlap method of Moreno, Sasaki, Makiyama and Tannuri "
+                "(TransNav 17(4), 2023), with the signs put right: normal force from the overlap "
+                "area and its rate, friction by a shear spring that sticks and slips, and an "
+                "impulse-momentum limiter that sets the rebound by the coefficient of restitution."
+            }
+            li {
+                "Paper method: each pair is limited by itself. Where a body rests on several "
+                "others at once, or is pressed by a steady load, the limits do not know of each "
+                "other nor of the load, and depth and rebound may be off; see ARCHITECTURE."
+            }
+            li {
+                "The limiter sees the mass with the smallest added mass. Bodies are rigid, and move "
+                "in the horizontal plane; the water acts by added mass alone, without damping, wind "
+                "or current."
+            }
+            li {
+                "Forces stand at the start of the time step over which they act ("
+                (outcome.setup.step_s) " s here). The peak rises and the contact shortens with a "
+                "smaller step, while the impulse stays; compare two steps before a peak is used in "
+                "design."
+            }
+            li {
+                "The energy residual is what the time integration made up or lost: the smaller it "
+                "is beside the work of the contact, the better the step resolves it."
+            }
+        }
+    }
+}

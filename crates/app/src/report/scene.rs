@@ -1,0 +1,171 @@
+//! Plan views of the report: the whole scene, and the contact at its peak force.
+
+use fenderline_contact::{BodyState, Vec2};
+use fenderline_sim::{BodySetup, Setup};
+use maud::Markup;
+
+use super::recorder::{PairTrace, Recorder};
+use crate::output::Outcome;
+use crate::plot::{Arrow, Frame, Label, Outlined, Plan, Scaled, Stage, Track, significant};
+
+/// Bodies drawn at most.
+const DRAWN: usize = 300;
+/// Names written at most: more would cover the view.
+const NAMED: usize = 16;
+/// Fixed bodies are shown whole where that widens the view by no more than this factor.
+const WIDEN: f64 = 3.0;
+
+fn outlined(body: &BodySetup, state: &BodyState, stage: Stage, style: usize) -> Outlined {
+    let pose = state.pose();
+    let vertices_m = body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
+    Outlined { vertices_m, stage, style }
+}
+
+/// Colour numbers: floating bodies take them in the order of the scenario.
+fn styles(setup: &Setup) -> Vec<usize> {
+    let mut next = 0;
+    let styles = setup.bodies.iter().map(|body| {
+        let style = next;
+        next += usize::from(body.mass.is_some());
+        style
+    });
+    styles.collect()
+}
+
+/// The whole scene: start, peak force, end, tracks.
+pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    let setup = outcome.setup;
+    let styles = styles(setup);
+    let peak_states = recorder.peak.as_ref().map(|(_, _, states)| states.as_slice());
+    let (mut outlines, mut labels) = (Vec::new(), Vec::new());
+    let (mut floating, mut fixed) = (None::<Frame>, None::<Frame>);
+    for (i, body) in setup.bodies.iter().enumerate().take(DRAWN) {
+        let end = &outcome.states[i];
+        let stages: Vec<(&BodyState, Stage)> = if body.mass.is_none() {
+            vec![(end, Stage::Fixed)]
+        } else {
+            let peak = peak_states.map(|states| (&states[i], Stage::Peak));
+            let start = recorder.start.get(i).map(|state| (state, Stage::Start));
+            peak.into_iter().chain(start).chain([(end, Stage::End)]).collect()
+        };
+        if labels.len() < NAMED
+            && let Some((state, _)) = stages.first()
+        {
+            labels.push(Label { at_m: middle(body, state), text: body.name.clone() });
+        }
+        for (state, stage) in stages {
+            let outline = outlined(body, state, stage, styles[i]);
+            let frame = if body.mass.is_none() { &mut fixed } else { &mut floating };
+            *frame = joined(*frame, Frame::around(outline.vertices_m.iter().copied()));
+            outlines.push(outline);
+        }
+    }
+    let tracks = recorder.bodies.iter().filter(|trace| trace.body < DRAWN);
+    let tracks = tracks.map(|trace| Track {
+        points_m: trace.track_to(&outcome.states[trace.body]),
+        style: styles[trace.body],
+    });
+    let strongest = super::strongest(recorder);
+    let arrows = strongest.first().map(|pair| Arrow {
+        from_m: pair.peak.contact.point_m,
+        direction: Vec2::ZERO,
+        label: String::new(),
+    });
+    let title = match &recorder.peak {
+        Some((t_s, _, _)) => format!("Whole scene; peak force at {} s", significant(*t_s, 4)),
+        None => "Whole scene; no contact".to_owned(),
+    };
+    let Some(frame) = scene_frame(floating, fixed) else {
+        unreachable!("a scenario has a body, and a body has an outline");
+    };
+    let note = if setup.bodies.len() > DRAWN {
+        format!("The first {DRAWN} of {} bodies are drawn.", setup.bodies.len())
+    } else {
+        String::new()
+    };
+    Plan {
+        title,
+        frame,
+        outlines,
+        tracks: tracks.collect(),
+        arrows: arrows.into_iter().collect(),
+        labels,
+        note,
+    }
+    .render()
+}
+
+/// Round the floating bodies, and the fixed ones where they are not so large as to make the others
+/// vanish.
+fn scene_frame(floating: Option<Frame>, fixed: Option<Frame>) -> Option<Frame> {
+    let (Some(floating), Some(fixed)) = (floating, fixed) else { return floating.or(fixed) };
+    let extent = |frame: Frame| frame.size().x.max(frame.size().y);
+    let both = floating.with(fixed);
+    if extent(both) <= WIDEN * extent(floating) {
+        return Some(both);
+    }
+    // Room to see against what the floating bodies lie.
+    let room = floating.size() * 0.25;
+    Some(Frame { low: floating.low - room, high: floating.high + room })
+}
+
+fn joined(a: Option<Frame>, b: Option<Frame>) -> Option<Frame> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.with(b)),
+        (a, b) => a.or(b),
+    }
+}
+
+/// The middle of a body's outline, earth-fixed [m].
+fn middle(body: &BodySetup, state: &BodyState) -> Vec2 {
+    let (low, high) = body.outline.bounds();
+    state.pose().apply((low + high) * 0.5)
+}
+
+/// The contact of one pair in the step of its largest force.
+pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
+    let setup = outcome.setup;
+    let styles = styles(setup);
+    let peak = &pair.peak;
+    let bodies = pair.bodies.map(|i| &setup.bodies[i]);
+    let stage = |body: &BodySetup| if body.mass.is_none() { Stage::Fixed } else { Stage::Peak };
+    let outlines = [0, 1]
+        .map(|k| outlined(bodies[k], &peak.states[k], stage(bodies[k]), styles[pair.bodies[k]]));
+    let smaller_m = bodies[0].outline.radius_m().min(bodies[1].outline.radius_m());
+    let half_m = (12.0 * peak.contact.depth_m).clamp(0.25 * smaller_m, smaller_m);
+    let centre = peak.contact.point_m;
+    let frame = Frame::square(centre, half_m);
+    // Names stand off from the contact along the normal: body 1 behind it, body 2 before it.
+    let labels = [-0.8, 0.8].into_iter().zip(bodies).map(|(share, body)| Label {
+        at_m: centre + peak.contact.normal * (share * half_m),
+        text: body.name.clone(),
+    });
+    let force = Scaled::for_largest(peak.normal_n);
+    let arrow = Arrow {
+        from_m: centre,
+        // The push on body 2.
+        direction: peak.contact.normal,
+        label: format!(
+            "N = {} {} on {}",
+            significant(peak.normal_n * force.factor, 4),
+            force.unit("N"),
+            bodies[1].name
+        ),
+    };
+    Plan {
+        title: format!(
+            "{} – {} at their peak force, {} s; depth {} m",
+            bodies[0].name,
+            bodies[1].name,
+            significant(peak.t_s, 4),
+            significant(peak.contact.depth_m, 3)
+        ),
+        frame,
+        outlines: outlines.to_vec(),
+        tracks: Vec::new(),
+        arrows: vec![arrow],
+        labels: labels.collect(),
+        note: String::new(),
+    }
+    .render()
+}

@@ -1,0 +1,113 @@
+//! `fenderline run`: scenario → simulation → files and a short summary.
+
+mod printed;
+
+use std::path::{Path, PathBuf};
+
+use fenderline_scenario::Scenario;
+use fenderline_sim::{Setup, Simulation, StepRecord};
+
+use crate::cli::RunArgs;
+use crate::failure::Failure;
+use crate::load::load;
+use crate::output::{
+    Events, Folder, Outcome, Tables, integrator_text, method_text, publish, summary,
+};
+use crate::progress::Progress;
+use crate::report::{self, Recorder};
+use crate::terminal::{say, tell};
+
+/// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
+///
+/// # Errors
+/// Bad input; a simulation or a file that failed, in which case no result file is left.
+pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
+    let scenario = load(&args.scenario, &args.changes)?;
+    let notices: Vec<String> = scenario.notices.iter().map(ToString::to_string).collect();
+    for notice in &notices {
+        tell(&format!("notice: {notice}"));
+    }
+    let Scenario { title, setup, .. } = scenario;
+    let mut simulation = Simulation::new(setup).map_err(error)?;
+    let folder_path = args.out.clone().unwrap_or_else(|| default_folder(&args.scenario));
+    let folder = Folder::open(&folder_path)?;
+    let mut tables = Tables::create(
+        &folder,
+        args.format,
+        &body_names(simulation.setup()),
+        &facts(&title, &simulation),
+    )?;
+    let mut recorder = Recorder::new(simulation.setup());
+    let mut events = Events::default();
+
+    play(&mut simulation, |step| {
+        tables.write(step)?;
+        recorder.record(step);
+        events.count(step);
+        Ok(())
+    })?;
+
+    let pairs = simulation.pair_summaries();
+    let outcome = Outcome {
+        title: &title,
+        scenario_file: &file_name(&args.scenario),
+        setup: simulation.setup(),
+        notices: &notices,
+        steps: simulation.steps_total(),
+        states: simulation.states(),
+        pairs: &pairs,
+        energy: simulation.energy(),
+        events: &events,
+    };
+    let files = tables.files();
+    let summary = summary(&outcome, &files)?;
+    let report = report::render(&outcome, &recorder);
+    publish(folder, tables, &report, &summary)?;
+    say(&printed::summary(&outcome, &folder_path, &files))
+}
+
+/// Steps `simulation` to its end and shows `each` step; a bar shows the progress on a terminal.
+///
+/// # Errors
+/// A step that the simulation cannot make, or the first error of `each`.
+pub(crate) fn play(
+    simulation: &mut Simulation,
+    mut each: impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let mut progress = Progress::new(simulation.steps_total());
+    while !simulation.is_done() {
+        let step = simulation.step().map_err(|e| Failure::case(format_args!("error: {e}")))?;
+        each(&step)?;
+        progress.advance(step.index + 1);
+    }
+    Ok(())
+}
+
+/// A set-up that the simulation refuses is bad input.
+pub(crate) fn error(error: fenderline_sim::SetupError) -> Failure {
+    Failure::input(format_args!("error: {error}"))
+}
+
+fn default_folder(scenario: &Path) -> PathBuf {
+    Path::new("out").join(scenario.file_stem().unwrap_or_default())
+}
+
+fn file_name(scenario: &Path) -> String {
+    scenario.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+fn body_names(setup: &Setup) -> Vec<String> {
+    setup.bodies.iter().map(|body| body.name.clone()).collect()
+}
+
+/// What a table that travels alone should tell of its run.
+fn facts(title: &str, simulation: &Simulation) -> Vec<(&'static str, String)> {
+    let setup = simulation.setup();
+    vec![
+        ("title", title.to_owned()),
+        ("version", env!("CARGO_PKG_VERSION").to_owned()),
+        ("method", method_text(setup.method).to_owned()),
+        ("integrator", integrator_text(setup.integrator).to_owned()),
+        ("step_s", format!("{:?}", setup.step_s)),
+    ]
+}

@@ -1,0 +1,92 @@
+//! The summary that `run` prints.
+
+use core::fmt::Write as _;
+use std::path::Path;
+
+use fenderline_sim::PairSummary;
+
+use crate::output::{Outcome, WrittenFile, integrator_text, method_text};
+
+/// Pairs printed at most.
+const ROWS: usize = 20;
+/// Longest name of a pair that keeps the table aligned [characters].
+const NAME_WIDTH: usize = 40;
+
+/// Title and how it was run, one line a pair with the largest force first, and where the files are.
+pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile]) -> String {
+    let setup = outcome.setup;
+    let mut text = format!(
+        "{}\n{} steps of {} s, {} method, {} integrator\n\n",
+        one_line(outcome.title),
+        outcome.steps,
+        setup.step_s,
+        method_text(setup.method),
+        integrator_text(setup.integrator)
+    );
+    let mut pairs: Vec<&PairSummary> = outcome.pairs.iter().collect();
+    pairs.sort_by(|a, b| b.peak_normal_force_n.total_cmp(&a.peak_normal_force_n));
+    if pairs.is_empty() {
+        text.push_str("no bodies touched\n");
+    } else {
+        let more = pairs.len().saturating_sub(ROWS);
+        pairs.truncate(ROWS);
+        text.push_str(&table(outcome, &pairs));
+        if more > 0 {
+            let _ = writeln!(text, "and {more} more pairs, in summary.json");
+        }
+    }
+    text.push('\n');
+    let names: Vec<String> = files.iter().map(described).collect();
+    let _ = writeln!(text, "in {}: {}", folder.display(), names.join(", "));
+    text
+}
+
+fn described(file: &WrittenFile) -> String {
+    match file.rows {
+        Some(rows) => format!("{} ({rows} rows)", file.name),
+        None => file.name.clone(),
+    }
+}
+
+fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
+    let names: Vec<String> = pairs
+        .iter()
+        .map(|pair| {
+            let [a, b] = pair.bodies.map(|i| outcome.setup.bodies[i].name.as_str());
+            let still = if pair.touching_at_end { " (still touching)" } else { "" };
+            one_line(&format!("{a} - {b}{still}"))
+        })
+        .collect();
+    let longest = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+    let width = longest.clamp("contact".len(), NAME_WIDTH);
+    let mut text = String::new();
+    let heads = [
+        ("contact", "first touch", "peak force", "peak depth", "impulse", "approach", "final"),
+        ("", "s", "kN", "m", "kN s", "m/s", "m/s"),
+    ];
+    for (name, touch, force, depth, impulse, approach, last) in heads {
+        let _ = writeln!(
+            text,
+            "{name:<width$}  {touch:>11}  {force:>10}  {depth:>10}  {impulse:>10}  {approach:>8}  \
+             {last:>8}"
+        );
+    }
+    for (name, pair) in names.iter().zip(pairs) {
+        let _ = writeln!(
+            text,
+            "{name:<width$}  {:>11.2}  {:>10.1}  {:>10.4}  {:>10.1}  {:>8.4}  {:>8.4}",
+            pair.first_touch_s,
+            pair.peak_normal_force_n / 1e3,
+            pair.peak_depth_m,
+            pair.impulse_ns / 1e3,
+            pair.approach_speed_mps,
+            pair.final_speed_mps
+        );
+    }
+    text
+}
+
+/// User's text without control characters, which could rewrite the terminal.
+fn one_line(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
