@@ -2,9 +2,11 @@
 
 use alloc::string::String;
 use alloc::vec::Vec;
+use alloc::{format, vec};
 
-use crate::outline::Outline;
 use crate::error::ModelError;
+use crate::geometry::convex::ConvexPolygon;
+use crate::outline::Outline;
 
 /// Index of a body, in the order in which bodies were added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -66,4 +68,327 @@ pub struct Pair {
     pub bodies: [BodyId; 2],
     /// Their common material.
     pub material: MaterialId,
+}
+
+/// Bodies, materials and pairs, checked; constant while it is stepped. Mutable state lives in
+/// [`crate::Memory`], so that one model serves many runs at once.
+///
+/// ```
+/// use fenderline_contact::*;
+/// let square = [vec2(-5.0, -5.0), vec2(5.0, -5.0), vec2(5.0, 5.0), vec2(-5.0, 5.0)];
+/// let (outline, _) = Outline::new(&square)?;
+/// let mut builder = Model::builder();
+/// let tug = builder.body(Body {
+///     name: "tug".into(),
+///     key: 1,
+///     outline: outline.clone(),
+///     mobility: Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 6e7 },
+/// });
+/// let quay = builder.body(Body { name: "quay".into(), key: 2, outline, mobility: Mobility::Fixed });
+/// let rubber = builder.material(Material {
+///     stiffness_npm2: 500e3,
+///     damping_nspm2: 0.0,
+///     shear_stiffness_npm: 3e6,
+///     friction_static: 0.5,
+///     friction_dynamic: 0.5,
+///     restitution: 0.1,
+/// });
+/// builder.pair(Pair { bodies: [tug, quay], material: rubber });
+/// let model = builder.build()?;
+/// assert_eq!(model.bodies().len(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Model {
+    bodies: Vec<Body>,
+    materials: Vec<Material>,
+    /// Bodies in the order of their keys.
+    pub(crate) ranked: Vec<RankedBody>,
+    /// Named pairs, sorted by rank.
+    pub(crate) pairs: Vec<RankedPair>,
+    /// Material of all other pairs.
+    pub(crate) every_other_pair: Option<MaterialId>,
+    /// Distinguishes models, for memory and snapshots.
+    pub(crate) fingerprint: u64,
+}
+
+/// What the inner stages need of a body.
+#[derive(Clone, Debug)]
+pub(crate) struct RankedBody {
+    pub(crate) id: BodyId,
+    pub(crate) pieces: Vec<ConvexPolygon>,
+    /// Largest distance of a vertex from the centre of gravity [m].
+    pub(crate) radius_m: f64,
+    pub(crate) area_m2: f64,
+    /// 1/m [1/kg].
+    pub(crate) inverse_mass: f64,
+    /// 1/I [1/(kg·m²)].
+    pub(crate) inverse_inertia: f64,
+}
+
+/// Two bodies by rank, the lower first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct RankedPair {
+    pub(crate) a: u32,
+    pub(crate) b: u32,
+    pub(crate) material: MaterialId,
+}
+
+/// Collects the parts of a [`Model`].
+#[derive(Clone, Debug, Default)]
+pub struct ModelBuilder {
+    bodies: Vec<Body>,
+    materials: Vec<Material>,
+    pairs: Vec<Pair>,
+    every_other_pair: Option<MaterialId>,
+}
+
+impl Model {
+    /// An empty builder.
+    #[must_use]
+    pub fn builder() -> ModelBuilder {
+        ModelBuilder::default()
+    }
+
+    /// The bodies, in the order in which they were added.
+    #[must_use]
+    pub fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
+    /// The materials, in the order in which they were added.
+    #[must_use]
+    pub fn materials(&self) -> &[Material] {
+        &self.materials
+    }
+}
+
+impl ModelBuilder {
+    /// Adds a body.
+    pub fn body(&mut self, body: Body) -> BodyId {
+        self.bodies.push(body);
+        BodyId(self.bodies.len() as u32 - 1)
+    }
+
+    /// Adds a material.
+    pub fn material(&mut self, material: Material) -> MaterialId {
+        self.materials.push(material);
+        MaterialId(self.materials.len() as u32 - 1)
+    }
+
+    /// Lets two bodies touch.
+    pub fn pair(&mut self, pair: Pair) -> &mut ModelBuilder {
+        self.pairs.push(pair);
+        self
+    }
+
+    /// Lets every pair of bodies touch that no call of [`ModelBuilder::pair`] names.
+    pub fn every_other_pair(&mut self, material: MaterialId) -> &mut ModelBuilder {
+        self.every_other_pair = Some(material);
+        self
+    }
+
+    /// Checks everything.
+    ///
+    /// # Errors
+    /// [`ModelError`], naming the body or pair.
+    pub fn build(self) -> Result<Model, ModelError> {
+        let ModelBuilder { bodies, materials, pairs, every_other_pair } = self;
+        bodies.iter().try_for_each(check_body)?;
+        for (index, material) in materials.iter().enumerate() {
+            check_material(index, material)?;
+        }
+        let (ranked, rank_of) = rank(&bodies)?;
+        let pairs = rank_pairs(&bodies, &materials, &pairs, &rank_of)?;
+        if let Some(MaterialId(index)) = every_other_pair
+            && index as usize >= materials.len()
+        {
+            return Err(ModelError::UnknownId { what: "material", index });
+        }
+        let mut model =
+            Model { bodies, materials, ranked, pairs, every_other_pair, fingerprint: 0 };
+        model.fingerprint = fingerprint(&model);
+        Ok(model)
+    }
+}
+
+fn check_body(body: &Body) -> Result<(), ModelError> {
+    let Mobility::Free { mass_kg, yaw_inertia_kgm2 } = body.mobility else { return Ok(()) };
+    let check = |field, value: f64| {
+        if value > 0.0 && value <= LARGEST_MASS {
+            return Ok(());
+        }
+        let must = "positive and at most 1e30";
+        Err(ModelError::OutOfRange { owner: body.name.clone(), field, value, must })
+    };
+    check("mass", mass_kg)?;
+    check("yaw inertia", yaw_inertia_kgm2)
+}
+
+/// Beyond this products of masses, stiffnesses and areas could overflow.
+const LARGEST_MASS: f64 = 1e30;
+const LARGEST_STIFFNESS: f64 = 1e18;
+
+fn check_material(index: usize, m: &Material) -> Result<(), ModelError> {
+    let check = |field, value: f64, low: f64, high: f64, must| {
+        if value >= low && value <= high {
+            return Ok(());
+        }
+        Err(ModelError::OutOfRange { owner: format!("material {index}"), field, value, must })
+    };
+    let stiff = "between 0 and 1e18";
+    check("stiffness", m.stiffness_npm2, 0.0, LARGEST_STIFFNESS, stiff)?;
+    check("damping", m.damping_nspm2, 0.0, LARGEST_STIFFNESS, stiff)?;
+    check("shear stiffness", m.shear_stiffness_npm, 0.0, LARGEST_STIFFNESS, stiff)?;
+    check("static friction", m.friction_static, 0.0, 1e6, "between 0 and 1e6")?;
+    check(
+        "dynamic friction",
+        m.friction_dynamic,
+        0.0,
+        m.friction_static,
+        "between 0 and the static friction",
+    )?;
+    check("restitution", m.restitution, 0.0, 1.0, "between 0 and 1")
+}
+
+fn rank(bodies: &[Body]) -> Result<(Vec<RankedBody>, Vec<u32>), ModelError> {
+    let mut order: Vec<u32> = (0..bodies.len() as u32).collect();
+    order.sort_by_key(|&i| bodies[i as usize].key);
+    for two in order.windows(2) {
+        let (first, second) = (&bodies[two[0] as usize], &bodies[two[1] as usize]);
+        if first.key == second.key {
+            return Err(ModelError::DuplicateKey { body: second.name.clone(), key: second.key });
+        }
+    }
+    let mut rank_of = vec![0; bodies.len()];
+    let mut ranked = Vec::with_capacity(bodies.len());
+    for (rank, &id) in order.iter().enumerate() {
+        rank_of[id as usize] = rank as u32;
+        ranked.push(RankedBody::new(BodyId(id), &bodies[id as usize]));
+    }
+    Ok((ranked, rank_of))
+}
+
+impl RankedBody {
+    fn new(id: BodyId, body: &Body) -> RankedBody {
+        let (inverse_mass, inverse_inertia) = match body.mobility {
+            Mobility::Fixed => (0.0, 0.0),
+            Mobility::Free { mass_kg, yaw_inertia_kgm2 } => (1.0 / mass_kg, 1.0 / yaw_inertia_kgm2),
+        };
+        RankedBody {
+            id,
+            pieces: body.outline.pieces().iter().map(|p| ConvexPolygon::new(p)).collect(),
+            radius_m: body.outline.radius_m(),
+            area_m2: body.outline.area_m2(),
+            inverse_mass,
+            inverse_inertia,
+        }
+    }
+
+    #[inline]
+    pub(crate) fn is_fixed(&self) -> bool {
+        self.inverse_mass == 0.0
+    }
+}
+
+fn rank_pairs(
+    bodies: &[Body],
+    materials: &[Material],
+    pairs: &[Pair],
+    rank_of: &[u32],
+) -> Result<Vec<RankedPair>, ModelError> {
+    let mut ranked = Vec::with_capacity(pairs.len());
+    for pair in pairs {
+        for BodyId(index) in pair.bodies {
+            if index as usize >= bodies.len() {
+                return Err(ModelError::UnknownId { what: "body", index });
+            }
+        }
+        if pair.material.0 as usize >= materials.len() {
+            return Err(ModelError::UnknownId { what: "material", index: pair.material.0 });
+        }
+        let [one, two] = pair.bodies.map(|id| rank_of[id.0 as usize]);
+        let [first, second] = pair.bodies.map(|id| &bodies[id.0 as usize]);
+        if one == two {
+            return Err(bad_pair(first, second, "a body cannot touch itself"));
+        }
+        if first.mobility == Mobility::Fixed && second.mobility == Mobility::Fixed {
+            return Err(bad_pair(first, second, "both are fixed: no force would move either"));
+        }
+        let (a, b) = (one.min(two), one.max(two));
+        ranked.push(RankedPair { a, b, material: pair.material });
+    }
+    ranked.sort_by_key(|p| (p.a, p.b));
+    let by_rank = |rank: u32| bodies.iter().zip(rank_of).find(|(_, r)| **r == rank).map(|(b, _)| b);
+    for two in ranked.windows(2) {
+        if (two[0].a, two[0].b) == (two[1].a, two[1].b)
+            && let (Some(a), Some(b)) = (by_rank(two[0].a), by_rank(two[0].b))
+        {
+            return Err(bad_pair(a, b, "named twice"));
+        }
+    }
+    Ok(ranked)
+}
+
+fn bad_pair(first: &Body, second: &Body, why: &'static str) -> ModelError {
+    ModelError::BadPair { bodies: [first.name.clone(), second.name.clone()], why }
+}
+
+/// FNV-1a over all that the meaning of a memory depends on, in the order of the keys.
+fn fingerprint(model: &Model) -> u64 {
+    let mut hash = Fnv::default();
+    hash.word(model.ranked.len() as u64);
+    for ranked in &model.ranked {
+        let body = &model.bodies[ranked.id.0 as usize];
+        hash.word(body.key);
+        hash.word(ranked.inverse_mass.to_bits());
+        hash.word(ranked.inverse_inertia.to_bits());
+        for v in body.outline.vertices() {
+            hash.word(v.x.to_bits());
+            hash.word(v.y.to_bits());
+        }
+    }
+    let material = |hash: &mut Fnv, MaterialId(index): MaterialId| {
+        let m = &model.materials[index as usize];
+        for value in [
+            m.stiffness_npm2,
+            m.damping_nspm2,
+            m.shear_stiffness_npm,
+            m.friction_static,
+            m.friction_dynamic,
+            m.restitution,
+        ] {
+            hash.word(value.to_bits());
+        }
+    };
+    for pair in &model.pairs {
+        hash.word(u64::from(pair.a));
+        hash.word(u64::from(pair.b));
+        material(&mut hash, pair.material);
+    }
+    if let Some(id) = model.every_other_pair {
+        material(&mut hash, id);
+    }
+    hash.0
+}
+
+/// The 64-bit FNV-1a hash.
+pub(crate) struct Fnv(pub(crate) u64);
+
+impl Default for Fnv {
+    fn default() -> Fnv {
+        Fnv(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Fnv {
+    pub(crate) fn word(&mut self, word: u64) {
+        self.bytes(&word.to_le_bytes());
+    }
+
+    pub(crate) fn bytes(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
 }

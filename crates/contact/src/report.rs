@@ -28,6 +28,10 @@ pub struct Contact {
     pub depth_m: f64,
     /// C, the centroid of the overlap, earth-fixed [m].
     pub point_m: Vec2,
+    /// From body 1's centre of gravity to C, earth-fixed [m]; exact far from the chart's origin.
+    pub arm_1_m: Vec2,
+    /// From body 2's centre of gravity to C, earth-fixed [m].
+    pub arm_2_m: Vec2,
     /// n, body 1's outward normal, earth-fixed.
     pub normal: Vec2,
     /// V_n [m/s], positive while approaching.

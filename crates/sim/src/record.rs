@@ -2,7 +2,7 @@
 
 use fenderline_contact::{BodyState, Contact, Event, Wrench};
 
-/// One step, seen at its start: states at `t_s`, the forces that act from `t_s` to `t_s + step_s`.
+/// One step, seen at its start: states at `t_s`, the forces that act from there on.
 #[derive(Clone, Copy, Debug)]
 pub struct StepRecord<'a> {
     /// Number of the step, from 0.
@@ -13,11 +13,11 @@ pub struct StepRecord<'a> {
     pub states: &'a [BodyState],
     /// States at the end of the step.
     pub states_after: &'a [BodyState],
-    /// Touching patches, in a fixed order.
+    /// Touching patches at the start of the step, in a fixed order.
     pub contacts: &'a [Contact],
-    /// Work done by each contact in this step, beside `contacts`.
-    pub works: &'a [ContactWork],
-    /// Sum of contact forces on each body, one a body.
+    /// What contact did in this step, one entry a pair of bodies.
+    pub works: &'a [PairWork],
+    /// Sum of contact forces on each body at the start of the step, one a body.
     pub wrenches: &'a [Wrench],
     /// Events of this step.
     pub events: &'a [Event],
@@ -25,16 +25,24 @@ pub struct StepRecord<'a> {
     pub energy: Energy,
 }
 
-/// Work that a contact did on the two bodies in one step [J]: negative while it takes energy.
+/// What the contact of two bodies did in one step, over all the integrator's stages.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ContactWork {
-    /// By the normal force.
+pub struct PairWork {
+    /// Indices of the bodies in the set-up, the smaller first.
+    pub bodies: [usize; 2],
+    /// ∫ N dt [N·s].
+    pub normal_impulse_ns: f64,
+    /// Work of the normal force on the two bodies [J]: negative while it takes energy.
     pub normal_j: f64,
-    /// By the tangential force.
+    /// Work of the tangential force on the two bodies [J].
     pub tangential_j: f64,
 }
 
 /// The energy ledger since the start of the run [J].
+///
+/// Work is force times the mean of the velocities before and after the step, so that it accounts
+/// for the change of kinetic energy exactly. A contact that leaves with more energy than it came
+/// with shows as positive `normal_work_j`: energy that the method or the time step made up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
     /// Kinetic energy now, added mass included.
@@ -45,6 +53,6 @@ pub struct Energy {
     pub normal_work_j: f64,
     /// Work done by tangential contact forces on the bodies.
     pub tangential_work_j: f64,
-    /// Kinetic energy now, less that at the start, less all work: what the integrator made up.
+    /// Kinetic energy now, less that at the start, less all work: rounding.
     pub residual_j: f64,
 }

@@ -61,7 +61,7 @@ pub struct BodySetup {
 }
 
 /// Rigid-body and added mass of a floating body about its centre of gravity.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MassProperties {
     /// Displacement [kg].
     pub mass_kg: f64,

@@ -1,5 +1,9 @@
 //! Running totals of a run, per pair of bodies.
 
+use fenderline_contact::Contact;
+
+use crate::record::StepRecord;
+
 /// What happened between two bodies in a run. Peaks are the true ones of every step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairSummary {
@@ -29,4 +33,87 @@ pub struct PairSummary {
     pub tangential_work_j: f64,
     /// True when they touch in the run's last step.
     pub touching_at_end: bool,
+}
+
+/// Collects [`PairSummary`]s step by step, in the order of first touch.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Summaries {
+    pub(crate) pairs: Vec<PairSummary>,
+}
+
+impl Summaries {
+    /// Books one step.
+    pub(crate) fn book(&mut self, record: &StepRecord<'_>) {
+        for pair in &mut self.pairs {
+            pair.touching_at_end = false;
+        }
+        let mut contacts = record.contacts;
+        while let Some(first) = contacts.first() {
+            // A pair's patches stand together.
+            let bodies = [first.body_1.0 as usize, first.body_2.0 as usize];
+            let count = contacts.iter().take_while(|c| same_pair(c, first)).count();
+            let (own, rest) = contacts.split_at(count);
+            contacts = rest;
+            let pair = self.pair(bodies, record.t_s, first.v_normal_mps);
+            book_touch(pair, own, record);
+        }
+        for work in record.works {
+            let Some(pair) = self.pairs.iter_mut().find(|p| p.bodies == work.bodies) else {
+                continue; // touched only within the step; the next one sees it at its start
+            };
+            pair.impulse_ns += work.normal_impulse_ns;
+            pair.normal_work_j += work.normal_j;
+            pair.tangential_work_j += work.tangential_j;
+        }
+    }
+
+    fn pair(&mut self, bodies: [usize; 2], t_s: f64, approach_speed_mps: f64) -> &mut PairSummary {
+        let index = self.pairs.iter().position(|p| p.bodies == bodies).unwrap_or_else(|| {
+            self.pairs.push(PairSummary {
+                bodies,
+                first_touch_s: t_s,
+                last_touch_s: t_s,
+                peak_normal_force_n: 0.0,
+                peak_normal_force_at_s: t_s,
+                peak_depth_m: 0.0,
+                peak_depth_at_s: t_s,
+                impulse_ns: 0.0,
+                approach_speed_mps,
+                final_speed_mps: 0.0,
+                normal_work_j: 0.0,
+                tangential_work_j: 0.0,
+                touching_at_end: false,
+            });
+            self.pairs.len() - 1
+        });
+        &mut self.pairs[index]
+    }
+}
+
+fn same_pair(a: &Contact, b: &Contact) -> bool {
+    (a.body_1, a.body_2) == (b.body_1, b.body_2)
+}
+
+fn book_touch(pair: &mut PairSummary, own: &[Contact], record: &StepRecord<'_>) {
+    pair.last_touch_s = record.t_s;
+    pair.touching_at_end = true;
+    let force_n: f64 = own.iter().map(|c| c.normal_force_n).sum();
+    if force_n > pair.peak_normal_force_n {
+        pair.peak_normal_force_n = force_n;
+        pair.peak_normal_force_at_s = record.t_s;
+    }
+    for contact in own {
+        if contact.depth_m > pair.peak_depth_m {
+            pair.peak_depth_m = contact.depth_m;
+            pair.peak_depth_at_s = record.t_s;
+        }
+    }
+    // Of the patch that presses hardest, with the bodies' speeds at the end of the step.
+    let main = own
+        .iter()
+        .fold(own[0], |main, c| if c.normal_force_n > main.normal_force_n { *c } else { main });
+    let [after_1, after_2] = pair.bodies.map(|body| record.states_after[body]);
+    let closing = (after_1.velocity_mps + main.arm_1_m.spun_by(after_1.yaw_rate_radps))
+        - (after_2.velocity_mps + main.arm_2_m.spun_by(after_2.yaw_rate_radps));
+    pair.final_speed_mps = -closing.dot(main.normal);
 }

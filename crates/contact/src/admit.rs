@@ -1,0 +1,93 @@
+//! Stage 1, admit: the host's input, checked before anything changes.
+
+use crate::error::StepError;
+use crate::memory::Memory;
+use crate::model::Model;
+use crate::report::{Event, EventKind};
+use crate::state::BodyState;
+use crate::vec2::{Pose, Rotation};
+use crate::workspace::Workspace;
+
+/// Largest size of a position, a velocity and a time step [m, m/s, rad/s, rad, s]. Beyond these a
+/// number is a host's mistake, and forces could overflow.
+const FURTHEST_M: f64 = 1e9;
+const FASTEST_MPS: f64 = 1e6;
+const FASTEST_TURN_RADPS: f64 = 1e3;
+const LARGEST_HEADING_RAD: f64 = 1e9;
+const LONGEST_STEP_S: f64 = 1e6;
+const SHORTEST_STEP_S: f64 = 1e-9;
+
+/// Checks what the host gave.
+pub(crate) fn admit(
+    model: &Model,
+    memory: &Memory,
+    states: &[BodyState],
+    step_s: f64,
+) -> Result<(), StepError> {
+    if memory.fingerprint != model.fingerprint {
+        return Err(StepError::WrongModel);
+    }
+    if states.len() != model.bodies().len() {
+        return Err(StepError::WrongCount { bodies: model.bodies().len(), states: states.len() });
+    }
+    if !(SHORTEST_STEP_S..=LONGEST_STEP_S).contains(&step_s) {
+        return Err(StepError::BadTimeStep { step_s });
+    }
+    for (index, state) in states.iter().enumerate() {
+        let fields = [
+            ("north position", state.position_m.x, FURTHEST_M),
+            ("east position", state.position_m.y, FURTHEST_M),
+            ("heading", state.heading_rad, LARGEST_HEADING_RAD),
+            ("north velocity", state.velocity_mps.x, FASTEST_MPS),
+            ("east velocity", state.velocity_mps.y, FASTEST_MPS),
+            ("yaw rate", state.yaw_rate_radps, FASTEST_TURN_RADPS),
+        ];
+        for (field, value, largest) in fields {
+            if !(value.abs() <= largest) {
+                let body = model.bodies()[index].name.clone();
+                return Err(StepError::BadState { body, field, value });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Puts states and poses in the order of the ranks, and finds bodies that jumped.
+pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
+    let count = model.ranked.len();
+    if work.headings_rad.len() != count {
+        work.headings_rad.clear();
+        work.headings_rad.resize(count, 0.0);
+        work.poses.clear();
+        work.poses.resize(count, Pose::new(crate::vec2::Vec2::ZERO, 0.0));
+    }
+    work.states.clear();
+    work.teleported.clear();
+    for (rank, body) in model.ranked.iter().enumerate() {
+        let state = states[body.id.0 as usize];
+        // Quays and fenders on them never turn: spare their sine and cosine.
+        if state.heading_rad.to_bits() != work.headings_rad[rank].to_bits() {
+            work.headings_rad[rank] = state.heading_rad;
+            work.poses[rank].rotation = Rotation::from_angle(state.heading_rad);
+        }
+        work.poses[rank].position_m = state.position_m;
+        let jumped = memory.last_states.get(rank).is_some_and(|last| {
+            jumped(last, &state, memory.last_step_s, body.radius_m)
+        });
+        work.teleported.push(jumped);
+        if jumped {
+            let bodies = [body.id, body.id];
+            work.events.push(Event { bodies, kind: EventKind::Teleported });
+        }
+        work.states.push(state);
+    }
+}
+
+/// Did the body move by more than its two velocities explain? The allowance, a tenth of its size,
+/// is for hosts whose integrators differ from ours.
+fn jumped(last: &BodyState, now: &BodyState, step_s: f64, radius_m: f64) -> bool {
+    let moved = now.position_m - last.position_m;
+    let mean = (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);
+    let change = (now.velocity_mps - last.velocity_mps).length() * step_s;
+    (moved - mean).length() > change + 0.1 * radius_m
+}

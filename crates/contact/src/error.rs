@@ -1,0 +1,145 @@
+//! Errors that a host or user can make; each leaves everything as it was.
+
+use alloc::string::String;
+use core::fmt;
+
+/// A model that cannot be built.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// A number of a body or material is out of range.
+    OutOfRange {
+        /// The body or material.
+        owner: String,
+        /// The field.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        must: &'static str,
+    },
+    /// Two bodies have the same key.
+    DuplicateKey {
+        /// The body added later.
+        body: String,
+        /// The key.
+        key: u64,
+    },
+    /// A pair names a body or material that is not there.
+    UnknownId {
+        /// What was looked for.
+        what: &'static str,
+        /// Its index.
+        index: u32,
+    },
+    /// A pair of a body with itself, of two fixed bodies, or named twice.
+    BadPair {
+        /// The two bodies.
+        bodies: [String; 2],
+        /// What is wrong.
+        why: &'static str,
+    },
+}
+
+impl fmt::Display for ModelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ModelError::OutOfRange { owner, field, value, must } => {
+                write!(f, "{field} of `{owner}` is {value}: it must be {must}")
+            }
+            ModelError::DuplicateKey { body, key } => {
+                write!(f, "body `{body}` has key {key}, which another body has too")
+            }
+            ModelError::UnknownId { what, index } => write!(f, "there is no {what} {index}"),
+            ModelError::BadPair { bodies: [a, b], why } => write!(f, "pair `{a}`, `{b}`: {why}"),
+        }
+    }
+}
+
+impl core::error::Error for ModelError {}
+
+/// A step that cannot be taken. Memory is bit for bit as it was.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum StepError {
+    /// The host gave states for another number of bodies.
+    WrongCount {
+        /// Bodies in the model.
+        bodies: usize,
+        /// States given.
+        states: usize,
+    },
+    /// Δt is not a positive finite number.
+    BadTimeStep {
+        /// The value given [s].
+        step_s: f64,
+    },
+    /// A number of a state is infinite, NaN or beyond what the engine takes.
+    BadState {
+        /// Name of the body.
+        body: String,
+        /// The field of its state.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Memory was made for another model.
+    WrongModel,
+}
+
+impl fmt::Display for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            StepError::WrongCount { bodies, states } => {
+                write!(f, "the model has {bodies} bodies, but {states} states were given")
+            }
+            StepError::BadTimeStep { step_s } => {
+                write!(f, "the time step is {step_s} s: it must be positive and finite")
+            }
+            StepError::BadState { body, field, value } => {
+                write!(f, "{field} of body `{body}` is {value}")
+            }
+            StepError::WrongModel => write!(f, "this memory belongs to another model"),
+        }
+    }
+}
+
+impl core::error::Error for StepError {}
+
+/// A snapshot that cannot be restored. Memory is bit for bit as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RestoreError {
+    /// The bytes do not begin as a snapshot does.
+    NotASnapshot,
+    /// A version that this build does not read.
+    Version {
+        /// The version found.
+        found: u32,
+    },
+    /// A snapshot of another model.
+    OtherModel,
+    /// Bytes missing or left over.
+    Length,
+    /// The check sum does not fit: the bytes were changed.
+    Checksum,
+    /// A value that no memory can hold.
+    Content,
+}
+
+impl fmt::Display for RestoreError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            RestoreError::NotASnapshot => write!(f, "these bytes are no snapshot"),
+            RestoreError::Version { found } => {
+                write!(f, "snapshot version {found} is not one that this version reads")
+            }
+            RestoreError::OtherModel => write!(f, "the snapshot belongs to another model"),
+            RestoreError::Length => write!(f, "the snapshot is cut short or has bytes left over"),
+            RestoreError::Checksum => write!(f, "the snapshot's check sum does not fit"),
+            RestoreError::Content => write!(f, "the snapshot holds a value that cannot be"),
+        }
+    }
+}
+
+impl core::error::Error for RestoreError {}

@@ -1,0 +1,296 @@
+//! The overlap of two convex polygons, warm or cold.
+
+use alloc::vec::Vec;
+
+use super::axis::{BestAxis, best_axis};
+use super::convex::{ConvexPolygon, Placed, after, before};
+use super::halfplanes::{self, Buffers, Found};
+use super::lens::{Crossing, Lens, Stretch, assemble, measure};
+use super::warm;
+use crate::vec2::{Pose, Vec2};
+
+/// What the last step found, to start from in this one. It decides how fast the answer comes, not
+/// what it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Hint {
+    /// Nothing known.
+    #[default]
+    None,
+    /// The boundaries crossed here.
+    Lens(Stretch),
+    /// This edge kept the two apart; the support is the other polygon's vertex nearest to it.
+    Apart {
+        /// True where the edge is the first polygon's.
+        on_a: bool,
+        /// The separating edge.
+        edge: u32,
+        /// The other polygon's deepest vertex behind it.
+        support: u32,
+    },
+}
+
+impl Hint {
+    /// As five words, for snapshots.
+    pub(crate) fn to_words(self) -> [u32; 5] {
+        match self {
+            Hint::None => [0, 0, 0, 0, 0],
+            Hint::Lens(s) => [1, s.enter.a, s.enter.b, s.leave.a, s.leave.b],
+            Hint::Apart { on_a, edge, support } => [2, u32::from(on_a), edge, support, 0],
+        }
+    }
+
+    /// From [`Hint::to_words`]; `None` for words that are not a hint.
+    pub(crate) fn from_words(words: [u32; 5]) -> Option<Hint> {
+        match words {
+            [0, 0, 0, 0, 0] => Some(Hint::None),
+            [1, enter_a, enter_b, leave_a, leave_b] => Some(Hint::Lens(Stretch {
+                enter: Crossing { a: enter_a, b: enter_b },
+                leave: Crossing { a: leave_a, b: leave_b },
+            })),
+            [2, on_a @ (0 | 1), edge, support, 0] => {
+                Some(Hint::Apart { on_a: on_a == 1, edge, support })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Buffers of the clip, kept between calls so that a warm step allocates nothing.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ClipBuffers {
+    cold: Buffers,
+}
+
+/// The overlap of two convex polygons in the first one's frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clip {
+    pub(crate) lens: Lens,
+    /// One polygon lies wholly within the other.
+    pub(crate) contained: bool,
+}
+
+impl Clip {
+    /// S, the overlap area [m²].
+    #[must_use]
+    pub fn area_m2(&self) -> f64 {
+        self.lens.area_m2
+    }
+
+    /// C, the centroid, in the first polygon's frame [m].
+    #[must_use]
+    pub fn centroid_m(&self) -> Vec2 {
+        self.lens.centroid_m
+    }
+
+    /// d = Σ (P_out − P_in) over the stretches of the first polygon's boundary inside the second,
+    /// in the first one's frame [m]; n is d turned by −90°. Zero where one contains the other.
+    #[must_use]
+    pub fn chord_m(&self) -> Vec2 {
+        self.lens.chord_m
+    }
+}
+
+/// Overlap of `a` and `b`, the pose of `b` given in `a`'s frame. The overlap's vertices are appended
+/// to `outline_m`. `None` where they have no area in common.
+#[inline]
+pub(crate) fn clip(
+    a: &ConvexPolygon,
+    b: &ConvexPolygon,
+    b_in_a: Pose,
+    hint: &mut Hint,
+    buffers: &mut ClipBuffers,
+    outline_m: &mut Vec<Vec2>,
+) -> Option<Clip> {
+    let placed = Placed { polygon: b, pose: b_in_a };
+    match *hint {
+        Hint::Lens(stretch) => {
+            if let Some(found) = warm::find(a, &placed, stretch) {
+                *hint = Hint::Lens(found);
+                return accept(assemble(a, &placed, &[found], outline_m), false);
+            }
+        }
+        Hint::Apart { on_a, edge, support } => {
+            if let Some(support) = still_apart(a, &placed, on_a, edge, support) {
+                *hint = Hint::Apart { on_a, edge, support };
+                return None;
+            }
+        }
+        Hint::None => {
+            if circles_apart(a, &placed) {
+                return None;
+            }
+        }
+    }
+    cold(a, &placed, hint, &mut buffers.cold, outline_m)
+}
+
+/// The least-penetration axis of two overlapping polygons: body 1's outward normal in its frame.
+pub(crate) fn least_penetration(
+    a: &ConvexPolygon,
+    b: &ConvexPolygon,
+    b_in_a: Pose,
+    buffers: &mut ClipBuffers,
+) -> Vec2 {
+    place(&Placed { polygon: b, pose: b_in_a }, &mut buffers.cold.b_m);
+    best_axis(a, &buffers.cold.b_m).normal
+}
+
+fn place(b: &Placed<'_>, into_m: &mut Vec<Vec2>) {
+    into_m.clear();
+    into_m.extend(b.polygon.closed().iter().map(|&v| b.pose.apply(v)));
+}
+
+#[inline]
+fn accept(lens: Lens, contained: bool) -> Option<Clip> {
+    (lens.area_m2 > 0.0).then_some(Clip { lens, contained })
+}
+
+/// True where the bounding circles do not meet.
+#[inline]
+pub(crate) fn circles_apart(a: &ConvexPolygon, b: &Placed<'_>) -> bool {
+    let reach = a.radius_m() + b.polygon.radius_m();
+    (b.pose.apply(b.polygon.center_m()) - a.center_m()).length_squared() > reach * reach
+}
+
+#[cold]
+#[inline(never)]
+fn cold(
+    a: &ConvexPolygon,
+    b: &Placed<'_>,
+    hint: &mut Hint,
+    buffers: &mut Buffers,
+    outline_m: &mut Vec<Vec2>,
+) -> Option<Clip> {
+    place(b, &mut buffers.b_m);
+    *hint = Hint::None;
+    match halfplanes::intersect(a, buffers) {
+        Found::Nothing => {
+            let BestAxis { gap_m, on_a, edge, support, .. } = best_axis(a, &buffers.b_m);
+            if gap_m > 0.0 {
+                *hint = Hint::Apart { on_a, edge, support };
+            }
+            None
+        }
+        Found::FirstInside => {
+            outline_m.extend_from_slice(a.vertices());
+            accept(measure(a.vertices(), Vec2::ZERO, false), true)
+        }
+        Found::SecondInside => {
+            let inside = &buffers.b_m[..b.count()];
+            outline_m.extend_from_slice(inside);
+            accept(measure(inside, Vec2::ZERO, false), true)
+        }
+        Found::Crossings { collinear } => {
+            if let ([stretch], false) = (buffers.stretches.as_slice(), collinear) {
+                *hint = Hint::Lens(*stretch);
+            }
+            let mut lens = assemble(a, b, &buffers.stretches, outline_m);
+            lens.collinear = collinear;
+            accept(lens, false)
+        }
+    }
+}
+
+/// Does the cached edge still keep the polygons apart? The support's neighbours certify it: the
+/// depth behind an edge has one hill over a convex ring. Returns the support found.
+#[inline]
+fn still_apart(
+    a: &ConvexPolygon,
+    b: &Placed<'_>,
+    on_a: bool,
+    edge: u32,
+    support: u32,
+) -> Option<u32> {
+    let (edge, support) = (edge as usize, support as usize);
+    if on_a {
+        let (n, m) = (a.count(), b.count());
+        if edge >= n || support >= m {
+            return None;
+        }
+        let (start, end) = (a.closed()[edge], a.closed()[edge + 1]);
+        deepest_outside(start, end, |j| b.vertex(j), support, m)
+    } else {
+        let (n, m) = (b.count(), a.count());
+        if edge >= n || support >= m {
+            return None;
+        }
+        deepest_outside(b.vertex(edge), b.vertex(edge + 1), |j| a.closed()[j], support, m)
+    }
+}
+
+#[inline]
+fn deepest_outside(
+    start: Vec2,
+    end: Vec2,
+    vertex: impl Fn(usize) -> Vec2,
+    support: usize,
+    count: usize,
+) -> Option<u32> {
+    let along = end - start;
+    let depth = |j: usize| along.cross(vertex(j) - start);
+    let mut j = support;
+    let mut here = depth(j);
+    for _ in 0..count {
+        if here >= 0.0 {
+            return None;
+        }
+        let (next, previous) = (after(j, count), before(j, count));
+        let (of_next, of_previous) = (depth(next), depth(previous));
+        if of_next > here {
+            (j, here) = (next, of_next);
+        } else if of_previous > here {
+            (j, here) = (previous, of_previous);
+        } else {
+            return Some(j as u32);
+        }
+    }
+    None
+}
+
+/// A pair of convex polygons clipped again and again as they move: the clip as the benches and
+/// other callers of the geometry alone see it.
+///
+/// ```
+/// use fenderline_contact::{ConvexPolygon, PairClip, Pose, vec2};
+/// let square = [vec2(0.0, 0.0), vec2(2.0, 0.0), vec2(2.0, 2.0), vec2(0.0, 2.0)];
+/// let (a, b) = (ConvexPolygon::new(&square), ConvexPolygon::new(&square));
+/// let mut pair = PairClip::default();
+/// let still = Pose::new(vec2(0.0, 0.0), 0.0);
+/// let clip = pair.clip(&a, still, &b, Pose::new(vec2(1.5, 1.0), 0.0)).unwrap();
+/// assert_eq!(clip.area_m2(), 0.5);
+/// assert_eq!(clip.centroid_m(), vec2(1.75, 1.5));
+/// assert_eq!(pair.outline_m().len(), 4);
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct PairClip {
+    hint: Hint,
+    buffers: ClipBuffers,
+    outline_m: Vec<Vec2>,
+}
+
+impl PairClip {
+    /// Overlap of `a` and `b` at their poses; `None` where they have no area in common. Results are
+    /// in `a`'s frame.
+    #[inline]
+    pub fn clip(
+        &mut self,
+        a: &ConvexPolygon,
+        a_pose: Pose,
+        b: &ConvexPolygon,
+        b_pose: Pose,
+    ) -> Option<Clip> {
+        self.outline_m.clear();
+        clip(a, b, a_pose.to(b_pose), &mut self.hint, &mut self.buffers, &mut self.outline_m)
+    }
+
+    /// Vertices of the last overlap, in the first polygon's frame [m].
+    #[must_use]
+    pub fn outline_m(&self) -> &[Vec2] {
+        &self.outline_m
+    }
+
+    /// Forgets what the last call found, so that the next one takes the cold path.
+    pub fn forget(&mut self) {
+        self.hint = Hint::None;
+    }
+}

@@ -1,0 +1,249 @@
+//! The cold path of the clip: the overlap of two convex polygons as an intersection of half-planes.
+//!
+//! The edges of a convex polygon are already sorted by direction, so that merging the two rings
+//! and one pass with a double-ended queue answers every case (any number of crossings, one within
+//! the other, nothing) in O(n + m).
+
+use alloc::vec::Vec;
+
+use super::convex::{ConvexPolygon, after, upper_half};
+use super::lens::{Crossing, Stretch};
+use crate::vec2::Vec2;
+
+/// Edges of the same direction to this sine, and this close, lie on one another [-, m].
+/// Closer than this a chord between them would follow rounding, not shape.
+const SAME_DIRECTION: f64 = 1e-9;
+const SAME_LINE_M: f64 = 1e-9;
+
+/// What the cold path found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Found {
+    /// No common area.
+    Nothing,
+    /// The first polygon lies within the second.
+    FirstInside,
+    /// The second polygon lies within the first.
+    SecondInside,
+    /// The boundaries cross; the stretches are in the buffers.
+    Crossings {
+        /// Edges of the two polygons lie on one another.
+        collinear: bool,
+    },
+}
+
+/// A half-plane to the left of an edge.
+#[derive(Clone, Copy, Debug)]
+struct HalfPlane {
+    start: Vec2,
+    along: Vec2,
+    edge: u32,
+    of_a: bool,
+    /// An edge of the other polygon lies on this one.
+    doubled: bool,
+}
+
+/// Buffers of the cold path, kept between calls.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Buffers {
+    /// The second polygon's closed vertices in the first one's frame [m].
+    pub(crate) b_m: Vec<Vec2>,
+    /// Stretches of the first polygon's boundary inside the second, in the order of the walk.
+    pub(crate) stretches: Vec<Stretch>,
+    queue: Vec<HalfPlane>,
+    /// `corners[k]` is where `queue[k]` meets `queue[k − 1]`.
+    corners: Vec<Vec2>,
+}
+
+/// Finds all crossings of `a` with the polygon in `buffers.b_m`.
+pub(crate) fn intersect(a: &ConvexPolygon, buffers: &mut Buffers) -> Found {
+    let Some(front) = sweep(a, buffers) else { return Found::Nothing };
+    let boundary = &buffers.queue[front..];
+    let collinear = boundary.iter().any(|h| h.doubled);
+    buffers.stretches.clear();
+    // Begin at an edge of the first polygon that follows one of the second: there it enters.
+    let count = boundary.len();
+    let at = |k: usize| &boundary[k % count];
+    let Some(first) = (0..count).find(|&k| at(k).of_a && !at(k + count - 1).of_a) else {
+        return if boundary[0].of_a { Found::FirstInside } else { Found::SecondInside };
+    };
+    let mut enter = Crossing::default();
+    for k in first..first + count {
+        let (previous, here, next) = (at(k + count - 1), at(k), at(k + 1));
+        if here.of_a && !previous.of_a {
+            enter = Crossing { a: here.edge, b: previous.edge };
+        }
+        if here.of_a && !next.of_a {
+            let leave = Crossing { a: here.edge, b: next.edge };
+            buffers.stretches.push(Stretch { enter, leave });
+        }
+    }
+    Found::Crossings { collinear }
+}
+
+/// One pass over all half-planes by direction. Leaves the bounding ones in `queue[front..]`.
+fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
+    let Buffers { b_m, queue, corners, .. } = buffers;
+    queue.clear();
+    corners.clear();
+    let mut front = 0;
+    let mut merged = Merge::new(a, b_m);
+    while let Some(new) = merged.next() {
+        while queue.len() > front + 1 && outside(new, corners[corners.len() - 1]) {
+            queue.pop();
+            corners.pop();
+        }
+        while queue.len() > front + 1 && outside(new, corners[front + 1]) {
+            front += 1;
+        }
+        if queue.len() == front {
+            queue.push(new);
+            corners.push(Vec2::ZERO);
+            continue;
+        }
+        let back = queue.len() - 1;
+        let last = queue[back];
+        let turn = last.along.cross(new.along);
+        let lengths = last.along.length() * new.along.length();
+        if turn <= SAME_DIRECTION * lengths {
+            if turn < -SAME_DIRECTION * lengths || last.along.dot(new.along) < 0.0 {
+                return None; // a gap of half a turn or more: nothing can close it
+            }
+            if last.of_a == new.of_a {
+                // Neighbours of one polygon turn by more than this; they met again because all
+                // between them was cut away.
+                if turn <= 0.0 {
+                    return None;
+                }
+            } else {
+                let ahead = last.along.cross(new.start - last.start) / last.along.length();
+                let doubled = ahead.abs() <= SAME_LINE_M;
+                if doubled {
+                    queue[back].doubled = true;
+                }
+                if ahead <= 0.0 || doubled {
+                    continue;
+                }
+                queue[back] = new;
+                if back > front {
+                    corners[back] = corner(a, b_m, queue[back - 1], new);
+                }
+                continue;
+            }
+        }
+        corners.push(corner(a, b_m, last, new));
+        queue.push(new);
+    }
+    while queue.len() > front + 2 && outside(queue[front], corners[corners.len() - 1]) {
+        queue.pop();
+        corners.pop();
+    }
+    while queue.len() > front + 2 && outside(queue[queue.len() - 1], corners[front + 1]) {
+        front += 1;
+    }
+    if queue.len() < front + 3 { None } else { Some(front) }
+}
+
+#[inline]
+fn outside(h: HalfPlane, point: Vec2) -> bool {
+    h.along.cross(point - h.start) < 0.0
+}
+
+/// Where two half-planes' lines meet. Neighbouring edges of one polygon meet in its own vertex.
+#[inline]
+fn corner(a: &ConvexPolygon, b_m: &[Vec2], first: HalfPlane, second: HalfPlane) -> Vec2 {
+    if first.of_a == second.of_a {
+        let count = if first.of_a { a.count() } else { b_m.len() - 1 };
+        if after(first.edge as usize, count) == second.edge as usize {
+            return second.start;
+        }
+    }
+    let turn = first.along.cross(second.along);
+    first.start + first.along * ((second.start - first.start).cross(second.along) / turn)
+}
+
+/// The edges of both polygons in one order by direction.
+struct Merge<'a> {
+    a: Ring<'a>,
+    b: Ring<'a>,
+}
+
+struct Ring<'a> {
+    closed: &'a [Vec2],
+    next: usize,
+    left: usize,
+}
+
+impl<'a> Ring<'a> {
+    fn peek(&self, of_a: bool) -> Option<HalfPlane> {
+        (self.left > 0).then(|| HalfPlane {
+            start: self.closed[self.next],
+            along: self.closed[self.next + 1] - self.closed[self.next],
+            edge: self.next as u32,
+            of_a,
+            doubled: false,
+        })
+    }
+
+    fn advance(&mut self) {
+        self.next = after(self.next, self.closed.len() - 1);
+        self.left -= 1;
+    }
+}
+
+impl<'a> Merge<'a> {
+    fn new(a: &'a ConvexPolygon, b_m: &'a [Vec2]) -> Merge<'a> {
+        Merge {
+            a: Ring { closed: a.closed(), next: a.first_by_angle(), left: a.count() },
+            b: Ring { closed: b_m, next: first_by_angle(b_m), left: b_m.len() - 1 },
+        }
+    }
+
+    #[inline]
+    fn next(&mut self) -> Option<HalfPlane> {
+        let (a, b) = (self.a.peek(true), self.b.peek(false));
+        match (a, b) {
+            (None, None) => None,
+            (Some(h), None) => {
+                self.a.advance();
+                Some(h)
+            }
+            (None, Some(h)) => {
+                self.b.advance();
+                Some(h)
+            }
+            (Some(of_a), Some(of_b)) => {
+                if not_after(of_a.along, of_b.along) {
+                    self.a.advance();
+                    Some(of_a)
+                } else {
+                    self.b.advance();
+                    Some(of_b)
+                }
+            }
+        }
+    }
+}
+
+/// True where the angle of `u`, in [0, 2π), is not larger than that of `v`.
+#[inline]
+fn not_after(u: Vec2, v: Vec2) -> bool {
+    match (upper_half(u), upper_half(v)) {
+        (true, false) => true,
+        (false, true) => false,
+        _ => u.cross(v) >= 0.0,
+    }
+}
+
+fn first_by_angle(closed: &[Vec2]) -> usize {
+    let count = closed.len() - 1;
+    let upper = |i: usize| upper_half(closed[i + 1] - closed[i]);
+    let mut before = upper(count - 1);
+    for i in 0..count {
+        let here = upper(i);
+        if here && !before {
+            return i;
+        }
+        before = here;
+    }
+    0
+}

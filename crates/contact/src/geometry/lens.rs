@@ -1,0 +1,108 @@
+//! The overlap of two convex polygons, put together from the places where their boundaries cross.
+
+use alloc::vec::Vec;
+
+use super::convex::{ConvexPolygon, Placed, after};
+use crate::vec2::Vec2;
+
+/// A crossing of the two boundaries: the edge of the first and the edge of the second polygon.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Crossing {
+    pub(crate) a: u32,
+    pub(crate) b: u32,
+}
+
+/// A stretch of the first polygon's boundary inside the second: it enters at one crossing and
+/// leaves at the other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Stretch {
+    pub(crate) enter: Crossing,
+    pub(crate) leave: Crossing,
+}
+
+/// The overlap of one convex piece with another, in the first one's frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lens {
+    /// S [m²].
+    pub(crate) area_m2: f64,
+    /// C [m].
+    pub(crate) centroid_m: Vec2,
+    /// d = Σ (P_out − P_in) [m]; zero where one contains the other.
+    pub(crate) chord_m: Vec2,
+    /// True where edges of the two lie on one another, so that the chord means little.
+    pub(crate) collinear: bool,
+}
+
+/// Where the lines of an edge of `a` and an edge of `b` cross [m]. `side` are the signed distances
+/// (times the length of `b`'s edge) of the ends of `a`'s edge from `b`'s line.
+#[inline]
+pub(crate) fn crossing_point(a_start: Vec2, a_end: Vec2, side_start: f64, side_end: f64) -> Vec2 {
+    let share = side_start / (side_start - side_end);
+    // From the nearer end, so that an end on the line is met exactly.
+    if share <= 0.5 {
+        a_start + (a_end - a_start) * share.max(0.0)
+    } else {
+        a_end - (a_end - a_start) * (1.0 - share).max(0.0)
+    }
+}
+
+/// Walks the boundary of the overlap and leaves its vertices in `outline_m` (appended).
+/// `stretches` are in the order of the walk.
+pub(crate) fn assemble(
+    a: &ConvexPolygon,
+    b: &Placed<'_>,
+    stretches: &[Stretch],
+    outline_m: &mut Vec<Vec2>,
+) -> Lens {
+    let start = outline_m.len();
+    let mut chord_m = Vec2::ZERO;
+    for (k, stretch) in stretches.iter().enumerate() {
+        let next = &stretches[if k + 1 == stretches.len() { 0 } else { k + 1 }];
+        let enters = meeting_point(a, b, stretch.enter);
+        let leaves = meeting_point(a, b, stretch.leave);
+        chord_m += leaves - enters;
+        outline_m.push(enters);
+        let mut i = stretch.enter.a as usize;
+        while i != stretch.leave.a as usize {
+            i = after(i, a.count());
+            outline_m.push(a.closed()[i]);
+        }
+        outline_m.push(leaves);
+        let mut j = stretch.leave.b as usize;
+        while j != next.enter.b as usize {
+            j = after(j, b.count());
+            outline_m.push(b.vertex(j));
+        }
+    }
+    measure(&outline_m[start..], chord_m, false)
+}
+
+/// Where the first polygon's boundary crosses the second's, on the two edges of `crossing` [m].
+#[inline]
+fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 {
+    let (i, j) = (crossing.a as usize, crossing.b as usize);
+    let (a0, a1) = (a.closed()[i], a.closed()[i + 1]);
+    let (b0, b1) = (b.vertex(j), b.vertex(j + 1));
+    let edge = b1 - b0;
+    crossing_point(a0, a1, edge.cross(a0 - b0), edge.cross(a1 - b0))
+}
+
+/// Area and centroid of a polygon about its own first vertex: what is small is measured against
+/// what is near.
+#[inline]
+pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Lens {
+    let origin = outline_m[0];
+    let mut twice_area = 0.0;
+    let mut moment = Vec2::ZERO;
+    let mut from = outline_m[1] - origin;
+    for &vertex in &outline_m[2..] {
+        let to = vertex - origin;
+        let cross = from.cross(to);
+        twice_area += cross;
+        moment += (from + to) * cross;
+        from = to;
+    }
+    let centroid_m =
+        if twice_area > 0.0 { origin + moment * (1.0 / (3.0 * twice_area)) } else { origin };
+    Lens { area_m2: 0.5 * twice_area, centroid_m, chord_m, collinear }
+}

@@ -1,0 +1,4 @@
+//! Stage 4, law: what a contact would push and drag with, were nothing to limit it.
+
+pub(crate) mod normal;
+pub(crate) mod shear;

@@ -1,0 +1,38 @@
+//! How the relative velocity at a contact answers a force there (eq. 13–19, 23).
+
+use crate::model::RankedBody;
+use crate::vec2::Vec2;
+
+/// K = Σ_j [1/m_j + (‖r_j‖² 1 − r_j r_jᵀ)/I_j] in the axes n, t [1/kg]: ΔV_C = Δt K F.
+///
+/// Eq. 16 divides the torque by m_j; it is I_j. Inverses throughout, so that a fixed body is a zero
+/// and not an infinity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct InverseMass {
+    /// 1/E_x: n·K n.
+    pub(crate) normal: f64,
+    /// 1/E_y: t·K t.
+    pub(crate) tangential: f64,
+    /// t·K n = −Σ (r·n)(r·t)/I (eq. 22 and 25 print (r·t)(r·t)).
+    pub(crate) cross: f64,
+}
+
+/// Both bodies' share of K; `arm_*` from each centre of gravity to C.
+#[inline]
+pub(crate) fn inverse_mass(
+    a: &RankedBody,
+    arm_a_m: Vec2,
+    b: &RankedBody,
+    arm_b_m: Vec2,
+    normal: Vec2,
+) -> InverseMass {
+    let tangent = normal.quarter_turn();
+    let (a_n, a_t) = (arm_a_m.dot(normal), arm_a_m.dot(tangent));
+    let (b_n, b_t) = (arm_b_m.dot(normal), arm_b_m.dot(tangent));
+    let (a_turn, b_turn) = (a.inverse_inertia, b.inverse_inertia);
+    InverseMass {
+        normal: (a.inverse_mass + a_t * a_t * a_turn) + (b.inverse_mass + b_t * b_t * b_turn),
+        tangential: (a.inverse_mass + a_n * a_n * a_turn) + (b.inverse_mass + b_n * b_n * b_turn),
+        cross: -(a_n * a_t * a_turn + b_n * b_t * b_turn),
+    }
+}

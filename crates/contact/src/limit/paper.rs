@@ -1,0 +1,98 @@
+//! The paper's limiter: each contact by itself, from momentum and impulse (§3.4, eq. 9–26).
+//!
+//! It knows neither the other contacts of a body nor external loads: several fenders add up to more
+//! rebound than γ, and a steady load creeps through. That is the paper's method, kept as such.
+
+use super::effective_mass::InverseMass;
+
+/// Velocities at the contact, now and when it began [m/s].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Velocities {
+    pub(crate) normal_mps: f64,
+    pub(crate) tangential_mps: f64,
+    pub(crate) normal_0_mps: f64,
+    pub(crate) tangential_0_mps: f64,
+}
+
+/// Largest normal force of one step [N]: V_n⁺ ≥ −γ V_n⁰ (eq. 26, first line).
+///
+/// N ≤ max(0, V_n + γ max(V_n⁰, 0)) E_x/Δt. Eq. 11 and 26 print V − γV⁰: with that sign the bodies
+/// would end the contact still closing at γV⁰.
+#[inline]
+pub(crate) fn largest_normal_n(
+    v: &Velocities,
+    mass: &InverseMass,
+    restitution: f64,
+    step_s: f64,
+) -> f64 {
+    let change_mps = v.normal_mps + restitution * v.normal_0_mps.max(0.0);
+    change_mps.max(0.0) / (mass.normal * step_s)
+}
+
+/// The tangential force that momentum allows [N] (eq. 26, second line; its J is L).
+///
+/// With F₁ = −N n + T t, V_t⁺ = V_t + Δt (T/E_y − K_tn N). T may not carry V_t beyond −γ V_t⁰, nor
+/// beyond what it is: V_t⁺ stays within [min(V_t, −γ|V_t⁰|), max(V_t, γ|V_t⁰|)]. The limiter only
+/// ever makes T smaller.
+#[inline]
+pub(crate) fn limited_tangential_n(
+    tangential_n: f64,
+    normal_n: f64,
+    v: &Velocities,
+    mass: &InverseMass,
+    restitution: f64,
+    step_s: f64,
+) -> f64 {
+    let rebound_mps = restitution * v.tangential_0_mps.abs();
+    let lowest = v.tangential_mps.min(-rebound_mps);
+    let highest = v.tangential_mps.max(rebound_mps);
+    let without = v.tangential_mps - step_s * mass.cross * normal_n;
+    let force_to = |velocity: f64| (velocity - without) / (mass.tangential * step_s);
+    if tangential_n > 0.0 {
+        tangential_n.min(force_to(highest)).max(0.0)
+    } else if tangential_n < 0.0 {
+        tangential_n.max(force_to(lowest)).min(0.0)
+    } else {
+        tangential_n
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MASS: InverseMass = InverseMass { normal: 1e-3, tangential: 2e-3, cross: 0.0 };
+
+    fn closing() -> Velocities {
+        Velocities {
+            normal_mps: 2.0,
+            tangential_mps: 1.0,
+            normal_0_mps: 2.0,
+            tangential_0_mps: 1.0,
+        }
+    }
+
+    #[test]
+    fn one_step_ends_at_minus_gamma_times_the_first_speed() {
+        let n = largest_normal_n(&closing(), &MASS, 0.1, 0.5);
+        assert!((2.0 - 0.5 * n * MASS.normal - -0.2).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_contact_that_opens_faster_than_that_gets_no_force() {
+        let leaving = Velocities { normal_mps: -0.3, ..closing() };
+        assert_eq!(largest_normal_n(&leaving, &MASS, 0.1, 0.5), 0.0);
+    }
+
+    #[test]
+    fn friction_does_not_turn_the_slip_round_by_more_than_gamma() {
+        let t = limited_tangential_n(-1e9, 0.0, &closing(), &MASS, 0.1, 0.5);
+        assert!((1.0 + 0.5 * t * MASS.tangential - -0.1).abs() < 1e-12);
+        assert_eq!(limited_tangential_n(-1.0, 0.0, &closing(), &MASS, 0.1, 0.5), -1.0);
+    }
+
+    #[test]
+    fn a_force_along_the_slip_does_not_speed_it_up() {
+        assert_eq!(limited_tangential_n(1e9, 0.0, &closing(), &MASS, 0.1, 0.5), 0.0);
+    }
+}

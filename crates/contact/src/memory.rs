@@ -1,0 +1,129 @@
+//! What the engine remembers from step to step.
+
+use alloc::vec::Vec;
+
+use crate::geometry::clip::Hint;
+use crate::model::Model;
+use crate::state::BodyState;
+use crate::vec2::Vec2;
+
+/// All mutable state of a contact problem: plain data. Copy it to branch a run, compare it, save it
+/// with [`Memory::snapshot`] and get it back with [`Memory::restore`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Memory {
+    /// The model this belongs to.
+    pub(crate) fingerprint: u64,
+    /// Touching patches, sorted by pair and patch.
+    pub(crate) patches: Vec<PatchMemory>,
+    /// Where the clip begins, for pieces that are near one another, sorted.
+    pub(crate) hints: Vec<HintMemory>,
+    /// States of the last step by rank; empty before the first.
+    pub(crate) last_states: Vec<BodyState>,
+    /// Time from the last step to the next [s]; 0 before the first.
+    pub(crate) last_step_s: f64,
+}
+
+/// What a patch of contact remembers (§3.3 and §3.4 of the paper).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct PatchMemory {
+    /// Ranks of the two bodies and number of the patch.
+    pub(crate) a: u32,
+    pub(crate) b: u32,
+    pub(crate) patch: u32,
+    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is told once.
+    pub(crate) flags: u32,
+    /// S^{n−1} [m²].
+    pub(crate) area_m2: f64,
+    /// The material points that were at C, in each body's frame [m].
+    pub(crate) point_in_a_m: Vec2,
+    pub(crate) point_in_b_m: Vec2,
+    /// The last good normal (A's outward one) in each body's frame; zero where there was none yet.
+    pub(crate) normal_in_a: Vec2,
+    pub(crate) normal_in_b: Vec2,
+    /// Δs [m].
+    pub(crate) shear_m: f64,
+    /// V_n⁰ and V_t⁰, the relative velocity when the contact began [m/s].
+    pub(crate) v_normal_0_mps: f64,
+    pub(crate) v_tangential_0_mps: f64,
+    /// Extent of the patch in each body's frame [m]: which patch is which when there are several.
+    pub(crate) extent_in_a: Extent,
+    pub(crate) extent_in_b: Extent,
+}
+
+impl PatchMemory {
+    pub(crate) const CONTAINED: u32 = 1;
+    pub(crate) const DEEP: u32 = 2;
+}
+
+/// A box along the axes of a frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Extent {
+    pub(crate) low_m: Vec2,
+    pub(crate) high_m: Vec2,
+}
+
+impl Extent {
+    #[inline]
+    pub(crate) fn overlaps(&self, other: &Extent) -> bool {
+        self.low_m.x <= other.high_m.x
+            && other.low_m.x <= self.high_m.x
+            && self.low_m.y <= other.high_m.y
+            && other.low_m.y <= self.high_m.y
+    }
+}
+
+/// A clip's starting place for one piece of each body.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct HintMemory {
+    pub(crate) a: u32,
+    pub(crate) b: u32,
+    pub(crate) piece_a: u32,
+    pub(crate) piece_b: u32,
+    pub(crate) hint: Hint,
+}
+
+impl HintMemory {
+    pub(crate) fn key(&self) -> (u32, u32, u32, u32) {
+        (self.a, self.b, self.piece_a, self.piece_b)
+    }
+}
+
+impl Memory {
+    /// Memory of bodies that have never touched.
+    #[must_use]
+    pub fn new(model: &Model) -> Memory {
+        Memory {
+            fingerprint: model.fingerprint,
+            patches: Vec::new(),
+            hints: Vec::new(),
+            last_states: Vec::new(),
+            last_step_s: 0.0,
+        }
+    }
+
+    /// Number of patches that touched in the last step.
+    #[must_use]
+    pub fn touching_patches(&self) -> usize {
+        self.patches.len()
+    }
+
+    /// Says that the next step comes `elapsed_s` after the last one rather than the whole Δt that was
+    /// given then: for integrators that look ahead within a step, on a copy of the memory.
+    ///
+    /// # Panics
+    /// If `elapsed_s` is not positive and finite.
+    pub fn set_elapsed(&mut self, elapsed_s: f64) {
+        assert!(elapsed_s > 0.0 && elapsed_s.is_finite(), "time goes forward");
+        self.last_step_s = elapsed_s;
+    }
+
+    /// Becomes a copy of `other` without allocating where the buffers are large enough: for
+    /// integrators that look ahead.
+    pub fn copy_from(&mut self, other: &Memory) {
+        self.fingerprint = other.fingerprint;
+        self.patches.clone_from(&other.patches);
+        self.hints.clone_from(&other.hints);
+        self.last_states.clone_from(&other.last_states);
+        self.last_step_s = other.last_step_s;
+    }
+}

@@ -1,0 +1,291 @@
+//! Stage 3, overlap: area, centroid, normal and depth of every patch of contact.
+
+use crate::geometry::clip::{self, Hint};
+use crate::geometry::lens::Lens;
+use crate::memory::{Extent, HintMemory, Memory};
+use crate::model::{Model, RankedBody};
+use crate::vec2::{Pose, Vec2, vec2};
+use crate::workspace::{Candidate, Workspace};
+
+/// Corners nearer than this are the same corner of two lenses that share a seam [m]. Seam corners
+/// are computed twice, to about 1e-12 m; features of a hull are centimetres.
+const SAME_CORNER_M: f64 = 1e-7;
+
+/// A connected part of the overlap of two bodies, in body A's frame (A: the lower rank).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Patch {
+    pub(crate) candidate: Candidate,
+    /// Number within the pair.
+    pub(crate) number: u32,
+    /// Pose of B in A's frame.
+    pub(crate) b_in_a: Pose,
+    /// S [m²].
+    pub(crate) area_m2: f64,
+    /// C [m].
+    pub(crate) centroid_m: Vec2,
+    /// d = Σ (P_out − P_in) [m].
+    pub(crate) chord_m: Vec2,
+    /// Edges of the two lie on one another: the chord means little.
+    pub(crate) collinear: bool,
+    /// One piece lies within the other, and there are no other pieces.
+    pub(crate) contained: bool,
+    /// Box in A's and in B's frame [m].
+    pub(crate) extent_in_a: Extent,
+    pub(crate) extent_in_b: Extent,
+    /// Lenses of this patch in `Workspace::lenses`.
+    pub(crate) lenses: (u32, u32),
+}
+
+/// The overlap of one piece of A with one piece of B.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PieceLens {
+    lens: Lens,
+    contained: bool,
+    piece_a: u32,
+    piece_b: u32,
+    /// Vertices in `Workspace::outline_m`.
+    vertices: (u32, u32),
+    /// Number of the connected patch, within the pair.
+    patch: u32,
+}
+
+/// Leaves the patches of this step in `work.patches`, in the order of the candidates, and the hints
+/// for the next step in `work.next_hints`.
+pub(crate) fn overlap(model: &Model, memory: &Memory, work: &mut Workspace) {
+    work.patches.clear();
+    work.lenses.clear();
+    work.outline_m.clear();
+    work.next_hints.clear();
+    let mut hints = memory.hints.as_slice();
+    for index in 0..work.candidates.len() {
+        let candidate = work.candidates[index];
+        let (a, b) = (candidate.a as usize, candidate.b as usize);
+        let b_in_a = work.poses[a].to(work.poses[b]);
+        let first = work.lenses.len();
+        clip_pieces(&model.ranked[a], &model.ranked[b], candidate, b_in_a, &mut hints, work);
+        match work.lenses.len() - first {
+            0 => {}
+            1 => work.patches.push(new_patch(candidate, b_in_a, 0, first, first + 1, work)),
+            _ => connect(candidate, b_in_a, first, work),
+        }
+    }
+}
+
+/// Clips every piece of A against every piece of B that is near it.
+fn clip_pieces(
+    body_a: &RankedBody,
+    body_b: &RankedBody,
+    candidate: Candidate,
+    b_in_a: Pose,
+    hints: &mut &[HintMemory],
+    work: &mut Workspace,
+) {
+    for (piece_a, a) in body_a.pieces.iter().enumerate() {
+        for (piece_b, b) in body_b.pieces.iter().enumerate() {
+            let mut entry = HintMemory {
+                a: candidate.a,
+                b: candidate.b,
+                piece_a: piece_a as u32,
+                piece_b: piece_b as u32,
+                hint: Hint::None,
+            };
+            entry.hint = take_hint(hints, &entry);
+            let start = work.outline_m.len();
+            let found =
+                clip::clip(a, b, b_in_a, &mut entry.hint, &mut work.clip, &mut work.outline_m);
+            if entry.hint != Hint::None {
+                work.next_hints.push(entry);
+            }
+            match found {
+                Some(clip) => work.lenses.push(PieceLens {
+                    lens: clip.lens,
+                    contained: clip.contained,
+                    piece_a: piece_a as u32,
+                    piece_b: piece_b as u32,
+                    vertices: (start as u32, work.outline_m.len() as u32),
+                    patch: 0,
+                }),
+                None => work.outline_m.truncate(start),
+            }
+        }
+    }
+}
+
+/// The last step's hint for these pieces; both lists are sorted, so that one pass finds all.
+#[inline]
+fn take_hint(hints: &mut &[HintMemory], wanted: &HintMemory) -> Hint {
+    while let [first, rest @ ..] = *hints {
+        match first.key().cmp(&wanted.key()) {
+            core::cmp::Ordering::Less => *hints = rest,
+            core::cmp::Ordering::Equal => {
+                *hints = rest;
+                return first.hint;
+            }
+            core::cmp::Ordering::Greater => break,
+        }
+    }
+    Hint::None
+}
+
+/// Joins the lenses of a pair that share a seam into patches. The seams' parts of the chords
+/// cancel, so that a patch's area, centroid and chord are those of the whole outlines.
+fn connect(candidate: Candidate, b_in_a: Pose, first: usize, work: &mut Workspace) {
+    let end = work.lenses.len();
+    for i in first..end {
+        work.lenses[i].patch = (i - first) as u32;
+    }
+    for i in first..end {
+        for j in i + 1..end {
+            let (one, two) = (work.lenses[i].patch, work.lenses[j].patch);
+            if one != two && share_a_seam(work, i, j) {
+                let (keep, drop) = (one.min(two), one.max(two));
+                for lens in &mut work.lenses[first..end] {
+                    if lens.patch == drop {
+                        lens.patch = keep;
+                    }
+                }
+            }
+        }
+    }
+    // Stable, so that each patch's sums are taken in the order of the pieces.
+    work.lenses[first..end].sort_by_key(|l| l.patch);
+    let mut start = first;
+    let mut number = 0;
+    while start < end {
+        let patch = work.lenses[start].patch;
+        let stop = (start..end).find(|&k| work.lenses[k].patch != patch).unwrap_or(end);
+        let patch = new_patch(candidate, b_in_a, number, start, stop, work);
+        work.patches.push(patch);
+        number += 1;
+        start = stop;
+    }
+}
+
+/// Two lenses that lie on both sides of a seam share the two ends of their common edge.
+fn share_a_seam(work: &Workspace, i: usize, j: usize) -> bool {
+    let corners = |k: usize| {
+        let (start, end) = work.lenses[k].vertices;
+        &work.outline_m[start as usize..end as usize]
+    };
+    let limit = SAME_CORNER_M * SAME_CORNER_M;
+    let mut shared: Option<Vec2> = None;
+    for &p in corners(i) {
+        if !corners(j).iter().any(|&q| (p - q).length_squared() <= limit) {
+            continue;
+        }
+        match shared {
+            Some(other) if (other - p).length_squared() > limit => return true,
+            Some(_) => {}
+            None => shared = Some(p),
+        }
+    }
+    false
+}
+
+fn new_patch(
+    candidate: Candidate,
+    b_in_a: Pose,
+    number: u32,
+    start: usize,
+    stop: usize,
+    work: &Workspace,
+) -> Patch {
+    let lenses = &work.lenses[start..stop];
+    let mut patch = Patch {
+        candidate,
+        number,
+        b_in_a,
+        area_m2: lenses[0].lens.area_m2,
+        centroid_m: lenses[0].lens.centroid_m,
+        chord_m: lenses[0].lens.chord_m,
+        collinear: lenses[0].lens.collinear,
+        contained: lenses.len() == 1 && lenses[0].contained,
+        extent_in_a: extent(outline(work, &lenses[0])),
+        extent_in_b: Extent::default(),
+        lenses: (start as u32, stop as u32),
+    };
+    if lenses.len() > 1 {
+        let mut moment = Vec2::ZERO;
+        let origin = lenses[0].lens.centroid_m;
+        for piece in &lenses[1..] {
+            patch.area_m2 += piece.lens.area_m2;
+            moment += (piece.lens.centroid_m - origin) * piece.lens.area_m2;
+            patch.chord_m += piece.lens.chord_m;
+            patch.collinear |= piece.lens.collinear;
+            let more = extent(outline(work, piece));
+            let all = &mut patch.extent_in_a;
+            all.low_m = vec2(all.low_m.x.min(more.low_m.x), all.low_m.y.min(more.low_m.y));
+            all.high_m = vec2(all.high_m.x.max(more.high_m.x), all.high_m.y.max(more.high_m.y));
+        }
+        patch.centroid_m = origin + moment * (1.0 / patch.area_m2);
+    }
+    patch.extent_in_b = seen_from_b(&patch.extent_in_a, b_in_a);
+    patch
+}
+
+fn outline<'a>(work: &'a Workspace, lens: &PieceLens) -> &'a [Vec2] {
+    &work.outline_m[lens.vertices.0 as usize..lens.vertices.1 as usize]
+}
+
+fn extent(outline_m: &[Vec2]) -> Extent {
+    let mut extent = Extent { low_m: outline_m[0], high_m: outline_m[0] };
+    for v in &outline_m[1..] {
+        extent.low_m = vec2(extent.low_m.x.min(v.x), extent.low_m.y.min(v.y));
+        extent.high_m = vec2(extent.high_m.x.max(v.x), extent.high_m.y.max(v.y));
+    }
+    extent
+}
+
+/// The box in B's frame about a box in A's.
+fn seen_from_b(extent: &Extent, b_in_a: Pose) -> Extent {
+    let center = b_in_a.apply_inverse((extent.low_m + extent.high_m) * 0.5);
+    let half = (extent.high_m - extent.low_m) * 0.5;
+    let (cos, sin) = (b_in_a.rotation.cos.abs(), b_in_a.rotation.sin.abs());
+    let half = vec2(cos * half.x + sin * half.y, sin * half.x + cos * half.y);
+    Extent { low_m: center - half, high_m: center + half }
+}
+
+/// A's outward normal in its frame. The chord's where there is one; else the contact's last good
+/// one; else the axis of least penetration of the two pieces that share most.
+pub(crate) fn normal_in_a(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    remembered: Option<(Vec2, Vec2)>,
+) -> Vec2 {
+    let length = patch.chord_m.length();
+    // Seams cancel to about 1e-13 m; a chord shorter than this is rounding.
+    if length > 1e-11 && !patch.collinear {
+        return patch.chord_m.quarter_turn_back() * (1.0 / length);
+    }
+    if let Some((in_a, in_b)) = remembered {
+        // Half from each body, so that neither of the two is preferred when they turn.
+        let mean = in_a + patch.b_in_a.rotation.apply(in_b);
+        let length = mean.length();
+        if length > 1e-3 {
+            return mean * (1.0 / length);
+        }
+    }
+    let lenses = &work.lenses[patch.lenses.0 as usize..patch.lenses.1 as usize];
+    let largest = lenses.iter().fold(lenses[0], |largest, lens| {
+        if lens.lens.area_m2 > largest.lens.area_m2 { *lens } else { largest }
+    });
+    let a = &model.ranked[patch.candidate.a as usize].pieces[largest.piece_a as usize];
+    let b = &model.ranked[patch.candidate.b as usize].pieces[largest.piece_b as usize];
+    clip::least_penetration(a, b, patch.b_in_a, &mut work.clip)
+}
+
+/// δ, the extent of the patch along a direction [m].
+pub(crate) fn depth_m(work: &Workspace, patch: &Patch, along: Vec2) -> f64 {
+    let lenses = &work.lenses[patch.lenses.0 as usize..patch.lenses.1 as usize];
+    let origin = patch.centroid_m;
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for lens in lenses {
+        for &v in outline(work, lens) {
+            let s = (v - origin).dot(along);
+            low = low.min(s);
+            high = high.max(s);
+        }
+    }
+    high - low
+}

@@ -1,0 +1,251 @@
+//! A memory as bytes: versioned, little-endian, with the model's fingerprint and a check sum.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 8 | `fndrline` |
+//! | 4 | version |
+//! | 8 | fingerprint of the model |
+//! | 8 | Δt of the last step |
+//! | 4, 4, 4 | numbers of states, patches and hints |
+//! | 48 each | states, by rank |
+//! | 176 each | patches |
+//! | 36 each | hints |
+//! | 8 | FNV-1a of all before |
+//!
+//! Everything is in the order of the bodies' keys: the bytes do not depend on the order in which
+//! bodies were added to the model.
+
+use alloc::vec::Vec;
+
+use crate::error::RestoreError;
+use crate::geometry::clip::Hint;
+use crate::memory::{Extent, HintMemory, Memory, PatchMemory};
+use crate::model::{Fnv, Model};
+use crate::state::BodyState;
+use crate::vec2::{Vec2, vec2};
+
+/// The version that [`Memory::snapshot`] writes and [`Memory::restore`] reads.
+pub const SNAPSHOT_VERSION: u32 = 1;
+
+const MAGIC: &[u8; 8] = b"fndrline";
+const STATE_BYTES: usize = 48;
+const PATCH_BYTES: usize = 176;
+const HINT_BYTES: usize = 36;
+
+impl Memory {
+    /// All of this memory as bytes.
+    #[must_use]
+    pub fn snapshot(&self) -> Vec<u8> {
+        let mut out = Writer(Vec::with_capacity(
+            48 + self.last_states.len() * STATE_BYTES
+                + self.patches.len() * PATCH_BYTES
+                + self.hints.len() * HINT_BYTES,
+        ));
+        out.0.extend_from_slice(MAGIC);
+        out.word32(SNAPSHOT_VERSION);
+        out.word64(self.fingerprint);
+        out.number(self.last_step_s);
+        out.word32(self.last_states.len() as u32);
+        out.word32(self.patches.len() as u32);
+        out.word32(self.hints.len() as u32);
+        self.last_states.iter().for_each(|s| out.state(s));
+        self.patches.iter().for_each(|p| out.patch(p));
+        self.hints.iter().for_each(|h| out.hint(h));
+        let mut sum = Fnv::default();
+        sum.bytes(&out.0);
+        out.word64(sum.0);
+        out.0
+    }
+
+    /// Becomes what [`Memory::snapshot`] saved, for the same model.
+    ///
+    /// # Errors
+    /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the memory
+    /// is then as it was.
+    pub fn restore(&mut self, model: &Model, bytes: &[u8]) -> Result<(), RestoreError> {
+        *self = read(model, bytes)?;
+        Ok(())
+    }
+}
+
+fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
+    let mut input = Reader(bytes);
+    if input.take(8)? != MAGIC {
+        return Err(RestoreError::NotASnapshot);
+    }
+    let found = input.word32()?;
+    if found != SNAPSHOT_VERSION {
+        return Err(RestoreError::Version { found });
+    }
+    let fingerprint = input.word64()?;
+    let last_step_s = input.number()?;
+    let [states, patches, hints] = [input.word32()?, input.word32()?, input.word32()?];
+    let [states, patches, hints] = [states as usize, patches as usize, hints as usize];
+    let body = states as u128 * STATE_BYTES as u128
+        + patches as u128 * PATCH_BYTES as u128
+        + hints as u128 * HINT_BYTES as u128;
+    if input.0.len() as u128 != body + 8 {
+        return Err(RestoreError::Length);
+    }
+    let (summed, sum) = bytes.split_at(bytes.len() - 8);
+    let mut expected = Fnv::default();
+    expected.bytes(summed);
+    if sum != expected.0.to_le_bytes() {
+        return Err(RestoreError::Checksum);
+    }
+    if fingerprint != model.fingerprint {
+        return Err(RestoreError::OtherModel);
+    }
+    let mut memory = Memory::new(model);
+    memory.last_step_s = last_step_s;
+    for _ in 0..states {
+        memory.last_states.push(input.state()?);
+    }
+    for _ in 0..patches {
+        memory.patches.push(input.patch()?);
+    }
+    for _ in 0..hints {
+        memory.hints.push(input.hint()?);
+    }
+    check(model, &memory)?;
+    Ok(memory)
+}
+
+/// What the check sum cannot tell: a snapshot written by somebody else.
+fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
+    let bodies = model.ranked.len();
+    let ok = (memory.last_states.is_empty() || memory.last_states.len() == bodies)
+        && memory.last_step_s >= 0.0
+        && memory.patches.windows(2).all(|w| patch_key(&w[0]) < patch_key(&w[1]))
+        && memory.patches.iter().all(|p| p.a < p.b && (p.b as usize) < bodies && p.area_m2 > 0.0)
+        && memory.hints.windows(2).all(|w| w[0].key() < w[1].key())
+        && memory.hints.iter().all(|h| h.a < h.b && (h.b as usize) < bodies);
+    if ok { Ok(()) } else { Err(RestoreError::Content) }
+}
+
+fn patch_key(p: &PatchMemory) -> (u32, u32, u32) {
+    (p.a, p.b, p.patch)
+}
+
+struct Writer(Vec<u8>);
+
+impl Writer {
+    fn word32(&mut self, word: u32) {
+        self.0.extend_from_slice(&word.to_le_bytes());
+    }
+
+    fn word64(&mut self, word: u64) {
+        self.0.extend_from_slice(&word.to_le_bytes());
+    }
+
+    fn number(&mut self, value: f64) {
+        self.word64(value.to_bits());
+    }
+
+    fn vector(&mut self, v: Vec2) {
+        self.number(v.x);
+        self.number(v.y);
+    }
+
+    fn state(&mut self, s: &BodyState) {
+        self.vector(s.position_m);
+        self.number(s.heading_rad);
+        self.vector(s.velocity_mps);
+        self.number(s.yaw_rate_radps);
+    }
+
+    fn extent(&mut self, e: &Extent) {
+        self.vector(e.low_m);
+        self.vector(e.high_m);
+    }
+
+    fn patch(&mut self, p: &PatchMemory) {
+        [p.a, p.b, p.patch, p.flags].into_iter().for_each(|w| self.word32(w));
+        [p.area_m2, p.shear_m, p.v_normal_0_mps, p.v_tangential_0_mps]
+            .into_iter()
+            .for_each(|v| self.number(v));
+        [p.point_in_a_m, p.point_in_b_m, p.normal_in_a, p.normal_in_b]
+            .into_iter()
+            .for_each(|v| self.vector(v));
+        self.extent(&p.extent_in_a);
+        self.extent(&p.extent_in_b);
+    }
+
+    fn hint(&mut self, h: &HintMemory) {
+        [h.a, h.b, h.piece_a, h.piece_b].into_iter().for_each(|w| self.word32(w));
+        h.hint.to_words().into_iter().for_each(|w| self.word32(w));
+    }
+}
+
+struct Reader<'a>(&'a [u8]);
+
+impl<'a> Reader<'a> {
+    fn take(&mut self, count: usize) -> Result<&'a [u8], RestoreError> {
+        let (taken, rest) = self.0.split_at_checked(count).ok_or(RestoreError::Length)?;
+        self.0 = rest;
+        Ok(taken)
+    }
+
+    fn word32(&mut self) -> Result<u32, RestoreError> {
+        let bytes = self.take(4)?.try_into().map_err(|_| RestoreError::Length)?;
+        Ok(u32::from_le_bytes(bytes))
+    }
+
+    fn word64(&mut self) -> Result<u64, RestoreError> {
+        let bytes = self.take(8)?.try_into().map_err(|_| RestoreError::Length)?;
+        Ok(u64::from_le_bytes(bytes))
+    }
+
+    /// Finite and of a size that cannot overflow in the next step.
+    fn number(&mut self) -> Result<f64, RestoreError> {
+        let value = f64::from_bits(self.word64()?);
+        if value.abs() <= 1e30 { Ok(value) } else { Err(RestoreError::Content) }
+    }
+
+    fn vector(&mut self) -> Result<Vec2, RestoreError> {
+        Ok(vec2(self.number()?, self.number()?))
+    }
+
+    fn state(&mut self) -> Result<BodyState, RestoreError> {
+        Ok(BodyState {
+            position_m: self.vector()?,
+            heading_rad: self.number()?,
+            velocity_mps: self.vector()?,
+            yaw_rate_radps: self.number()?,
+        })
+    }
+
+    fn extent(&mut self) -> Result<Extent, RestoreError> {
+        Ok(Extent { low_m: self.vector()?, high_m: self.vector()? })
+    }
+
+    fn patch(&mut self) -> Result<PatchMemory, RestoreError> {
+        Ok(PatchMemory {
+            a: self.word32()?,
+            b: self.word32()?,
+            patch: self.word32()?,
+            flags: self.word32()?,
+            area_m2: self.number()?,
+            shear_m: self.number()?,
+            v_normal_0_mps: self.number()?,
+            v_tangential_0_mps: self.number()?,
+            point_in_a_m: self.vector()?,
+            point_in_b_m: self.vector()?,
+            normal_in_a: self.vector()?,
+            normal_in_b: self.vector()?,
+            extent_in_a: self.extent()?,
+            extent_in_b: self.extent()?,
+        })
+    }
+
+    fn hint(&mut self) -> Result<HintMemory, RestoreError> {
+        let [a, b, piece_a, piece_b] =
+            [self.word32()?, self.word32()?, self.word32()?, self.word32()?];
+        let mut words = [0; 5];
+        for word in &mut words {
+            *word = self.word32()?;
+        }
+        let hint = Hint::from_words(words).ok_or(RestoreError::Content)?;
+        Ok(HintMemory { a, b, piece_a, piece_b, hint })
+    }
+}

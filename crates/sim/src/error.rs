@@ -1,0 +1,70 @@
+//! What can be wrong with a set-up or a run.
+
+use std::fmt;
+
+use fenderline_contact::{ModelError, StepError};
+
+/// A set-up that cannot be simulated.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SetupError {
+    /// The contact model refuses it.
+    Model(ModelError),
+    /// Δt, duration or a load is not a number that can be used.
+    OutOfRange {
+        /// What.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Two bodies have the same name.
+    DuplicateName {
+        /// The name.
+        body: String,
+    },
+    /// A load or pair names a body that is not there, or a load a fixed one.
+    BadBody {
+        /// What names it.
+        owner: &'static str,
+        /// The index.
+        body: usize,
+    },
+}
+
+impl fmt::Display for SetupError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SetupError::Model(error) => error.fmt(f),
+            SetupError::OutOfRange { field, value } => write!(f, "{field} is {value}"),
+            SetupError::DuplicateName { body } => write!(f, "two bodies are named `{body}`"),
+            SetupError::BadBody { owner, body } => {
+                write!(f, "a {owner} names body {body}, which is not there or is fixed")
+            }
+        }
+    }
+}
+
+impl std::error::Error for SetupError {}
+
+impl From<ModelError> for SetupError {
+    fn from(error: ModelError) -> SetupError {
+        SetupError::Model(error)
+    }
+}
+
+/// A step that failed; the simulation is where it was before it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SimError {
+    /// Start of the step [s].
+    pub t_s: f64,
+    /// Why.
+    pub cause: StepError,
+}
+
+impl fmt::Display for SimError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "at t = {} s: {}", self.t_s, self.cause)
+    }
+}
+
+impl std::error::Error for SimError {}

@@ -1,0 +1,31 @@
+//! Stage 6, gather: contact and loads into one wrench per body, in a fixed order.
+
+use fenderline_contact::Wrench;
+
+use crate::setup::Load;
+
+/// Mean wrench of a load over the step `[t, t + step]`: one that begins or ends within the step acts
+/// with its share of it, so that its impulse does not depend on the time step.
+pub(crate) fn mean_load(load: &Load, t_s: f64, step_s: f64) -> Wrench {
+    let acts_s = (load.until_s.min(t_s + step_s) - load.from_s.max(t_s)).max(0.0);
+    let share = (acts_s / step_s).min(1.0);
+    Wrench { force_n: load.force_n * share, moment_nm: load.moment_nm * share }
+}
+
+/// Sum of the loads on each body in the step, in the order of the set-up.
+pub(crate) fn gather_loads(loads: &[Load], t_s: f64, step_s: f64, into: &mut [Wrench]) {
+    into.fill(Wrench::default());
+    for load in loads {
+        let wrench = mean_load(load, t_s, step_s);
+        into[load.body].force_n += wrench.force_n;
+        into[load.body].moment_nm += wrench.moment_nm;
+    }
+}
+
+/// Loads and contact, body by body.
+pub(crate) fn gather(loads: &[Wrench], contact: &[Wrench], into: &mut [Wrench]) {
+    for ((sum, load), contact) in into.iter_mut().zip(loads).zip(contact) {
+        sum.force_n = load.force_n + contact.force_n;
+        sum.moment_nm = load.moment_nm + contact.moment_nm;
+    }
+}

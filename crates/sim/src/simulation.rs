@@ -1,0 +1,359 @@
+//! A run: states, contact memory, ledger and summaries, stepped together.
+
+use fenderline_contact::{
+    self as contact, Body, BodyId, BodyState, Contact, MaterialId, Memory, Model, Pair, Workspace,
+    Wrench,
+};
+
+use crate::error::{SetupError, SimError};
+use crate::gather::{gather, gather_loads};
+use crate::integrate::{Rate, euler, semi_implicit};
+use crate::ledger::{Ledger, MeanVelocity, add_contacts};
+use crate::record::{Energy, PairWork, StepRecord};
+use crate::rigid_body::{Inertia, initial_state};
+use crate::setup::{BodySetup, Integrator, Load, Setup};
+use crate::summary::{PairSummary, Summaries};
+
+/// Weights of the four stages of classical Runge–Kutta.
+const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
+
+/// A simulation under way. Cloning it branches the run.
+#[derive(Clone, Debug)]
+pub struct Simulation {
+    setup: Setup,
+    model: Model,
+    inertias: Vec<Inertia>,
+    steps_total: u64,
+    index: u64,
+    states: Vec<BodyState>,
+    memory: Memory,
+    work: Workspace,
+    ledger: Ledger,
+    summaries: Summaries,
+    buffers: Buffers,
+}
+
+/// Buffers of a step.
+#[derive(Clone, Debug)]
+struct Buffers {
+    loads: Vec<Wrench>,
+    sums: Vec<Wrench>,
+    rates: [Vec<Rate>; 4],
+    trial: Vec<BodyState>,
+    before: Vec<BodyState>,
+    mean: Vec<MeanVelocity>,
+    works: Vec<PairWork>,
+    /// Contacts of the later stages of Runge–Kutta, and what they need.
+    stage_contacts: [Vec<Contact>; 3],
+    probe: Memory,
+    probe_work: Workspace,
+    /// The memory before the step, should a later stage fail.
+    backup: Memory,
+}
+
+impl Simulation {
+    /// Checks the set-up and makes ready for the first step.
+    ///
+    /// # Errors
+    /// [`SetupError`], naming what is wrong.
+    pub fn new(setup: Setup) -> Result<Simulation, SetupError> {
+        let steps_total = count_steps(&setup)?;
+        setup.loads.iter().try_for_each(|load| check_load(load, &setup))?;
+        let inertias: Vec<Inertia> =
+            setup.bodies.iter().map(|b| Inertia::of(b.mass.as_ref(), setup.method)).collect();
+        let model = build_model(&setup, &inertias)?;
+        let states: Vec<BodyState> = setup.bodies.iter().map(initial_state).collect();
+        let count = states.len();
+        let memory = Memory::new(&model);
+        let buffers = Buffers {
+            loads: vec![Wrench::default(); count],
+            sums: vec![Wrench::default(); count],
+            rates: std::array::from_fn(|_| vec![Rate::default(); count]),
+            trial: states.clone(),
+            before: states.clone(),
+            mean: vec![MeanVelocity::default(); count],
+            works: Vec::new(),
+            stage_contacts: Default::default(),
+            probe: memory.clone(),
+            probe_work: Workspace::new(&model),
+            backup: memory.clone(),
+        };
+        Ok(Simulation {
+            ledger: Ledger::new(&inertias, &states),
+            work: Workspace::new(&model),
+            summaries: Summaries::default(),
+            index: 0,
+            setup,
+            model,
+            inertias,
+            steps_total,
+            states,
+            memory,
+            buffers,
+        })
+    }
+
+    /// The set-up.
+    #[must_use]
+    pub fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// The contact model of the set-up.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Number of steps in the run.
+    #[must_use]
+    pub fn steps_total(&self) -> u64 {
+        self.steps_total
+    }
+
+    /// True after the last step.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.index >= self.steps_total
+    }
+
+    /// Time reached [s]: steps taken times Δt, so that it does not drift.
+    #[must_use]
+    pub fn time_s(&self) -> f64 {
+        self.index as f64 * self.setup.step_s
+    }
+
+    /// States now, one a body, in the order of the set-up.
+    #[must_use]
+    pub fn states(&self) -> &[BodyState] {
+        &self.states
+    }
+
+    /// The contact engine's memory now.
+    #[must_use]
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// The energy ledger now.
+    #[must_use]
+    pub fn energy(&self) -> Energy {
+        self.ledger.energy
+    }
+
+    /// What has happened between each pair of bodies that touched, in the order of first touch.
+    #[must_use]
+    pub fn pair_summaries(&self) -> &[PairSummary] {
+        &self.summaries.pairs
+    }
+
+    /// Takes one step; beyond the run's duration it simply goes on.
+    ///
+    /// # Errors
+    /// [`SimError`] when a state has left what the engine takes (a run that blew up). The simulation
+    /// stays where it was.
+    pub fn step(&mut self) -> Result<StepRecord<'_>, SimError> {
+        let (t_s, step_s) = (self.time_s(), self.setup.step_s);
+        if self.setup.integrator == Integrator::Rk4 {
+            self.buffers.backup.copy_from(&self.memory);
+        }
+        // Stages 1–5: the contact engine.
+        contact::step(&self.model, &mut self.memory, &mut self.work, &self.states, step_s)
+            .map_err(|cause| SimError { t_s, cause })?;
+        // Stage 6: everything that acts on each body.
+        gather_loads(&self.setup.loads, t_s, step_s, &mut self.buffers.loads);
+        // Stage 7: the next states.
+        self.buffers.before.clone_from(&self.states);
+        match self.setup.integrator {
+            Integrator::Euler => self.one_stage(euler),
+            Integrator::SemiImplicit => self.one_stage(semi_implicit),
+            Integrator::Rk4 => {
+                if let Err(cause) = self.runge_kutta() {
+                    self.memory.copy_from(&self.buffers.backup);
+                    return Err(SimError { t_s, cause });
+                }
+            }
+        }
+        // Stage 8: what happened.
+        self.book();
+        let record = StepRecord {
+            index: self.index,
+            t_s,
+            states: &self.buffers.before,
+            states_after: &self.states,
+            contacts: self.work.contacts(),
+            works: &self.buffers.works,
+            wrenches: self.work.wrenches(),
+            events: self.work.events(),
+            energy: self.ledger.energy,
+        };
+        self.summaries.book(&record);
+        self.index += 1;
+        Ok(record)
+    }
+
+    /// Forward and semi-implicit Euler.
+    fn one_stage(&mut self, advance: fn(&BodyState, &Rate, f64) -> BodyState) {
+        let Buffers { loads, sums, .. } = &mut self.buffers;
+        gather(loads, self.work.wrenches(), sums);
+        for ((state, inertia), sum) in self.states.iter_mut().zip(&self.inertias).zip(&*sums) {
+            *state = advance(state, &Rate::of(inertia, state, sum), self.setup.step_s);
+        }
+    }
+
+    /// Classical Runge–Kutta; each later stage asks the contact engine on a copy of its memory.
+    fn runge_kutta(&mut self) -> Result<(), contact::StepError> {
+        let step_s = self.setup.step_s;
+        let buffers = &mut self.buffers;
+        let first_contact = self.work.wrenches();
+        rates_of(
+            &self.inertias,
+            &self.states,
+            &buffers.loads,
+            first_contact,
+            &mut buffers.rates[0],
+        );
+        for (stage, elapsed_s) in [(1, 0.5 * step_s), (2, 0.5 * step_s), (3, step_s)] {
+            for (body, state) in self.states.iter().enumerate() {
+                buffers.trial[body] = euler(state, &buffers.rates[stage - 1][body], elapsed_s);
+            }
+            buffers.probe.copy_from(&self.memory);
+            buffers.probe.set_elapsed(elapsed_s);
+            let (probe, work) = (&mut buffers.probe, &mut buffers.probe_work);
+            contact::step(&self.model, probe, work, &buffers.trial, step_s)?;
+            let rates = &mut buffers.rates[stage];
+            rates_of(&self.inertias, &buffers.trial, &buffers.loads, work.wrenches(), rates);
+            buffers.stage_contacts[stage - 1].clear();
+            buffers.stage_contacts[stage - 1].extend_from_slice(work.contacts());
+        }
+        let [one, two, three, four] = &buffers.rates;
+        for (body, state) in self.states.iter_mut().enumerate() {
+            let mean = one[body].runge_kutta(two[body], three[body], four[body]);
+            *state = euler(state, &mean, step_s);
+        }
+        Ok(())
+    }
+
+    fn book(&mut self) {
+        let step_s = self.setup.step_s;
+        let buffers = &mut self.buffers;
+        for ((mean, before), after) in
+            buffers.mean.iter_mut().zip(&buffers.before).zip(&self.states)
+        {
+            *mean = MeanVelocity::of(before, after);
+        }
+        buffers.works.clear();
+        if self.setup.integrator == Integrator::Rk4 {
+            let [one, later @ ..] = RUNGE_KUTTA;
+            let contacts = self.work.contacts();
+            add_contacts(&mut buffers.works, contacts, &buffers.mean, one * step_s);
+            for (contacts, weight) in buffers.stage_contacts.iter().zip(later) {
+                add_contacts(&mut buffers.works, contacts, &buffers.mean, weight * step_s);
+            }
+        } else {
+            add_contacts(&mut buffers.works, self.work.contacts(), &buffers.mean, step_s);
+        }
+        self.ledger.book(
+            &self.inertias,
+            &self.states,
+            &buffers.loads,
+            &buffers.mean,
+            &buffers.works,
+            step_s,
+        );
+    }
+}
+
+fn rates_of(
+    inertias: &[Inertia],
+    states: &[BodyState],
+    loads: &[Wrench],
+    contact: &[Wrench],
+    into: &mut [Rate],
+) {
+    for (body, rate) in into.iter_mut().enumerate() {
+        let sum = Wrench {
+            force_n: loads[body].force_n + contact[body].force_n,
+            moment_nm: loads[body].moment_nm + contact[body].moment_nm,
+        };
+        *rate = Rate::of(&inertias[body], &states[body], &sum);
+    }
+}
+
+/// Duration over Δt, rounded up; a ratio within 1e-9 of a whole number is that number, so that
+/// "20 s" of "0.1 s" is 200 steps.
+fn count_steps(setup: &Setup) -> Result<u64, SetupError> {
+    let positive = |field, value: f64| {
+        if value > 0.0 && value.is_finite() {
+            return Ok(());
+        }
+        Err(SetupError::OutOfRange { field, value })
+    };
+    positive("the time step", setup.step_s)?;
+    positive("the duration", setup.duration_s)?;
+    let ratio = setup.duration_s / setup.step_s;
+    if ratio > 1e12 {
+        return Err(SetupError::OutOfRange { field: "the number of steps", value: ratio });
+    }
+    let whole = libm::round(ratio);
+    let steps = if (ratio - whole).abs() <= 1e-9 * whole { whole } else { libm::ceil(ratio) };
+    Ok(steps.max(1.0) as u64)
+}
+
+fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
+    if setup.bodies.get(load.body).is_none_or(|b| b.mass.is_none()) {
+        return Err(SetupError::BadBody { owner: "load", body: load.body });
+    }
+    for (field, value) in [
+        ("a load's north force", load.force_n.x),
+        ("a load's east force", load.force_n.y),
+        ("a load's moment", load.moment_nm),
+    ] {
+        if !value.is_finite() {
+            return Err(SetupError::OutOfRange { field, value });
+        }
+    }
+    if load.from_s.is_nan() || load.until_s.is_nan() {
+        return Err(SetupError::OutOfRange { field: "a load's time", value: f64::NAN });
+    }
+    Ok(())
+}
+
+fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, SetupError> {
+    let mut builder = Model::builder();
+    let keys = keys_by_name(&setup.bodies)?;
+    for ((body, inertia), key) in setup.bodies.iter().zip(inertias).zip(keys) {
+        builder.body(Body {
+            name: body.name.clone(),
+            key,
+            outline: body.outline.clone(),
+            mobility: inertia.mobility(),
+        });
+    }
+    for material in &setup.materials {
+        builder.material(material.material);
+    }
+    for pair in &setup.pairs {
+        let bodies = pair.bodies.map(|body| BodyId(body as u32));
+        builder.pair(Pair { bodies, material: MaterialId(pair.material as u32) });
+    }
+    if let Some(material) = setup.every_other_pair {
+        builder.every_other_pair(MaterialId(material as u32));
+    }
+    Ok(builder.build()?)
+}
+
+/// The key of each body: its place among the sorted names, so that the order of bodies in a scenario
+/// changes no bit of a run.
+fn keys_by_name(bodies: &[BodySetup]) -> Result<Vec<u64>, SetupError> {
+    let mut order: Vec<usize> = (0..bodies.len()).collect();
+    order.sort_by(|&i, &j| bodies[i].name.cmp(&bodies[j].name));
+    if let Some(two) = order.windows(2).find(|two| bodies[two[0]].name == bodies[two[1]].name) {
+        return Err(SetupError::DuplicateName { body: bodies[two[0]].name.clone() });
+    }
+    let mut keys = vec![0; bodies.len()];
+    for (key, &index) in order.iter().enumerate() {
+        keys[index] = key as u64;
+    }
+    Ok(keys)
+}
