@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use fenderline_scenario::{Override, ScenarioError};
 
 use crate::output::Format;
 
@@ -68,17 +69,21 @@ pub(crate) struct Changes {
 }
 
 impl Changes {
-    /// All changes as `KEY=VALUE`, the shorthands first.
-    pub(crate) fn key_values(&self) -> Vec<String> {
+    /// All changes, the shorthands first.
+    ///
+    /// # Errors
+    /// A text that is no `KEY=VALUE`.
+    pub(crate) fn overrides(&self) -> Result<Vec<Override>, ScenarioError> {
         let shorthands = [
-            ("time.step", &self.step),
-            ("time.duration", &self.duration),
-            ("contact.method", &self.method),
+            ("--step", "time.step", &self.step),
+            ("--duration", "time.duration", &self.duration),
+            ("--method", "contact.method", &self.method),
         ];
-        let shorthands = shorthands
-            .into_iter()
-            .filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?)));
-        shorthands.chain(self.set.iter().cloned()).collect()
+        let shorthands = shorthands.into_iter().filter_map(|(option, key, value)| {
+            let value = value.as_ref()?;
+            Some(Override::new(&format!("{option} {value}"), key, value))
+        });
+        shorthands.chain(self.set.iter().map(|text| Override::parse(text))).collect()
     }
 }
 

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read as _;
 use std::path::Path;
 
-use fenderline_scenario::{Override, Scenario};
+use fenderline_scenario::Scenario;
 
 use crate::cli::Changes;
 use crate::failure::Failure;
@@ -18,9 +18,7 @@ const LARGEST_FILE: u64 = 16 << 20;
 /// [`Failure::Input`] for a file that cannot be read, is too large, is no UTF-8 text, or that the
 /// scenario reader refuses.
 pub(crate) fn load(path: &Path, changes: &Changes) -> Result<Scenario, Failure> {
-    let overrides: Result<Vec<Override>, _> =
-        changes.key_values().iter().map(|text| Override::parse(text)).collect();
-    let overrides = overrides.map_err(Failure::input)?;
+    let overrides = changes.overrides().map_err(Failure::input)?;
     let text = read(path)?;
     Scenario::parse_with(&text, &path.display().to_string(), &overrides).map_err(Failure::input)
 }

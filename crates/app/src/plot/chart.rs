@@ -168,9 +168,11 @@ impl Chart {
 
 fn reference_line(reference: &Reference, area: &Area) -> Markup {
     let y = area.py(reference.value);
+    // On the side away from zero, where there is less else.
+    let text_y = if reference.value < 0.0 { y + 12.0 } else { y - 4.0 };
     html! {
         path class="reference" d=(format!("M{:.1},{y:.1}H{}", area.left, area.right())) {}
-        text class="reference" x=(area.right() - 3.0) y=(format!("{:.1}", y - 4.0))
+        text class="reference halo" x=(area.right() - 3.0) y=(format!("{text_y:.1}"))
             text-anchor="end" { (reference.label) }
     }
 }

@@ -48,6 +48,23 @@ pub(crate) fn significant(value: f64, digits: i32) -> String {
     fixed(value, usize::try_from(decimals.max(0)).unwrap_or(0))
 }
 
+/// As [`significant`], without the zeros that end the decimals: for values that a user set.
+pub(crate) fn plain(value: f64, digits: i32) -> String {
+    let text = significant(value, digits);
+    if !text.contains('.') || text.contains('e') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// A user's name cut to `longest` characters.
+pub(crate) fn shortened(name: &str, longest: usize) -> String {
+    if name.chars().count() <= longest {
+        return name.to_owned();
+    }
+    name.chars().take(longest.saturating_sub(1)).chain(['…']).collect()
+}
+
 fn exponent(value: f64) -> String {
     format!("{value:.3e}").replace('-', "\u{2212}")
 }
@@ -101,6 +118,10 @@ mod tests {
             (significant(1e-30, 3), "1.000e\u{2212}30"),
             (significant(0.0, 3), "0"),
             (significant(1e300, 3), "1.000e300"),
+            (plain(10.0, 6), "10"),
+            (plain(2.50, 3), "2.5"),
+            (plain(298.0, 4), "298"),
+            (shortened("a long name", 7), "a long…"),
         ];
         for (got, want) in table {
             assert_eq!(got, want);

@@ -90,9 +90,10 @@ impl Frame {
         })
     }
 
-    /// A square frame about `centre`.
-    pub(crate) fn square(centre: Vec2, half_m: f64) -> Frame {
-        Frame { low: centre - vec2(half_m, half_m), high: centre + vec2(half_m, half_m) }
+    /// A frame about `centre`, a third wider than high.
+    pub(crate) fn about(centre: Vec2, half_height_m: f64) -> Frame {
+        let half = vec2(half_height_m, half_height_m * (4.0 / 3.0));
+        Frame { low: centre - half, high: centre + half }
     }
 
     /// The smallest frame round both.
@@ -121,7 +122,7 @@ const TOP: f64 = 8.0;
 const BOTTOM: f64 = 40.0;
 const DIGIT: f64 = 6.4;
 /// Least and greatest height of the drawn area [px].
-const HEIGHTS: (f64, f64) = (230.0, 640.0);
+const HEIGHTS: (f64, f64) = (230.0, 540.0);
 /// Room round what is shown, as a share of its size.
 const MARGIN: f64 = 0.06;
 /// Vertices closer than this to the one before are not drawn [px].
@@ -214,7 +215,9 @@ impl Plan {
                             path d=(map.path(&track.points_m)) fill="none" stroke=(colour(track.style))
                                 stroke-width="1" stroke-dasharray=(dash(2)) {}
                         }
-                        @for label in &self.labels { (named(label, &map)) }
+                        @for (label, at) in self.labels.iter().zip(label_places(self, &map)) {
+                            @if let Some((x, y)) = at { (named(label, x, y)) }
+                        }
                         @for arrow in &self.arrows { (arrowed(arrow, &map)) }
                         (north_arrow(&map))
                         (scale_bar(&map))
@@ -317,8 +320,73 @@ pub(crate) fn outlined_legend() -> Markup {
     }
 }
 
-fn named(label: &Label, map: &Map) -> Markup {
-    let (x, y) = map.px(label.at_m);
+/// A rectangle of the drawn area, by its middle and half its size [px].
+#[derive(Clone, Copy)]
+struct Box2 {
+    x: f64,
+    y: f64,
+    half_width: f64,
+    half_height: f64,
+}
+
+impl Box2 {
+    fn of_text(text: &str, x: f64, y: f64) -> Box2 {
+        let count = u32::try_from(text.chars().count()).map_or(0.0, f64::from);
+        Box2 { x, y, half_width: count * 3.6 + 3.0, half_height: 8.0 }
+    }
+
+    fn overlaps(&self, other: &Box2) -> bool {
+        (self.x - other.x).abs() < self.half_width + other.half_width
+            && (self.y - other.y).abs() < self.half_height + other.half_height
+    }
+
+    fn lies_within(&self, width: f64, height: f64) -> bool {
+        self.x > self.half_width
+            && self.x < width - self.half_width
+            && self.y > self.half_height
+            && self.y < height - self.half_height
+    }
+}
+
+/// Where each label stands [px], so that none covers another nor an arrow's text; the first come
+/// first, and one that finds no place is left out.
+fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
+    let north = Box2 { x: map.width - 22.0, y: 30.0, half_width: 14.0, half_height: 26.0 };
+    let mut taken = vec![north];
+    taken.extend(plan.arrows.iter().map(|arrow| {
+        let (x, y, is_left) = arrow_text(arrow, map);
+        let mut text = Box2::of_text(&arrow.label, x, y);
+        text.x += if is_left { -text.half_width } else { text.half_width };
+        text
+    }));
+    let places = plan.labels.iter().map(|label| {
+        let (x, y) = map.px(label.at_m);
+        let shifts = [0.0, -18.0, 18.0, -36.0, 36.0];
+        let free = shifts.into_iter().find_map(|shift| {
+            let text = Box2::of_text(&label.text, x, y + shift);
+            let is_free = text.lies_within(map.width, map.height)
+                && !taken.iter().any(|other| other.overlaps(&text));
+            is_free.then_some(text)
+        })?;
+        taken.push(free);
+        Some((free.x, free.y))
+    });
+    places.collect()
+}
+
+/// Where the text of an arrow starts, or ends where it stands left of it [px].
+fn arrow_text(arrow: &Arrow, map: &Map) -> (f64, f64, bool) {
+    let (x, y) = map.px(arrow.from_m);
+    if arrow.direction == Vec2::ZERO {
+        return (x + 8.0, y - 8.0, false);
+    }
+    let (dx, dy) = (arrow.direction.y, -arrow.direction.x);
+    let is_left = dx < -0.3;
+    let shift = if is_left { -8.0 } else { 8.0 };
+    (x + dx * ARROW + shift, y + dy * ARROW, is_left)
+}
+
+fn named(label: &Label, x: f64, y: f64) -> Markup {
     html! {
         text class="halo name" x=(format!("{x:.1}")) y=(format!("{:.1}", y + 4.0))
             text-anchor="middle" { (label.text) }
@@ -339,16 +407,15 @@ fn arrowed(arrow: &Arrow, map: &Map) -> Markup {
         neck_x + dy * 4.0,
         neck_y - dx * 4.0
     );
-    let (anchor, shift) = if dx < -0.3 { ("end", -8.0) } else { ("start", 8.0) };
-    let (text_x, text_y) =
-        if has_length { (tip_x + shift, tip_y + 4.0) } else { (x + 8.0, y - 8.0) };
+    let (text_x, text_y, is_left) = arrow_text(arrow, map);
+    let anchor = if is_left { "end" } else { "start" };
     html! {
         @if has_length {
             path d=(shaft) stroke="#000" stroke-width="1.6" fill="none" {}
             path d=(head) fill="#000" {}
         }
         circle cx=(format!("{x:.1}")) cy=(format!("{y:.1}")) r="3" fill="#000" {}
-        text class="halo name" x=(format!("{text_x:.1}")) y=(format!("{text_y:.1}"))
+        text class="halo name" x=(format!("{text_x:.1}")) y=(format!("{:.1}", text_y + 4.0))
             text-anchor=(anchor) { (arrow.label) }
     }
 }
@@ -416,7 +483,7 @@ mod tests {
             Frame { low: vec2(1e7, 1e7), high: vec2(1e7 + 1.0, 1e7 + 400.0) },
             Frame { low: Vec2::ZERO, high: Vec2::ZERO },
             Frame { low: vec2(-1e9, -1e9), high: vec2(1e9, 1e9) },
-            Frame::square(vec2(1e8, 1e8), 1e-9),
+            Frame::about(vec2(1e8, 1e8), 1e-9),
         ];
         for frame in frames {
             let svg = plan(frame);

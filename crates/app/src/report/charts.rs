@@ -140,7 +140,8 @@ impl Charts<'_> {
     fn energy(&self, recorder: &Recorder) -> Markup {
         let mut series = vec![
             Series::line("kinetic energy", recorder.kinetic_j.points()),
-            Series::line("work of the contacts", recorder.contact_work_j.points()),
+            Series::line("work of normal forces", recorder.normal_work_j.points()),
+            Series::line("work of friction", recorder.tangential_work_j.points()),
             Series::line("residual", recorder.residual_j.points()),
         ];
         if recorder.has_loads() {

@@ -6,6 +6,7 @@ mod recorder;
 mod scene;
 mod tables;
 
+use fenderline_contact::EventKind;
 use maud::{Markup, html};
 
 use crate::output::{Outcome, event_text};
@@ -79,12 +80,24 @@ fn left_out(recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
 
 /// What the scenario's author and the reader should know of this run.
 fn remarks(outcome: &Outcome<'_>) -> Markup {
-    let events: Vec<_> = outcome.events.counts().collect();
+    let (plain, grave): (Vec<_>, Vec<_>) = outcome
+        .events
+        .counts()
+        .partition(|(kind, _)| matches!(kind, EventKind::ContactBegan | EventKind::ContactEnded));
     html! {
-        @if !events.is_empty() {
-            h3 { "Events" }
+        @if !plain.is_empty() {
+            p class="note" {
+                @for (index, (kind, count)) in plain.iter().enumerate() {
+                    @if index > 0 { ", " }
+                    (event_text(*kind)) ": " (count) @if *count == 1 { " time" } @else { " times" }
+                }
+                "."
+            }
+        }
+        @if !grave.is_empty() {
+            h3 { "To be looked at" }
             ul class="plain" {
-                @for (kind, count) in events {
+                @for (kind, count) in grave {
                     li { (event_text(kind)) @if count > 1 { " (" (count) " times)" } }
                 }
             }
@@ -127,8 +140,9 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
                 "design."
             }
             li {
-                "The energy residual is what the time integration made up or lost: the smaller it "
-                "is beside the work of the contact, the better the step resolves it."
+                "Work is force times the mean velocity of the step, so that the ledger closes and "
+                "the residual is rounding. Normal work above zero after a contact is energy that the "
+                "method or the time step made up; below zero, energy that the contact took."
             }
         }
     }

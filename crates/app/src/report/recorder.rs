@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_contact::{BodyState, Contact, Vec2};
-use fenderline_sim::{Setup, StepRecord};
+use fenderline_sim::{Energy, Setup, StepRecord};
 
 use crate::plot::Decimator;
 
@@ -167,7 +167,8 @@ pub(crate) struct Recorder {
     pub(super) bodies: Vec<BodyTrace>,
     pub(super) kinetic_j: Decimator,
     pub(super) load_work_j: Decimator,
-    pub(super) contact_work_j: Decimator,
+    pub(super) normal_work_j: Decimator,
+    pub(super) tangential_work_j: Decimator,
     pub(super) residual_j: Decimator,
     pub(super) start: Vec<BodyState>,
     /// States of all bodies in the step of the largest force, and that force [N].
@@ -196,7 +197,8 @@ impl Recorder {
             bodies: bodies.collect(),
             kinetic_j: Decimator::new(),
             load_work_j: Decimator::new(),
-            contact_work_j: Decimator::new(),
+            normal_work_j: Decimator::new(),
+            tangential_work_j: Decimator::new(),
             residual_j: Decimator::new(),
             start: Vec::new(),
             peak: None,
@@ -265,21 +267,20 @@ impl Recorder {
 
     fn record_energy(&mut self, step: &StepRecord<'_>) {
         let energy = &step.energy;
-        let contact_work_j = energy.normal_work_j + energy.tangential_work_j;
         if step.index == 0 {
-            let gained_j = energy.load_work_j + contact_work_j + energy.residual_j;
-            self.push_energy(0.0, [energy.kinetic_j - gained_j, 0.0, 0.0, 0.0]);
+            let work_j = energy.load_work_j + energy.normal_work_j + energy.tangential_work_j;
+            let start_j = energy.kinetic_j - work_j - energy.residual_j;
+            self.push_energy(0.0, &Energy { kinetic_j: start_j, ..Energy::default() });
         }
         // The ledger stands at the end of the step.
-        let values = [energy.kinetic_j, energy.load_work_j, contact_work_j, energy.residual_j];
-        self.push_energy(step.t_s + self.step_s, values);
+        self.push_energy(step.t_s + self.step_s, energy);
     }
 
-    fn push_energy(&mut self, t_s: f64, values_j: [f64; 4]) {
-        let [kinetic_j, load_work_j, contact_work_j, residual_j] = values_j;
-        self.kinetic_j.push(t_s, kinetic_j);
-        self.load_work_j.push(t_s, load_work_j);
-        self.contact_work_j.push(t_s, contact_work_j);
-        self.residual_j.push(t_s, residual_j);
+    fn push_energy(&mut self, t_s: f64, energy: &Energy) {
+        self.kinetic_j.push(t_s, energy.kinetic_j);
+        self.load_work_j.push(t_s, energy.load_work_j);
+        self.normal_work_j.push(t_s, energy.normal_work_j);
+        self.tangential_work_j.push(t_s, energy.tangential_work_j);
+        self.residual_j.push(t_s, energy.residual_j);
     }
 }

@@ -6,12 +6,16 @@ use maud::Markup;
 
 use super::recorder::{PairTrace, Recorder};
 use crate::output::Outcome;
-use crate::plot::{Arrow, Frame, Label, Outlined, Plan, Scaled, Stage, Track, significant};
+use crate::plot::{
+    Arrow, Frame, Label, Outlined, Plan, Scaled, Stage, Track, plain, shortened, significant,
+};
 
 /// Bodies drawn at most.
 const DRAWN: usize = 300;
 /// Names written at most: more would cover the view.
 const NAMED: usize = 16;
+/// Longest name in a view [characters].
+const NAME_LENGTH: usize = 26;
 /// Fixed bodies are shown whole where that widens the view by no more than this factor.
 const WIDEN: f64 = 3.0;
 
@@ -51,7 +55,10 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         if labels.len() < NAMED
             && let Some((state, _)) = stages.first()
         {
-            labels.push(Label { at_m: middle(body, state), text: body.name.clone() });
+            labels.push(Label {
+                at_m: middle(body, state),
+                text: shortened(&body.name, NAME_LENGTH),
+            });
         }
         for (state, stage) in stages {
             let outline = outlined(body, state, stage, styles[i]);
@@ -72,7 +79,7 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         label: String::new(),
     });
     let title = match &recorder.peak {
-        Some((t_s, _, _)) => format!("Whole scene; peak force at {} s", significant(*t_s, 4)),
+        Some((t_s, _, _)) => format!("Whole scene; peak force at {} s", plain(*t_s, 4)),
         None => "Whole scene; no contact".to_owned(),
     };
     let Some(frame) = scene_frame(floating, fixed) else {
@@ -129,16 +136,19 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     let peak = &pair.peak;
     let bodies = pair.bodies.map(|i| &setup.bodies[i]);
     let stage = |body: &BodySetup| if body.mass.is_none() { Stage::Fixed } else { Stage::Peak };
-    let outlines = [0, 1]
-        .map(|k| outlined(bodies[k], &peak.states[k], stage(bodies[k]), styles[pair.bodies[k]]));
+    let [style_1, style_2] = pair.bodies.map(|i| styles[i]);
+    // Colours come again after a few bodies; here the two must differ.
+    let pair_styles = if style_1 % 7 == style_2 % 7 { [0, 1] } else { [style_1, style_2] };
+    let outlines =
+        [0, 1].map(|k| outlined(bodies[k], &peak.states[k], stage(bodies[k]), pair_styles[k]));
     let smaller_m = bodies[0].outline.radius_m().min(bodies[1].outline.radius_m());
     let half_m = (12.0 * peak.contact.depth_m).clamp(0.25 * smaller_m, smaller_m);
     let centre = peak.contact.point_m;
-    let frame = Frame::square(centre, half_m);
+    let frame = Frame::about(centre, half_m);
     // Names stand off from the contact along the normal: body 1 behind it, body 2 before it.
     let labels = [-0.8, 0.8].into_iter().zip(bodies).map(|(share, body)| Label {
         at_m: centre + peak.contact.normal * (share * half_m),
-        text: body.name.clone(),
+        text: shortened(&body.name, NAME_LENGTH),
     });
     let force = Scaled::for_largest(peak.normal_n);
     let arrow = Arrow {
@@ -149,7 +159,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
             "N = {} {} on {}",
             significant(peak.normal_n * force.factor, 4),
             force.unit("N"),
-            bodies[1].name
+            shortened(&bodies[1].name, NAME_LENGTH)
         ),
     };
     Plan {
@@ -157,7 +167,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
             "{} – {} at their peak force, {} s; depth {} m",
             bodies[0].name,
             bodies[1].name,
-            significant(peak.t_s, 4),
+            plain(peak.t_s, 4),
             significant(peak.contact.depth_m, 3)
         ),
         frame,

@@ -4,7 +4,7 @@ use fenderline_sim::{BodySetup, Integrator, Load, Method, NamedMaterial, PairSum
 use maud::{Markup, html};
 
 use crate::output::Outcome;
-use crate::plot::significant;
+use crate::plot::{plain, significant};
 
 /// Rows shown of a long table.
 const ROWS: usize = 30;
@@ -71,9 +71,9 @@ fn result_cells(pair: &PairSummary, setup: &Setup) -> Markup {
     let [name_1, name_2] = pair.bodies.map(|i| setup.bodies[i].name.as_str());
     html! {
         td class="name" { (name_1) " – " (name_2) @if pair.touching_at_end { " †" } }
-        (number(&significant(pair.first_touch_s, 4)))
+        (number(&plain(pair.first_touch_s, 5)))
         (number(&significant(pair.peak_normal_force_n / 1e3, 4)))
-        (number(&significant(pair.peak_normal_force_at_s, 4)))
+        (number(&plain(pair.peak_normal_force_at_s, 5)))
         (number(&significant(pair.peak_depth_m, 3)))
         (number(&significant(pair.impulse_ns / 1e3, 4)))
         (number(&speed(pair.approach_speed_mps)))
@@ -162,24 +162,24 @@ fn body_row(body: &BodySetup) -> Markup {
     html! {
         tr {
             td class="name" { (body.name) }
-            (number(&format!("{} × {}", significant(size.x, 4), significant(size.y, 4))))
+            (number(&format!("{} × {}", plain(size.x, 4), plain(size.y, 4))))
             @if let Some(mass) = body.mass {
-                (number(&significant(mass.mass_kg / 1e3, 5)))
+                (number(&plain(mass.mass_kg / 1e3, 6)))
                 (number(&format!("{} / {}",
-                    significant(mass.added_surge_kg / 1e3, 4),
-                    significant(mass.added_sway_kg / 1e3, 4))))
-                (number(&significant(libm::sqrt(mass.yaw_inertia_kgm2 / mass.mass_kg), 4)))
+                    plain(mass.added_surge_kg / 1e3, 4),
+                    plain(mass.added_sway_kg / 1e3, 4))))
+                (number(&plain(libm::sqrt(mass.yaw_inertia_kgm2 / mass.mass_kg), 4)))
             } @else {
                 td class="number" { "fixed" }
                 td class="number" { "–" }
                 td class="number" { "–" }
             }
             (number(&format!("{}, {}",
-                significant(body.position_m.x, 6), significant(body.position_m.y, 6))))
-            (number(&significant(heading_deg, 4)))
+                plain(body.position_m.x, 6), plain(body.position_m.y, 6))))
+            (number(&plain(heading_deg, 4)))
             @if body.mass.is_some() {
                 (number(&speed(speed_mps)))
-                (number(&significant(velocity.yaw_radps.to_degrees(), 3)))
+                (number(&plain(velocity.yaw_radps.to_degrees(), 3)))
             } @else {
                 td class="number" { "–" }
                 td class="number" { "–" }
@@ -205,9 +205,9 @@ fn materials(materials: &[NamedMaterial]) -> Markup {
                     @for NamedMaterial { name, material } in materials.iter().take(ROWS) {
                         tr {
                             td class="name" { (name) }
-                            (number(&significant(material.stiffness_npm2 / 1e3, 4)))
-                            (number(&significant(material.damping_nspm2 / 1e3, 4)))
-                            (number(&significant(material.shear_stiffness_npm / 1e3, 4)))
+                            (number(&plain(material.stiffness_npm2 / 1e3, 4)))
+                            (number(&plain(material.damping_nspm2 / 1e3, 4)))
+                            (number(&plain(material.shear_stiffness_npm / 1e3, 4)))
                             (number(&material.friction_static.to_string()))
                             (number(&material.friction_dynamic.to_string()))
                             (number(&material.restitution.to_string()))
@@ -245,9 +245,9 @@ fn load_row(load: &Load, setup: &Setup) -> Markup {
     html! {
         tr {
             td class="name" { (setup.bodies[load.body].name) }
-            (number(&significant(load.force_n.x / 1e3, 4)))
-            (number(&significant(load.force_n.y / 1e3, 4)))
-            (number(&significant(load.moment_nm / 1e3, 4)))
+            (number(&plain(load.force_n.x / 1e3, 4)))
+            (number(&plain(load.force_n.y / 1e3, 4)))
+            (number(&plain(load.moment_nm / 1e3, 4)))
             (number(&load.from_s.to_string()))
             @if load.until_s.is_finite() {
                 (number(&load.until_s.to_string()))

@@ -6,11 +6,12 @@ use std::path::Path;
 use fenderline_sim::PairSummary;
 
 use crate::output::{Outcome, WrittenFile, integrator_text, method_text};
+use crate::plot::shortened;
 
 /// Pairs printed at most.
 const ROWS: usize = 20;
-/// Longest name of a pair that keeps the table aligned [characters].
-const NAME_WIDTH: usize = 40;
+/// Longest name of a pair; the rest is cut [characters].
+const NAME_WIDTH: usize = 48;
 
 /// Title and how it was run, one line a pair with the largest force first, and where the files are.
 pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile]) -> String {
@@ -54,11 +55,12 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
         .map(|pair| {
             let [a, b] = pair.bodies.map(|i| outcome.setup.bodies[i].name.as_str());
             let still = if pair.touching_at_end { " (still touching)" } else { "" };
-            one_line(&format!("{a} - {b}{still}"))
+            let longest = NAME_WIDTH - still.len();
+            shortened(&one_line(&format!("{a} - {b}")), longest) + still
         })
         .collect();
     let longest = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
-    let width = longest.clamp("contact".len(), NAME_WIDTH);
+    let width = longest.max("contact".len());
     let mut text = String::new();
     let heads = [
         ("contact", "first touch", "peak force", "peak depth", "impulse", "approach", "final"),
