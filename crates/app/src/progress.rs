@@ -10,37 +10,32 @@ const PATIENCE: Duration = Duration::from_millis(500);
 
 /// A bar on the terminal's standard error; nothing where that is piped or the run is short.
 pub(crate) struct Progress {
-    steps: u64,
-    started: Instant,
+    /// `None` where standard error is no terminal.
     bar: Option<ProgressBar>,
-    is_terminal: bool,
+    started: Instant,
+    is_shown: bool,
 }
 
 impl Progress {
     /// A bar for a run of `steps` steps.
     pub(crate) fn new(steps: u64) -> Progress {
-        let is_terminal = io::stderr().is_terminal();
-        Progress { steps, started: Instant::now(), bar: None, is_terminal }
+        // The bar counts from the start, hidden, so that its estimate of the time left is right
+        // when it shows.
+        let bar = io::stderr().is_terminal().then(|| {
+            ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::hidden())
+                .with_style(style())
+        });
+        Progress { bar, started: Instant::now(), is_shown: false }
     }
 
     /// Tells that `done` steps are done.
     pub(crate) fn advance(&mut self, done: u64) {
-        if !self.is_terminal {
-            return;
+        let Some(bar) = &self.bar else { return };
+        if !self.is_shown && self.started.elapsed() > PATIENCE {
+            bar.set_draw_target(ProgressDrawTarget::stderr_with_hz(10));
+            self.is_shown = true;
         }
-        match &self.bar {
-            Some(bar) => bar.set_position(done),
-            None if self.started.elapsed() > PATIENCE => {
-                let bar = ProgressBar::with_draw_target(
-                    Some(self.steps),
-                    ProgressDrawTarget::stderr_with_hz(10),
-                );
-                bar.set_style(style());
-                bar.set_position(done);
-                self.bar = Some(bar);
-            }
-            None => {}
-        }
+        bar.set_position(done);
     }
 }
 

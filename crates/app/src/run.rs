@@ -4,7 +4,7 @@ mod printed;
 
 use std::path::{Path, PathBuf};
 
-use fenderline_scenario::Scenario;
+use fenderline_scenario::{Notice, Place, Scenario};
 use fenderline_sim::{Setup, Simulation, StepRecord};
 
 use crate::cli::RunArgs;
@@ -23,10 +23,10 @@ use crate::terminal::{say, tell};
 /// Bad input; a simulation or a file that failed, in which case no result file is left.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let scenario = load(&args.scenario, &args.changes)?;
-    let notices: Vec<String> = scenario.notices.iter().map(ToString::to_string).collect();
-    for notice in &notices {
+    for notice in &scenario.notices {
         tell(&format!("notice: {notice}"));
     }
+    let notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
     let Scenario { title, setup, .. } = scenario;
     let mut simulation = Simulation::new(setup).map_err(error)?;
     let folder_path = args.out.clone().unwrap_or_else(|| default_folder(&args.scenario));
@@ -86,6 +86,17 @@ pub(crate) fn play(
 /// A set-up that the simulation refuses is bad input.
 pub(crate) fn error(error: fenderline_sim::SetupError) -> Failure {
     Failure::input(format_args!("error: {error}"))
+}
+
+/// A notice as the results keep it: without the file's path, so that a run gives the same bytes
+/// wherever it is started.
+fn recorded(notice: &Notice) -> String {
+    let Notice { place, key, message } = notice;
+    match place {
+        Place::File { line, .. } => format!("line {line}, {key}: {message}"),
+        Place::WholeFile { .. } => format!("{key}: {message}"),
+        Place::Option { text } => format!("{text}, {key}: {message}"),
+    }
 }
 
 fn default_folder(scenario: &Path) -> PathBuf {

@@ -37,10 +37,13 @@ pub(crate) struct Reference {
 }
 
 const WIDTH: f64 = 720.0;
-const HEIGHT: f64 = 250.0;
+/// Four charts go on a page of A4.
+const HEIGHT: f64 = 216.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 40.0;
 const RIGHT: f64 = 16.0;
+/// Least left margin: charts of a page line up unless their numbers are long [px].
+const LEAST_LEFT: f64 = 66.0;
 /// Mean width of a digit at the size of the tick labels [px].
 const DIGIT: f64 = 6.4;
 /// Points closer than this to the one before are not drawn [px].
@@ -61,6 +64,7 @@ impl Area {
         let y = chart.y.fit(points().map(|p| p.y).chain(references), 5);
         let longest = y.ticks().iter().map(|(_, label)| label.chars().count()).max().unwrap_or(1);
         let left = 30.0 + DIGIT * u32::try_from(longest).map_or(20.0, f64::from);
+        let left = left.max(LEAST_LEFT);
         Area { x, y, left }
     }
 

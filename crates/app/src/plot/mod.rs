@@ -13,7 +13,7 @@ mod series;
 
 pub(crate) use axis::Axis;
 pub(crate) use chart::{Chart, Reference};
-pub(crate) use number::{Scaled, plain, shortened, significant};
+pub(crate) use number::{Scaled, decimals_for, fixed, plain, shortened, significant};
 pub(crate) use page::page;
 pub(crate) use plan::{Arrow, Frame, Label, Outlined, Plan, Stage, Track, outlined_legend};
 pub(crate) use series::{Decimator, Point, Series};

@@ -69,6 +69,15 @@ fn exponent(value: f64) -> String {
     format!("{value:.3e}").replace('-', "\u{2212}")
 }
 
+/// Decimals that tell multiples of `step` apart, one to four.
+pub(crate) fn decimals_for(step: f64) -> usize {
+    (1..4).find(|&n| is_whole(step * libm::exp10(f64::from(n)))).unwrap_or(4) as usize
+}
+
+fn is_whole(value: f64) -> bool {
+    (value - libm::round(value)).abs() < 1e-6 && value > 0.5
+}
+
 /// The power of ten of the first digit.
 pub(crate) fn order_of(value: f64) -> i32 {
     // Saturating cast: the argument is finite and non-zero at every caller.
@@ -104,6 +113,12 @@ impl Scaled {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn times_show_the_decimals_of_the_step() {
+        let steps = [2.0, 0.1, 0.05, 0.125, 1e-9];
+        assert_eq!(steps.map(decimals_for), [1, 1, 2, 3, 4]);
+    }
 
     #[test]
     fn numbers_read_as_in_print() {

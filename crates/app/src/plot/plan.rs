@@ -90,9 +90,9 @@ impl Frame {
         })
     }
 
-    /// A frame about `centre`, a third wider than high.
+    /// A frame about `centre` with the proportions of a view that goes twice on a page of A4.
     pub(crate) fn about(centre: Vec2, half_height_m: f64) -> Frame {
-        let half = vec2(half_height_m, half_height_m * (4.0 / 3.0));
+        let half = vec2(half_height_m, half_height_m * 1.65);
         Frame { low: centre - half, high: centre + half }
     }
 

@@ -4,7 +4,7 @@ use fenderline_sim::{BodySetup, Integrator, Load, Method, NamedMaterial, PairSum
 use maud::{Markup, html};
 
 use crate::output::Outcome;
-use crate::plot::{plain, significant};
+use crate::plot::{decimals_for, fixed, plain, significant};
 
 /// Rows shown of a long table.
 const ROWS: usize = 30;
@@ -17,6 +17,11 @@ fn number(text: &str) -> Markup {
 
 fn heading(label: &str, unit: &str) -> Markup {
     html! { th class="number" scope="col" { (label) small { (unit) } } }
+}
+
+/// As [`heading`], for a quantity whose symbol has a subscript.
+fn symbol_heading(label: &str, symbol: &str, subscript: &str, unit: &str) -> Markup {
+    html! { th class="number" scope="col" { (label) " " (symbol) sub { (subscript) } small { (unit) } } }
 }
 
 fn more(total: usize) -> Markup {
@@ -69,12 +74,13 @@ pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
 
 fn result_cells(pair: &PairSummary, setup: &Setup) -> Markup {
     let [name_1, name_2] = pair.bodies.map(|i| setup.bodies[i].name.as_str());
+    let decimals = decimals_for(setup.step_s);
     html! {
         td class="name" { (name_1) " – " (name_2) @if pair.touching_at_end { " †" } }
-        (number(&plain(pair.first_touch_s, 5)))
+        (number(&fixed(pair.first_touch_s, decimals)))
         (number(&significant(pair.peak_normal_force_n / 1e3, 4)))
-        (number(&plain(pair.peak_normal_force_at_s, 5)))
-        (number(&significant(pair.peak_depth_m, 3)))
+        (number(&fixed(pair.peak_normal_force_at_s, decimals)))
+        (number(&fixed(pair.peak_depth_m, 3)))
         (number(&significant(pair.impulse_ns / 1e3, 4)))
         (number(&speed(pair.approach_speed_mps)))
         (number(&speed(pair.final_speed_mps)))
@@ -83,7 +89,7 @@ fn result_cells(pair: &PairSummary, setup: &Setup) -> Markup {
 
 /// A speed in m/s with knots beside it.
 fn speed(speed_mps: f64) -> String {
-    format!("{} ({})", significant(speed_mps, 3), significant(speed_mps / KNOT_MPS, 3))
+    format!("{} ({})", fixed(speed_mps, 3), fixed(speed_mps / KNOT_MPS, 2))
 }
 
 /// Everything that the scenario set.
@@ -196,9 +202,9 @@ fn materials(materials: &[NamedMaterial]) -> Markup {
                     th class="name" scope="col" { "Material" }
                     (heading("Stiffness k", "kN/m²"))
                     (heading("Damping c", "kN·s/m²"))
-                    (heading("Shear stiffness k_s", "kN/m"))
-                    (heading("Static friction μ_s", "–"))
-                    (heading("Dynamic friction μ_k", "–"))
+                    (symbol_heading("Shear stiffness", "k", "s", "kN/m"))
+                    (symbol_heading("Static friction", "μ", "s", "–"))
+                    (symbol_heading("Dynamic friction", "μ", "k", "–"))
                     (heading("Restitution γ", "–"))
                 } }
                 tbody {
