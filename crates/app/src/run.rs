@@ -47,7 +47,6 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         Ok(())
     })?;
 
-    let pairs = simulation.pair_summaries();
     let outcome = Outcome {
         title: &title,
         scenario_file: &file_name(&args.scenario),
@@ -55,7 +54,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         notices: &notices,
         steps: simulation.steps_total(),
         states: simulation.states(),
-        pairs: &pairs,
+        pairs: simulation.pair_summaries(),
         energy: simulation.energy(),
         events: &events,
     };

@@ -60,8 +60,8 @@ fn event_key(kind: EventKind) -> &'static str {
 /// What a reader of the report is told of a kind of event.
 pub(crate) fn event_text(kind: EventKind) -> &'static str {
     match kind {
-        EventKind::ContactBegan => "contact began",
-        EventKind::ContactEnded => "contact ended",
+        EventKind::ContactBegan => "a contact began",
+        EventKind::ContactEnded => "a contact ended",
         EventKind::PatchSplit => "one patch of contact became several",
         EventKind::PatchesMerged => "several patches of contact became one",
         EventKind::Contained => {

@@ -71,6 +71,8 @@ pub(crate) struct Arrow {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Label {
     pub(crate) at_m: Vec2,
+    /// How far what it names reaches from there [m]: the text stands beside what it would cover.
+    pub(crate) reach_m: f64,
     pub(crate) text: String,
 }
 
@@ -361,9 +363,16 @@ fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
     }));
     let places = plan.labels.iter().map(|label| {
         let (x, y) = map.px(label.at_m);
-        let shifts = [0.0, -18.0, 18.0, -36.0, 36.0];
-        let free = shifts.into_iter().find_map(|shift| {
-            let text = Box2::of_text(&label.text, x, y + shift);
+        let reach = label.reach_m * map.px_per_m;
+        let half_width = Box2::of_text(&label.text, x, y).half_width;
+        let candidates = if reach < half_width {
+            let (aside, off) = (reach + half_width + 2.0, reach + 12.0);
+            [(aside, 0.0), (-aside, 0.0), (0.0, -off), (0.0, off), (aside, -18.0)]
+        } else {
+            [0.0, -18.0, 18.0, -36.0, 36.0].map(|shift| (0.0, shift))
+        };
+        let free = candidates.into_iter().find_map(|(dx, dy)| {
+            let text = Box2::of_text(&label.text, x + dx, y + dy);
             let is_free = text.lies_within(map.width, map.height)
                 && !taken.iter().any(|other| other.overlaps(&text));
             is_free.then_some(text)
@@ -469,7 +478,7 @@ mod tests {
                 direction: vec2(1.0, 0.0),
                 label: "<script>".to_owned(),
             }],
-            labels: vec![Label { at_m: frame.low, text: "<script>".to_owned() }],
+            labels: vec![Label { at_m: frame.low, reach_m: 1.0, text: "<script>".to_owned() }],
             note: String::new(),
         }
         .render()

@@ -80,19 +80,16 @@ fn left_out(recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
 
 /// What the scenario's author and the reader should know of this run.
 fn remarks(outcome: &Outcome<'_>) -> Markup {
-    let (plain, grave): (Vec<_>, Vec<_>) = outcome
-        .events
-        .counts()
-        .partition(|(kind, _)| matches!(kind, EventKind::ContactBegan | EventKind::ContactEnded));
+    let count = |wanted| {
+        let found = outcome.events.counts().find(|(kind, _)| *kind == wanted);
+        found.map_or(0, |(_, count)| count)
+    };
+    let (begun, ended) = (count(EventKind::ContactBegan), count(EventKind::ContactEnded));
+    let is_plain = |kind| matches!(kind, EventKind::ContactBegan | EventKind::ContactEnded);
+    let grave: Vec<_> = outcome.events.counts().filter(|(kind, _)| !is_plain(*kind)).collect();
     html! {
-        @if !plain.is_empty() {
-            p class="note" {
-                @for (index, (kind, count)) in plain.iter().enumerate() {
-                    @if index > 0 { ", " }
-                    (event_text(*kind)) ": " (count) @if *count == 1 { " time" } @else { " times" }
-                }
-                "."
-            }
+        @if begun > 0 {
+            p class="note" { "Contacts begun: " (begun) "; ended: " (ended) "." }
         }
         @if !grave.is_empty() {
             h3 { "To be looked at" }

@@ -57,6 +57,7 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         {
             labels.push(Label {
                 at_m: middle(body, state),
+                reach_m: reach(body),
                 text: shortened(&body.name, NAME_LENGTH),
             });
         }
@@ -123,6 +124,12 @@ fn joined(a: Option<Frame>, b: Option<Frame>) -> Option<Frame> {
     }
 }
 
+/// Half the largest extent of a body's outline [m].
+fn reach(body: &BodySetup) -> f64 {
+    let (low, high) = body.outline.bounds();
+    (high - low).length() * 0.5
+}
+
 /// The middle of a body's outline, earth-fixed [m].
 fn middle(body: &BodySetup, state: &BodyState) -> Vec2 {
     let (low, high) = body.outline.bounds();
@@ -148,6 +155,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     // Names stand off from the contact along the normal: body 1 behind it, body 2 before it.
     let labels = [-0.8, 0.8].into_iter().zip(bodies).map(|(share, body)| Label {
         at_m: centre + peak.contact.normal * (share * half_m),
+        reach_m: f64::INFINITY,
         text: shortened(&body.name, NAME_LENGTH),
     });
     let force = Scaled::for_largest(peak.normal_n);

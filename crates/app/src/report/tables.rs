@@ -137,7 +137,7 @@ fn bodies(bodies: &[BodySetup]) -> Markup {
             table {
                 thead { tr {
                     th class="name" scope="col" { "Body" }
-                    (heading("Length × breadth", "m"))
+                    (heading("Length ×\u{a0}breadth", "m"))
                     (heading("Displacement", "t"))
                     (heading("Added mass", "surge / sway, t"))
                     (heading("Gyradius", "m"))
