@@ -1,2 +1,94 @@
-//! x
-fn main() {}
+//! Benches of the contact engine against its peers, in one process, so that the ratios hold where
+//! the times do not. Nothing is written anywhere and nothing here passes or fails a build.
+//!
+//! ```text
+//! cargo run --release -p fenderline-bench -- clip [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- step [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- instructions SCENE N
+//! cargo run --release -p fenderline-bench -- callgrind
+//! ```
+
+mod callgrind;
+mod clip;
+mod ours;
+mod paths;
+mod peers;
+mod rounds;
+mod scenes;
+mod shapes;
+mod step;
+mod table;
+
+use std::process::ExitCode;
+
+use scenes::Scene;
+use table::Style;
+
+const USAGE: &str = "\
+usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two convex polygons
+       fenderline-bench step [--markdown] [--rounds N]   a whole step of the engine
+       fenderline-bench instructions SCENE N             N warm steps, to be counted by a profiler
+       fenderline-bench callgrind                        instructions a warm step, by valgrind
+SCENE is tug, ship, pairs-1000 or pairs-10000";
+
+/// Rounds of a bench where the caller does not say: enough that the medians of two runs agree to a
+/// few per cent.
+const ROUNDS: usize = 41;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match run(&arguments.iter().map(String::as_str).collect::<Vec<_>>()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(arguments: &[&str]) -> Result<(), String> {
+    match arguments {
+        ["clip", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", clip::bench(rounds).printed(style));
+        }
+        ["step", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", step::bench(rounds).printed(style));
+        }
+        ["instructions", scene, steps] => {
+            let scene =
+                Scene::named(scene).ok_or_else(|| format!("no scene `{scene}`\n{USAGE}"))?;
+            scenes::Driven::new(scene).steps(count_of(steps)?);
+        }
+        ["callgrind"] => println!("{}", callgrind::bench()?.printed(Style::Plain)),
+        _ => return Err(USAGE.to_owned()),
+    }
+    Ok(())
+}
+
+fn options_of(options: &[&str]) -> Result<(Style, usize), String> {
+    let (mut style, mut rounds) = (Style::Plain, ROUNDS);
+    let mut rest = options;
+    loop {
+        rest = match rest {
+            [] => return Ok((style, rounds)),
+            ["--markdown", rest @ ..] => {
+                style = Style::Markdown;
+                rest
+            }
+            ["--rounds", count, rest @ ..] => {
+                rounds = count_of(count)?;
+                rest
+            }
+            [other, ..] => return Err(format!("unknown option `{other}`\n{USAGE}")),
+        }
+    }
+}
+
+fn count_of(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count) if count > 0 => Ok(count),
+        _ => Err(format!("`{text}` is not a count of at least 1\n{USAGE}")),
+    }
+}

@@ -1,0 +1,51 @@
+//! Instructions of a warm step: this program runs itself under valgrind for two numbers of steps
+//! and takes the difference, which leaves the start-up out.
+
+use std::io::ErrorKind;
+use std::process::Command;
+
+use crate::table::Table;
+
+/// Scene, contacts in it, and the two numbers of steps: whole loops of the motion.
+const SCENES: [(&str, u64, u64, u64); 2] = [("tug", 1, 640, 6400), ("ship", 8, 640, 3200)];
+
+pub(crate) fn bench() -> Result<Table, String> {
+    let mut table = Table::new(&["scene", "contacts", "instructions a step", "a contact"]);
+    for (scene, contacts, few, many) in SCENES {
+        let step = (instructions(scene, many)? - instructions(scene, few)?) / (many - few);
+        table.row(vec![
+            scene.to_owned(),
+            contacts.to_string(),
+            step.to_string(),
+            (step / contacts).to_string(),
+        ]);
+    }
+    Ok(table)
+}
+
+fn instructions(scene: &str, steps: u64) -> Result<u64, String> {
+    let this = std::env::current_exe().map_err(|e| format!("this program's own path: {e}"))?;
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(this)
+        .args(["instructions", scene, &steps.to_string()])
+        .output()
+        .map_err(|error| match error.kind() {
+            ErrorKind::NotFound => {
+                "valgrind is not installed: counting instructions needs it (package `valgrind`)"
+                    .to_owned()
+            }
+            _ => format!("could not run valgrind: {error}"),
+        })?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Err(format!("valgrind failed ({}):\n{said}", output.status));
+    }
+    collected(&said)
+        .ok_or_else(|| format!("no count of instructions in valgrind's output:\n{said}"))
+}
+
+/// The number in `==123== Collected : 4567`.
+fn collected(said: &str) -> Option<u64> {
+    said.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok())
+}

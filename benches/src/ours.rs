@@ -1,0 +1,42 @@
+//! Our clip, run along a path.
+
+use std::hint::black_box;
+
+use fenderline_contact::{ConvexPolygon, PairClip};
+
+use crate::paths::Path;
+
+/// One round, each call starting from what the last one found.
+pub(crate) fn warm(
+    pair: &mut PairClip,
+    first: &ConvexPolygon,
+    second: &ConvexPolygon,
+    path: &Path,
+) {
+    for poses in path {
+        let [one, two] = *black_box(poses);
+        black_box(pair.clip(first, one, second, two));
+    }
+}
+
+/// One round, each call knowing nothing.
+pub(crate) fn cold(
+    pair: &mut PairClip,
+    first: &ConvexPolygon,
+    second: &ConvexPolygon,
+    path: &Path,
+) {
+    for poses in path {
+        let [one, two] = *black_box(poses);
+        pair.forget();
+        black_box(pair.clip(first, one, second, two));
+    }
+}
+
+/// Area at each call [m²].
+pub(crate) fn areas_m2(first: &ConvexPolygon, second: &ConvexPolygon, path: &Path) -> Vec<f64> {
+    let mut pair = PairClip::default();
+    path.iter()
+        .map(|&[one, two]| pair.clip(first, one, second, two).map_or(0.0, |clip| clip.area_m2()))
+        .collect()
+}

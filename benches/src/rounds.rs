@@ -1,0 +1,41 @@
+//! Times by rounds: every contender runs once a round, so that what slows the machine down slows
+//! all of them down, and what counts is the median of the ratios.
+
+use std::time::Instant;
+
+/// One contender: what it does in a round, and how many calls that is.
+pub(crate) struct Contender<'a> {
+    /// Runs a whole round.
+    pub(crate) round: Box<dyn FnMut() + 'a>,
+    /// Calls in a round.
+    pub(crate) calls: usize,
+}
+
+/// Nanoseconds a call, for every contender (outer) and round (inner).
+pub(crate) fn nanoseconds_a_call(contenders: &mut [Contender<'_>], rounds: usize) -> Vec<Vec<f64>> {
+    let mut times = vec![Vec::with_capacity(rounds); contenders.len()];
+    contenders.iter_mut().for_each(|contender| (contender.round)());
+    for round in 0..rounds {
+        for turn in 0..contenders.len() {
+            // A different one goes first each round.
+            let index = (turn + round) % contenders.len();
+            let contender = &mut contenders[index];
+            let start = Instant::now();
+            (contender.round)();
+            let elapsed = start.elapsed().as_secs_f64();
+            times[index].push(elapsed * 1e9 / contender.calls as f64);
+        }
+    }
+    times
+}
+
+pub(crate) fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted[sorted.len() / 2]
+}
+
+/// Median over the rounds of `slower / faster`.
+pub(crate) fn median_ratio(slower: &[f64], faster: &[f64]) -> f64 {
+    median(&slower.iter().zip(faster).map(|(s, f)| s / f).collect::<Vec<_>>())
+}

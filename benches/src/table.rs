@@ -1,0 +1,63 @@
+//! A table on the terminal or in markdown.
+
+/// How a table is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Style {
+    /// Columns lined up by spaces.
+    Plain,
+    /// A markdown table.
+    Markdown,
+}
+
+/// Rows of text under a head, with notes below.
+#[derive(Clone, Debug)]
+pub(crate) struct Table {
+    head: Vec<String>,
+    rows: Vec<Vec<String>>,
+    notes: Vec<String>,
+}
+
+impl Table {
+    pub(crate) fn new(head: &[&str]) -> Table {
+        Table {
+            head: head.iter().map(|&title| title.to_owned()).collect(),
+            rows: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    pub(crate) fn row(&mut self, cells: Vec<String>) {
+        assert_eq!(cells.len(), self.head.len(), "a cell for every column");
+        self.rows.push(cells);
+    }
+
+    pub(crate) fn note(&mut self, text: &str) {
+        self.notes.push(text.to_owned());
+    }
+
+    pub(crate) fn printed(&self, style: Style) -> String {
+        let widths: Vec<usize> = (0..self.head.len()).map(|column| self.width(column)).collect();
+        let (left, between, right) = match style {
+            Style::Plain => ("", "  ", ""),
+            Style::Markdown => ("| ", " | ", " |"),
+        };
+        let line = |cells: &[String]| {
+            let padded: Vec<String> =
+                cells.iter().zip(&widths).map(|(cell, &width)| format!("{cell:width$}")).collect();
+            format!("{left}{}{right}", padded.join(between)).trim_end().to_owned()
+        };
+        let rule: Vec<String> = widths.iter().map(|&width| "-".repeat(width)).collect();
+        let mut lines = vec![line(&self.head), line(&rule)];
+        lines.extend(self.rows.iter().map(|row| line(row)));
+        if !self.notes.is_empty() {
+            lines.push(String::new());
+            lines.extend(self.notes.iter().cloned());
+        }
+        lines.join("\n")
+    }
+
+    fn width(&self, column: usize) -> usize {
+        let cells = self.rows.iter().map(|row| row[column].chars().count());
+        cells.fold(self.head[column].chars().count(), usize::max)
+    }
+}
