@@ -227,6 +227,36 @@ fn a_full_disk_under_standard_output_fails_the_command() {
 }
 
 #[test]
+fn a_simulation_that_fails_leaves_no_result_of_this_or_an_earlier_run() {
+    let place = Workplace::new("failed_simulation");
+    assert_eq!(place.run(&["run", "tug.toml"]).code, 0);
+    let load = "[[load]]\nbody = \"tug\"\nforce = [\"1e14 N\", \"0 N\"]\n";
+    let wild = support::TUG.replace("930 t", "1 kg") + load;
+    place.write("tug.toml", wild.as_bytes());
+    let run = place.run(&["run", "tug.toml"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    contains_all(&run.stderr, &["error", "tug"]);
+    assert_eq!(place.files("out/tug"), Vec::<String>::new());
+}
+
+#[test]
+fn far_from_the_origin_the_same_contact_comes_out() {
+    let place = Workplace::new("far");
+    assert_eq!(place.run(&["run", "tug.toml", "--out", "near"]).code, 0);
+    let far = support::TUG
+        .replace("position = [0, 20]", "position = [6400000, 500020]")
+        .replace("position = [3, 2]", "position = [6400003, 500002]");
+    place.write("far.toml", far.as_bytes());
+    assert_eq!(place.run(&["run", "far.toml", "--out", "far"]).code, 0);
+    let [near, far] = ["near", "far"].map(|out| {
+        let summary = place.json(&format!("{out}/summary.json"));
+        summary["pairs"][0]["peak_normal_force_n"].as_f64().expect("a force")
+    });
+    assert!((near - far).abs() < 1e-6 * near, "{near} and {far}");
+    assert!(!place.text("far/report.html").contains("NaN"));
+}
+
+#[test]
 fn a_killed_run_leaves_only_part_files_and_the_next_one_clears_them() {
     let place = Workplace::new("killed");
     assert_eq!(place.run(&["run", "tug.toml"]).code, 0);

@@ -248,8 +248,11 @@ fn grid(map: &Map) -> Markup {
         path class="grid" d=(lines) {}
         g class="ticks" {
             @for (value, label) in map.east.ticks() {
-                text x=(format!("{:.1}", px(value))) y=(format!("{:.1}", base + 15.0))
+                @let half = Box2::of_text(&label, 0.0, 0.0).half_width;
+                @if px(value) + half < WIDTH {
+                    text x=(format!("{:.1}", px(value))) y=(format!("{:.1}", base + 15.0))
                     text-anchor="middle" { (label) }
+                }
             }
             @for (value, label) in map.north.ticks() {
                 text x=(format!("{:.1}", map.left - 6.0)) y=(format!("{:.1}", py(value) + 3.8))
@@ -367,6 +370,8 @@ fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
         let half_width = Box2::of_text(&label.text, x, y).half_width;
         let candidates = if reach < half_width {
             let (aside, off) = (reach + half_width + 2.0, reach + 12.0);
+            // Outwards, away from what the view is about.
+            let aside = if x < map.width / 2.0 { -aside } else { aside };
             [(aside, 0.0), (-aside, 0.0), (0.0, -off), (0.0, off), (aside, -18.0)]
         } else {
             [0.0, -18.0, 18.0, -36.0, 36.0].map(|shift| (0.0, shift))
