@@ -1,1 +1,72 @@
-//! x
+//! Scenario files: TOML with units to a checked simulation set-up.
+//!
+//! The only crate that knows what a scenario file looks like. A plain number is SI (angles in
+//! radians); a string carries its unit, as `"4 kn"`. Every mistake is one [`ScenarioError`] that
+//! points at file, line and key; what was put right is told in [`Notice`]s.
+//!
+//! The way through the code: `syntax` makes a TOML tree of the text, `overrides` lays the command
+//! line's keys over it, `reader` checks every key against the key table in `keys`, and `assemble`
+//! builds the set-up and checks what holds between keys. `schema` makes a JSON Schema of the same
+//! key table.
+//!
+//! ```
+//! use fenderline_scenario::{Override, Scenario};
+//!
+//! let text = r#"
+//!     title = "Tug against a quay"
+//!
+//!     [time]
+//!     step = "0.1 s"
+//!     duration = "20 s"
+//!
+//!     [material.rubber]
+//!     stiffness = "500 kN/m^2"
+//!     restitution = 0.1
+//!
+//!     [body.tug]
+//!     outline = [[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]
+//!     mass = "930 t"
+//!     gyradius = "8 m"
+//!     velocity = { surge = "4 kn" }
+//!
+//!     [body.quay]
+//!     fixed = true
+//!     outline = [[0, -50], [5, -50], [5, 50], [0, 50]]
+//!     position = [20, 0]
+//!
+//!     [[pair]]
+//!     bodies = ["tug", "quay"]
+//!     material = "rubber"
+//! "#;
+//! let scenario = Scenario::parse(text, "tug.toml")?;
+//! assert_eq!(scenario.setup.bodies[0].velocity.surge_mps, 4.0 * 1852.0 / 3600.0);
+//!
+//! let longer_step = [Override::parse("time.step=0.5 s")?];
+//! let scenario = Scenario::parse_with(text, "tug.toml", &longer_step)?;
+//! assert_eq!(scenario.setup.step_s, 0.5);
+//!
+//! let error = Scenario::parse(&text.replace("500 kN/m^2", "4 kn"), "tug.toml").unwrap_err();
+//! assert_eq!(error.line(), Some(9));
+//! assert_eq!(error.key(), Some("material.rubber.stiffness"));
+//! # Ok::<(), fenderline_scenario::ScenarioError>(())
+//! ```
+
+mod assemble;
+mod checked;
+mod error;
+mod key_path;
+mod keys;
+mod overrides;
+mod reader;
+mod scenario;
+mod schema;
+mod sources;
+mod spec;
+mod suggest;
+mod syntax;
+mod units;
+
+pub use error::{Notice, Place, ScenarioError};
+pub use overrides::Override;
+pub use scenario::Scenario;
+pub use schema::schema;

@@ -1,0 +1,399 @@
+//! From checked tables to a simulation set-up: what the key table cannot say, because it holds
+//! between keys.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use fenderline_contact::{Material, Outline, Vec2};
+use fenderline_sim::{
+    BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
+    Setup,
+};
+
+use crate::checked::{Item, Table};
+use crate::error::{Notice, ScenarioError};
+use crate::sources::{Sources, quoted};
+use crate::suggest::nearest;
+
+type Checked<T> = Result<T, ScenarioError>;
+
+/// Most steps of a run.
+const MOST_STEPS: f64 = 1e9;
+
+/// Builds the set-up from the checked file; notices are added to `notices` in the order of the file.
+pub(crate) fn setup(
+    sources: &Sources<'_>,
+    file: &Table,
+    notices: &mut Vec<Notice>,
+) -> Checked<Setup> {
+    let mut assembly = Assembly { sources, notices };
+    let (step_s, duration_s, integrator) = assembly.time(file.given("time").table())?;
+    let materials = assembly.materials(file.given("material").named())?;
+    let bodies = assembly.bodies(file.given("body"))?;
+    let names = Names::new(&bodies, &materials);
+    let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
+    let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
+    assembly.note_unused(file, &bodies, &pairs);
+    Ok(Setup {
+        step_s,
+        duration_s,
+        integrator,
+        method: method(file.given("contact").table()),
+        bodies,
+        materials,
+        pairs: pairs.named,
+        every_other_pair: pairs.every_other,
+        loads,
+    })
+}
+
+fn method(contact: &Table) -> Method {
+    match contact.given("method").choice() {
+        0 => Method::Paper,
+        other => unreachable!("the key table has no method {other}"),
+    }
+}
+
+/// The names that pairs and loads refer to.
+struct Names {
+    bodies: BTreeMap<String, usize>,
+    materials: BTreeMap<String, usize>,
+}
+
+impl Names {
+    fn new(bodies: &[BodySetup], materials: &[NamedMaterial]) -> Names {
+        let numbered = |names: &mut dyn Iterator<Item = &String>| {
+            names.enumerate().map(|(index, name)| (name.clone(), index)).collect()
+        };
+        Names {
+            bodies: numbered(&mut bodies.iter().map(|body| &body.name)),
+            materials: numbered(&mut materials.iter().map(|material| &material.name)),
+        }
+    }
+}
+
+struct Pairs {
+    named: Vec<PairSetup>,
+    every_other: Option<usize>,
+}
+
+struct Assembly<'s, 'a> {
+    sources: &'s Sources<'a>,
+    notices: &'s mut Vec<Notice>,
+}
+
+impl Assembly<'_, '_> {
+    fn time(&self, time: &Table) -> Checked<(f64, f64, Integrator)> {
+        let (step, duration) = (time.given("step"), time.given("duration"));
+        let (step_s, duration_s) = (*step.number(), *duration.number());
+        if duration_s / step_s > MOST_STEPS {
+            let message = format!(
+                "`time.duration` of {duration_s} s at a step of {step_s} s makes more than \
+                 {MOST_STEPS:e} steps"
+            );
+            let error = self.sources.error(&duration.span, "time.duration", message);
+            return Err(error.with_help("take a longer step or a shorter run"));
+        }
+        let integrator = match time.given("integrator").choice() {
+            0 => Integrator::Euler,
+            1 => Integrator::SemiImplicit,
+            2 => Integrator::Rk4,
+            other => unreachable!("the key table has no integrator {other}"),
+        };
+        Ok((step_s, duration_s, integrator))
+    }
+
+    fn materials(&self, materials: &[(String, Table)]) -> Checked<Vec<NamedMaterial>> {
+        let read = |(name, table): &(String, Table)| {
+            Ok(NamedMaterial { name: name.clone(), material: self.material(table)? })
+        };
+        materials.iter().map(read).collect()
+    }
+
+    fn material(&self, table: &Table) -> Checked<Material> {
+        let friction_static = *table.given("friction_static").number();
+        let dynamic = table.item("friction_dynamic");
+        let friction_dynamic = dynamic.map_or(friction_static, |item| *item.number());
+        if let Some(item) = dynamic.filter(|_| friction_dynamic > friction_static) {
+            let path = table.path_of("friction_dynamic");
+            let message = format!(
+                "`{path}` must be at most `friction_static`, which is {friction_static}, but is \
+                 {friction_dynamic}"
+            );
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        Ok(Material {
+            stiffness_npm2: *table.given("stiffness").number(),
+            damping_nspm2: *table.given("damping").number(),
+            shear_stiffness_npm: *table.given("shear_stiffness").number(),
+            friction_static,
+            friction_dynamic,
+            restitution: *table.given("restitution").number(),
+        })
+    }
+
+    fn bodies(&mut self, item: &Item) -> Checked<Vec<BodySetup>> {
+        let bodies = item.named();
+        if bodies.is_empty() {
+            let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
+            return Err(error.with_help("write [body.NAME] with its keys below"));
+        }
+        bodies.iter().map(|(name, table)| self.body(name, table)).collect()
+    }
+
+    fn body(&mut self, name: &str, table: &Table) -> Checked<BodySetup> {
+        let outline = self.outline(table)?;
+        let mass = if *table.given("fixed").flag() {
+            self.refuse_keys_of_floating_bodies(table)?;
+            None
+        } else {
+            Some(self.mass(table)?)
+        };
+        Ok(BodySetup {
+            name: name.to_owned(),
+            outline,
+            mass,
+            position_m: *table.given("position").vector(),
+            heading_rad: *table.given("heading").number(),
+            velocity: table.item("velocity").map_or(BodyVelocity::default(), velocity),
+        })
+    }
+
+    fn outline(&mut self, table: &Table) -> Checked<Outline> {
+        let item = table.given("outline");
+        let path = table.path_of("outline");
+        let (outline, outline_notices) = Outline::new(item.outline())
+            .map_err(|error| self.sources.error(&item.span, &path, format!("`{path}`: {error}")))?;
+        self.notices.extend(outline_notices.iter().map(|notice| Notice {
+            place: self.sources.place(&item.span),
+            key: path.clone(),
+            message: notice.to_string(),
+        }));
+        Ok(outline)
+    }
+
+    fn refuse_keys_of_floating_bodies(&self, table: &Table) -> Checked<()> {
+        const FLOATING: [&str; 5] = ["mass", "gyradius", "yaw_inertia", "added_mass", "velocity"];
+        match table.items.iter().find(|item| FLOATING.contains(&item.name)) {
+            None => Ok(()),
+            Some(item) => {
+                let path = table.path_of(item.name);
+                let message = format!("`{path}` is for floating bodies, but this one is fixed");
+                let error = self.sources.error(&item.key_span, &path, message);
+                Err(error.with_help(format!("remove `{}` or `fixed`", item.name)))
+            }
+        }
+    }
+
+    fn mass(&self, table: &Table) -> Checked<MassProperties> {
+        let missing = |name: &str, help: &str| {
+            let path = table.path_of(name);
+            let message = format!("`{path}` is missing");
+            self.sources.error(&table.span, &path, message).with_help(help)
+        };
+        let mass_kg = *table
+            .item("mass")
+            .ok_or_else(|| missing("mass", "write mass = \"87800 t\", or fixed = true for a quay"))?
+            .number();
+        let yaw_inertia_kgm2 = match (table.item("gyradius"), table.item("yaw_inertia")) {
+            (Some(gyradius), None) => mass_kg * gyradius.number() * gyradius.number(),
+            (None, Some(inertia)) => *inertia.number(),
+            (Some(_), Some(inertia)) => {
+                let path = table.path_of("yaw_inertia");
+                let message = format!("`{path}` and `gyradius` both give the yaw inertia");
+                let error = self.sources.error(&inertia.key_span, &path, message);
+                return Err(error.with_help("keep one of the two"));
+            }
+            (None, None) => {
+                return Err(missing("gyradius", "write gyradius = \"74.5 m\", or yaw_inertia"));
+            }
+        };
+        let added = |name: &str| {
+            let fractions = table.item("added_mass").map(Item::table);
+            fractions.map_or(0.0, |fractions| *fractions.given(name).number())
+        };
+        Ok(MassProperties {
+            mass_kg,
+            yaw_inertia_kgm2,
+            added_surge_kg: added("surge") * mass_kg,
+            added_sway_kg: added("sway") * mass_kg,
+            added_yaw_kgm2: added("yaw") * yaw_inertia_kgm2,
+        })
+    }
+
+    fn pairs(&self, pairs: &[Table], bodies: &[BodySetup], names: &Names) -> Checked<Pairs> {
+        let mut read = Pairs { named: Vec::with_capacity(pairs.len()), every_other: None };
+        let mut seen = BTreeSet::new();
+        for table in pairs {
+            let item = table.given("bodies");
+            let material_item = table.given("material");
+            let two = item.two_names();
+            if let [true, true] = two.each_ref().map(|name| name == "*") {
+                let material = self.material_named(table, material_item, names)?;
+                if read.every_other.replace(material).is_some() {
+                    return Err(self.pair_error(table, item, "[\"*\", \"*\"] is given twice"));
+                }
+                continue;
+            }
+            let [one, other] = self.two_bodies(table, item, bodies, names)?;
+            if !seen.insert([one.min(other), one.max(other)]) {
+                let message = format!(
+                    "the pair of {} and {} is given twice",
+                    quoted(&two[0]),
+                    quoted(&two[1])
+                );
+                return Err(self.pair_error(table, item, &message));
+            }
+            let material = self.material_named(table, material_item, names)?;
+            read.named.push(PairSetup { bodies: [one, other], material });
+        }
+        Ok(read)
+    }
+
+    fn two_bodies(
+        &self,
+        table: &Table,
+        item: &Item,
+        bodies: &[BodySetup],
+        names: &Names,
+    ) -> Checked<[usize; 2]> {
+        let two = item.two_names();
+        if two.iter().any(|name| name == "*") {
+            let error = self.pair_error(table, item, "\"*\" stands for both bodies or for none");
+            return Err(error.with_help("write [\"*\", \"*\"] for every pair not named otherwise"));
+        }
+        let [one, other] = two.each_ref().map(|name| self.body_named(table, item, name, names));
+        let [one, other] = [one?, other?];
+        if one == other {
+            let message = format!("body {} cannot touch itself", quoted(&two[0]));
+            return Err(self.pair_error(table, item, &message));
+        }
+        if bodies[one].mass.is_none() && bodies[other].mass.is_none() {
+            let message = format!(
+                "bodies {} and {} are both fixed: nothing could happen between them",
+                quoted(&two[0]),
+                quoted(&two[1])
+            );
+            return Err(self.pair_error(table, item, &message));
+        }
+        Ok([one, other])
+    }
+
+    fn pair_error(&self, table: &Table, item: &Item, message: &str) -> ScenarioError {
+        let path = table.path_of(item.name);
+        self.sources.error(&item.span, &path, format!("`{path}`: {message}"))
+    }
+
+    fn loads(&self, loads: &[Table], bodies: &[BodySetup], names: &Names) -> Checked<Vec<Load>> {
+        loads.iter().map(|table| self.load(table, bodies, names)).collect()
+    }
+
+    fn load(&self, table: &Table, bodies: &[BodySetup], names: &Names) -> Checked<Load> {
+        let body_item = table.given("body");
+        let body = self.body_named(table, body_item, body_item.name(), names)?;
+        if bodies[body].mass.is_none() {
+            let path = table.path_of("body");
+            let message =
+                format!("`{path}`: body {} is fixed, no load moves it", quoted(body_item.name()));
+            return Err(self.sources.error(&body_item.span, &path, message));
+        }
+        let (force, moment) = (table.item("force"), table.item("moment"));
+        if force.is_none() && moment.is_none() {
+            let path = table.path_of("force");
+            let message = format!("`{path}` is missing, and so is `moment`");
+            let error = self.sources.error(&table.span, &path, message);
+            return Err(error.with_help("write force = [\"0 kN\", \"-500 kN\"]"));
+        }
+        let from_s = *table.given("from").number();
+        let until = table.item("until");
+        let until_s = until.map_or(f64::INFINITY, |item| *item.number());
+        if let Some(item) = until.filter(|_| until_s <= from_s) {
+            let path = table.path_of("until");
+            let message = format!(
+                "`{path}` must be later than `from`, which is {from_s} s, but is {until_s} s"
+            );
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        Ok(Load {
+            body,
+            force_n: force.map_or(Vec2::ZERO, |item| *item.vector()),
+            moment_nm: moment.map_or(0.0, |item| *item.number()),
+            from_s,
+            until_s,
+        })
+    }
+
+    fn body_named(&self, table: &Table, item: &Item, name: &str, names: &Names) -> Checked<usize> {
+        self.reference("body", "bodies", &names.bodies, table, item, name)
+    }
+
+    fn material_named(&self, table: &Table, item: &Item, names: &Names) -> Checked<usize> {
+        self.reference("material", "materials", &names.materials, table, item, item.name())
+    }
+
+    fn reference(
+        &self,
+        kind: &str,
+        kinds: &str,
+        known: &BTreeMap<String, usize>,
+        table: &Table,
+        item: &Item,
+        name: &str,
+    ) -> Checked<usize> {
+        known.get(name).copied().ok_or_else(|| {
+            let path = table.path_of(item.name);
+            let message = format!("`{path}`: there is no {kind} {}", quoted(name));
+            let error = self.sources.error(&item.span, &path, message);
+            error.with_help(match nearest(name, known.keys().map(String::as_str)) {
+                Some(near) => format!("did you mean \"{near}\"?"),
+                None if known.is_empty() => format!("the scenario has no {kinds}"),
+                None => format!("the scenario has the {kinds} {}", listed(known.keys())),
+            })
+        })
+    }
+
+    /// Bodies that touch nothing, and materials that nothing uses.
+    fn note_unused(&mut self, file: &Table, bodies: &[BodySetup], pairs: &Pairs) {
+        let mut used_materials: BTreeSet<usize> =
+            pairs.named.iter().map(|pair| pair.material).collect();
+        used_materials.extend(pairs.every_other);
+        for (index, (_, table)) in file.given("material").named().iter().enumerate() {
+            if !used_materials.contains(&index) {
+                self.note(table, "no pair uses this material");
+            }
+        }
+        if pairs.every_other.is_some() {
+            return;
+        }
+        let paired: BTreeSet<usize> = pairs.named.iter().flat_map(|pair| pair.bodies).collect();
+        for (index, (_, table)) in file.given("body").named().iter().enumerate() {
+            if !paired.contains(&index) && bodies.len() > 1 {
+                self.note(table, "no pair names this body: it touches nothing");
+            }
+        }
+    }
+
+    fn note(&mut self, table: &Table, message: &str) {
+        self.notices.push(Notice {
+            place: self.sources.place(&table.span),
+            key: table.path.clone(),
+            message: message.to_owned(),
+        });
+    }
+}
+
+fn velocity(item: &Item) -> BodyVelocity {
+    let table = item.table();
+    BodyVelocity {
+        surge_mps: *table.given("surge").number(),
+        sway_mps: *table.given("sway").number(),
+        yaw_radps: *table.given("yaw").number(),
+    }
+}
+
+/// The first few names, in quotes.
+fn listed<'n>(names: impl ExactSizeIterator<Item = &'n String>) -> String {
+    const SHOWN: usize = 8;
+    let left_out = names.len().saturating_sub(SHOWN);
+    let shown = names.take(SHOWN).map(|name| quoted(name)).collect::<Vec<_>>().join(", ");
+    if left_out == 0 { shown } else { format!("{shown} and {left_out} more") }
+}

@@ -1,0 +1,99 @@
+//! A scenario's tables after reading: every key known, every value of its kind, in SI and within
+//! its bounds, defaults filled in. The getters panic where the key table says otherwise: that would
+//! be our own mistake.
+
+use fenderline_contact::Vec2;
+
+use crate::key_path;
+use crate::sources::Span;
+use crate::spec::TableSpec;
+
+/// A table that has been read.
+#[derive(Debug)]
+pub(crate) struct Table {
+    pub(crate) spec: &'static TableSpec,
+    /// Dotted path of the table; empty for the whole file.
+    pub(crate) path: String,
+    /// Its header, or the whole of an inline table.
+    pub(crate) span: Span,
+    pub(crate) items: Vec<Item>,
+}
+
+/// A key and its value.
+#[derive(Debug)]
+pub(crate) struct Item {
+    pub(crate) name: &'static str,
+    /// Where the key stands; the table's span for a default.
+    pub(crate) key_span: Span,
+    /// Where the value stands; the table's span for a default.
+    pub(crate) span: Span,
+    pub(crate) value: Value,
+}
+
+/// A value that has been read.
+#[derive(Debug)]
+pub(crate) enum Value {
+    Text(String),
+    Flag(bool),
+    /// Index into the spec's words.
+    Choice(usize),
+    /// In SI.
+    Number(f64),
+    /// In SI.
+    Vector(Vec2),
+    /// In metres.
+    Outline(Vec<Vec2>),
+    Name(String),
+    TwoNames([String; 2]),
+    Table(Table),
+    Named(Vec<(String, Table)>),
+    List(Vec<Table>),
+}
+
+impl Table {
+    /// The dotted path of one of the table's keys.
+    pub(crate) fn path_of(&self, name: &str) -> String {
+        key_path::join(&self.path, name)
+    }
+
+    /// The key, where the file gives it or it has a default.
+    pub(crate) fn item(&self, name: &str) -> Option<&Item> {
+        debug_assert!(self.spec.key(name).is_some(), "{} has no key {name}", self.spec.what);
+        self.items.iter().find(|item| item.name == name)
+    }
+
+    /// A key that is always there: the reader refuses its absence or fills in its default.
+    pub(crate) fn given(&self, name: &str) -> &Item {
+        self.item(name).unwrap_or_else(|| unreachable!("{} without {name}", self.spec.what))
+    }
+}
+
+macro_rules! getters {
+    ($($method:ident: $variant:ident -> $type:ty;)*) => {
+        impl Item {
+            $(
+                #[doc = concat!("The value of a key of the kind ", stringify!($variant), ".")]
+                pub(crate) fn $method(&self) -> &$type {
+                    match &self.value {
+                        Value::$variant(value) => value,
+                        other => unreachable!("{} holds {other:?}", self.name),
+                    }
+                }
+            )*
+        }
+    };
+}
+
+getters! {
+    text: Text -> str;
+    flag: Flag -> bool;
+    choice: Choice -> usize;
+    number: Number -> f64;
+    vector: Vector -> Vec2;
+    outline: Outline -> [Vec2];
+    name: Name -> str;
+    two_names: TwoNames -> [String; 2];
+    table: Table -> Table;
+    named: Named -> [(String, Table)];
+    list: List -> [Table];
+}

@@ -1,0 +1,154 @@
+//! What went wrong in a scenario, and where.
+
+use core::fmt;
+
+/// Where an error or a notice points.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A place in a file.
+    File {
+        /// The name under which the caller passed the file.
+        name: String,
+        /// Line, from 1.
+        line: usize,
+        /// Column in characters, from 1.
+        column: usize,
+    },
+    /// A file as a whole.
+    WholeFile {
+        /// The name under which the caller passed the file.
+        name: String,
+    },
+    /// An option of the command line, as the user may have written it: `--set time.step=0.5`.
+    Option {
+        /// The option.
+        text: String,
+    },
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::File { name, line, column } => write!(f, "{name}:{line}:{column}"),
+            Place::WholeFile { name } => f.write_str(name),
+            Place::Option { text } => f.write_str(text),
+        }
+    }
+}
+
+/// A scenario that cannot be run: one mistake, where it is, and where possible what to write in its
+/// place. Displays as several lines with the offending line of the file.
+#[derive(Clone, PartialEq, Eq)]
+pub struct ScenarioError(Box<Content>);
+
+#[derive(Clone, PartialEq, Eq)]
+struct Content {
+    place: Place,
+    key: Option<String>,
+    message: String,
+    help: Option<String>,
+    snippet: Option<Snippet>,
+}
+
+/// A line of the file, cut to what a terminal shows.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) struct Snippet {
+    pub(crate) line: String,
+    /// Characters of `line` before the marked ones.
+    pub(crate) before: usize,
+    /// Number of characters to mark.
+    pub(crate) marked: usize,
+}
+
+impl ScenarioError {
+    pub(crate) fn new(place: Place, key: Option<String>, message: String) -> ScenarioError {
+        ScenarioError(Box::new(Content { place, key, message, help: None, snippet: None }))
+    }
+
+    pub(crate) fn with_help(mut self, help: impl Into<String>) -> ScenarioError {
+        self.0.help = Some(help.into());
+        self
+    }
+
+    pub(crate) fn with_snippet(mut self, snippet: Option<Snippet>) -> ScenarioError {
+        self.0.snippet = snippet;
+        self
+    }
+
+    /// Where the mistake is.
+    #[must_use]
+    pub fn place(&self) -> &Place {
+        &self.0.place
+    }
+
+    /// Line of the file, from 1; `None` where the mistake is in no one line.
+    #[must_use]
+    pub fn line(&self) -> Option<usize> {
+        match self.0.place {
+            Place::File { line, .. } => Some(line),
+            Place::WholeFile { .. } | Place::Option { .. } => None,
+        }
+    }
+
+    /// Dotted path of the key that the mistake is about, as in `material.paper.stiffness`; `None`
+    /// where the text is not TOML at a place that belongs to no key.
+    #[must_use]
+    pub fn key(&self) -> Option<&str> {
+        self.0.key.as_deref()
+    }
+
+    /// What is wrong, in one line.
+    #[must_use]
+    pub fn message(&self) -> &str {
+        &self.0.message
+    }
+
+    /// What to write in its place.
+    #[must_use]
+    pub fn help(&self) -> Option<&str> {
+        self.0.help.as_deref()
+    }
+}
+
+impl fmt::Display for ScenarioError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Content { place, message, help, snippet, .. } = &*self.0;
+        let line = self.line().map_or(String::new(), |line| line.to_string());
+        let indent = " ".repeat(line.len());
+        write!(f, "error: {message}\n{indent}--> {place}")?;
+        if let Some(Snippet { line: text, before, marked }) = snippet {
+            let (space, marks) = (" ".repeat(*before), "^".repeat(*marked));
+            write!(f, "\n{indent} |\n{line} | {text}\n{indent} | {space}{marks}")?;
+        }
+        if let Some(help) = help {
+            write!(f, "\n{indent} = help: {help}")?;
+        }
+        Ok(())
+    }
+}
+
+/// As it displays, so that `unwrap` in a host's test shows the place.
+impl fmt::Debug for ScenarioError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl std::error::Error for ScenarioError {}
+
+/// Something that the user should know of a scenario that can be run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Notice {
+    /// Where.
+    pub place: Place,
+    /// Dotted path of the key that it is about.
+    pub key: String,
+    /// What, in one line.
+    pub message: String,
+}
+
+impl fmt::Display for Notice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: `{}`: {}", self.place, self.key, self.message)
+    }
+}

@@ -1,0 +1,102 @@
+//! How scenario files are described: the types of the key table in [`crate::keys`], from which the
+//! reader, the overrides and the JSON Schema all work.
+
+use serde_json::Value as Json;
+
+use crate::units::Measure;
+
+/// A table of keys.
+#[derive(Debug)]
+pub(crate) struct TableSpec {
+    /// What one such table describes, with its article: `a material`.
+    pub(crate) what: &'static str,
+    /// What it is for.
+    pub(crate) doc: &'static str,
+    /// Its keys, in the order in which documentation shows them.
+    pub(crate) keys: &'static [KeySpec],
+    /// What holds between the keys, as JSON Schema keywords. The reader checks it in code; a test
+    /// compares both.
+    pub(crate) rules: Option<fn() -> Json>,
+}
+
+impl TableSpec {
+    /// The key of this name.
+    pub(crate) fn key(&self, name: &str) -> Option<&'static KeySpec> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+}
+
+/// One key.
+#[derive(Debug)]
+pub(crate) struct KeySpec {
+    /// Its name.
+    pub(crate) name: &'static str,
+    /// What it holds.
+    pub(crate) kind: Kind,
+    /// What its absence means.
+    pub(crate) absent: Absent,
+    /// What it is for.
+    pub(crate) doc: &'static str,
+    /// Values to imitate, as TOML.
+    pub(crate) examples: &'static [&'static str],
+}
+
+/// What the absence of a key means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Absent {
+    /// An error.
+    Refused,
+    /// The same as this value, written as TOML.
+    Is(&'static str),
+    /// What these words say.
+    Means(&'static str),
+}
+
+/// What a key holds.
+#[derive(Debug)]
+pub(crate) enum Kind {
+    /// Free text in one line.
+    Text,
+    /// `true` or `false`.
+    Flag,
+    /// One of several words.
+    Choice(&'static Choices),
+    /// A number with a unit.
+    Quantity(Quantity),
+    /// Two of the same kind: north and east.
+    Vector(Quantity),
+    /// A list of points, forward and to starboard.
+    Outline(Quantity),
+    /// The name of a material.
+    MaterialName,
+    /// The name of a body.
+    BodyName,
+    /// The names of two bodies, or `*` twice.
+    TwoBodyNames,
+    /// A table.
+    Table(&'static TableSpec),
+    /// Tables under names that the user gives.
+    Named(&'static TableSpec),
+    /// A list of tables.
+    List(&'static TableSpec),
+}
+
+/// A kind of quantity and its bounds in SI, both included.
+#[derive(Debug)]
+pub(crate) struct Quantity {
+    /// Dimension and unit.
+    pub(crate) measure: &'static Measure,
+    /// The least value.
+    pub(crate) low: f64,
+    /// The greatest value.
+    pub(crate) high: f64,
+}
+
+/// The words that a key may hold.
+#[derive(Debug)]
+pub(crate) struct Choices {
+    /// Word and meaning of each.
+    pub(crate) words: &'static [(&'static str, &'static str)],
+    /// Words that the format knows but this version does not build, with what to say of each.
+    pub(crate) later: &'static [(&'static str, &'static str)],
+}

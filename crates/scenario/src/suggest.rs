@@ -1,0 +1,43 @@
+//! "Did you mean …?"
+
+/// The candidate that `word` most likely stands for, if any is near.
+///
+/// Near: at most a third of the letters, and at least one, differ (swapped neighbours count once),
+/// upper and lower case being alike. The first of equally near ones wins.
+pub(crate) fn nearest<'a>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
+    // The distance takes time in proportion to the product of both lengths.
+    const LONGEST: usize = 100;
+    if word.len() > LONGEST {
+        return None;
+    }
+    let lower = word.to_lowercase();
+    let allowed = (lower.chars().count() / 3).max(1);
+    candidates
+        .into_iter()
+        .filter(|candidate| candidate.len() <= LONGEST)
+        .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), candidate))
+        .filter(|(distance, candidate)| {
+            *distance <= allowed && *distance < candidate.chars().count()
+        })
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, candidate)| candidate)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn finds_slips_and_leaves_strangers() {
+        let keys = ["stiffness", "shear_stiffness", "damping"];
+        assert_eq!(nearest("stifness", keys), Some("stiffness"));
+        assert_eq!(nearest("dampnig", keys), Some("damping"));
+        assert_eq!(nearest("Damping", keys), Some("damping"));
+        assert_eq!(nearest("colour", keys), None);
+        assert_eq!(nearest(&"x".repeat(1000), keys), None);
+        assert_eq!(nearest("", keys), None);
+    }
+}

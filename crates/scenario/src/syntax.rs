@@ -1,0 +1,87 @@
+//! From text to a TOML tree, and TOML's own errors in this crate's form.
+
+use toml::de::DeTable;
+
+use crate::error::ScenarioError;
+use crate::sources::{Sources, quoted};
+
+/// Largest file that is read at all [bytes].
+const LARGEST_FILE: usize = 16 << 20;
+
+/// Parses the file.
+pub(crate) fn parse<'a>(sources: &Sources<'a>) -> Result<DeTable<'a>, ScenarioError> {
+    let bytes = sources.text.len();
+    if bytes > LARGEST_FILE {
+        let message = format!("the file has {bytes} bytes; a scenario has at most {LARGEST_FILE}");
+        return Err(sources.file_error(message));
+    }
+    let document = DeTable::parse(sources.text).map_err(|error| broken(sources, &error))?;
+    Ok(document.into_inner())
+}
+
+/// TOML's complaint in this crate's form.
+fn broken(sources: &Sources<'_>, error: &toml::de::Error) -> ScenarioError {
+    let span = error.span().unwrap_or(0..0);
+    let message = match error.message() {
+        "duplicate key" => {
+            let name = sources.text.get(span.clone()).unwrap_or_default();
+            format!("{} is given twice", quoted(name.trim_matches(['"', '\''])))
+        }
+        message if message.contains("recursion") => {
+            "values are nested too deeply for a scenario".to_owned()
+        }
+        message => format!("this is not TOML: {message}"),
+    };
+    sources.syntax_error(&span, enclosing_key(sources.text, span.start), message)
+}
+
+/// The key that a place in broken text most likely belongs to: what stands before the `=` of its
+/// line, under the last table header above it.
+fn enclosing_key(text: &str, position: usize) -> Option<String> {
+    let position = text.floor_char_boundary(position.min(text.len()));
+    let line_start = text[..position].rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text[line_start..].lines().next().unwrap_or_default();
+    if let Some(header) = header(line) {
+        return Some(header);
+    }
+    let table = text[..line_start].lines().rev().find_map(header);
+    let key = line.split_once('=').and_then(|(key, _)| plausible_key(key));
+    match (table, key) {
+        (Some(table), Some(key)) => Some(format!("{table}.{key}")),
+        (table, key) => table.or(key),
+    }
+}
+
+/// What a line like `[body.tug]` or `[[pair]]` holds, closed or not. Tables of scenarios start with
+/// a letter, unlike the points of an outline.
+fn header(line: &str) -> Option<String> {
+    let inner = line.trim_start().strip_prefix('[')?.trim_start_matches('[');
+    let inner = inner.split(']').next().filter(|inner| inner.starts_with(char::is_alphabetic));
+    plausible_key(inner?)
+}
+
+/// A text that may be a dotted key.
+fn plausible_key(text: &str) -> Option<String> {
+    const LONGEST: usize = 120;
+    let text = text.trim();
+    let is_key_char = |c: char| c.is_alphanumeric() || "_-. \"'".contains(c);
+    let first_fits = text.starts_with(|c: char| c.is_alphanumeric() || "_\"'".contains(c));
+    (first_fits && text.len() <= LONGEST && text.chars().all(is_key_char)).then(|| text.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::enclosing_key;
+
+    #[test]
+    fn broken_text_is_placed_under_its_key() {
+        let text = "title = 1\n[body.tug]\nmass = = 2\nx\n[[pair]\n";
+        let key = |part: &str| enclosing_key(text, text.find(part).unwrap());
+        assert_eq!(key("1").as_deref(), Some("title"));
+        assert_eq!(key("= 2").as_deref(), Some("body.tug.mass"));
+        assert_eq!(key("x").as_deref(), Some("body.tug"));
+        assert_eq!(key("[pair").as_deref(), Some("pair"));
+        assert_eq!(enclosing_key("[[[[", 2), None);
+        assert_eq!(enclosing_key("", 0), None);
+    }
+}

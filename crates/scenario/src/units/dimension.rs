@@ -1,0 +1,128 @@
+//! Dimensions: exponents of length, mass, time and angle.
+
+use core::fmt;
+
+/// Exponents of the base units. The plane angle counts as one, so that a rate of turn is no
+/// frequency and a heading is no plain number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Dimension {
+    metre: i8,
+    kilogram: i8,
+    second: i8,
+    radian: i8,
+}
+
+impl Dimension {
+    pub(super) const NONE: Dimension = Dimension::new(0, 0, 0, 0);
+
+    pub(super) const fn new(metre: i8, kilogram: i8, second: i8, radian: i8) -> Dimension {
+        Dimension { metre, kilogram, second, radian }
+    }
+
+    /// `self · other^power`; `None` beyond the 127th power.
+    pub(super) fn times(self, other: Dimension, power: i32) -> Option<Dimension> {
+        let exponent = |a: i8, b: i8| i8::try_from(i32::from(a) + i32::from(b) * power).ok();
+        Some(Dimension {
+            metre: exponent(self.metre, other.metre)?,
+            kilogram: exponent(self.kilogram, other.kilogram)?,
+            second: exponent(self.second, other.second)?,
+            radian: exponent(self.radian, other.radian)?,
+        })
+    }
+
+    /// Written in base units: `kg·m/s²`.
+    fn base_units(self) -> String {
+        let bases =
+            [("kg", self.kilogram), ("m", self.metre), ("rad", self.radian), ("s", self.second)];
+        let side = |sign: i8| {
+            let factors = bases.iter().filter(|(_, power)| power.signum() == sign);
+            factors
+                .map(|(name, power)| match power.unsigned_abs() {
+                    1 => (*name).to_owned(),
+                    2 => format!("{name}²"),
+                    3 => format!("{name}³"),
+                    power => format!("{name}^{power}"),
+                })
+                .collect::<Vec<_>>()
+        };
+        let (over, under) = (side(1), side(-1));
+        let over_text = if over.is_empty() { "1".to_owned() } else { over.join("·") };
+        match under.as_slice() {
+            [] => over_text,
+            [one] => format!("{over_text}/{one}"),
+            _ => format!("{over_text}/({})", under.join("·")),
+        }
+    }
+}
+
+/// As an error names it: `a speed [m/s]`, or `a quantity [kg²/m]` for one without a name.
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match measures::ALL.iter().find(|measure| measure.dimension == *self) {
+            Some(measure) => measure.fmt(f),
+            None => write!(f, "a quantity [{}]", self.base_units()),
+        }
+    }
+}
+
+/// The named kinds of quantity.
+pub(crate) mod measures {
+    use super::Dimension;
+    use core::fmt;
+
+    /// A kind of quantity that a key may want.
+    #[derive(Debug, PartialEq, Eq)]
+    pub(crate) struct Measure {
+        /// Name with its article: `a speed`.
+        pub(crate) name: &'static str,
+        /// Its SI unit, empty for a plain number.
+        pub(crate) unit: &'static str,
+        /// Its dimension.
+        pub(crate) dimension: Dimension,
+    }
+
+    impl fmt::Display for Measure {
+        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            match self.unit {
+                "" => f.write_str(self.name),
+                unit => write!(f, "{} [{unit}]", self.name),
+            }
+        }
+    }
+
+    macro_rules! measures {
+        ($($id:ident = $name:literal, $unit:literal, ($m:literal, $kg:literal, $s:literal, $rad:literal);)*) => {
+            $(
+                #[doc = concat!($name, " [", $unit, "]")]
+                pub(crate) static $id: Measure =
+                    Measure { name: $name, unit: $unit, dimension: Dimension::new($m, $kg, $s, $rad) };
+            )*
+            /// All of them; the first of a dimension names it.
+            pub(crate) static ALL: &[&Measure] = &[$(&$id),*];
+        };
+    }
+
+    measures! {
+        PLAIN_NUMBER = "a plain number", "", (0, 0, 0, 0);
+        LENGTH = "a length", "m", (1, 0, 0, 0);
+        AREA = "an area", "m²", (2, 0, 0, 0);
+        VOLUME = "a volume", "m³", (3, 0, 0, 0);
+        MASS = "a mass", "kg", (0, 1, 0, 0);
+        TIME = "a time", "s", (0, 0, 1, 0);
+        FREQUENCY = "a frequency", "1/s", (0, 0, -1, 0);
+        ANGLE = "an angle", "rad", (0, 0, 0, 1);
+        RATE_OF_TURN = "a rate of turn", "rad/s", (0, 0, -1, 1);
+        SPEED = "a speed", "m/s", (1, 0, -1, 0);
+        ACCELERATION = "an acceleration", "m/s²", (1, 0, -2, 0);
+        FORCE = "a force", "N", (1, 1, -2, 0);
+        MOMENT = "a moment or energy", "N·m", (2, 1, -2, 0);
+        POWER = "a power", "W", (2, 1, -3, 0);
+        STIFFNESS_PER_AREA = "a stiffness per area or pressure", "N/m²", (-1, 1, -2, 0);
+        DAMPING_PER_AREA = "a damping per area", "N·s/m²", (-1, 1, -1, 0);
+        STIFFNESS = "a stiffness", "N/m", (0, 1, -2, 0);
+        DAMPING = "a damping", "N·s/m", (0, 1, -1, 0);
+        MOMENT_OF_INERTIA = "a moment of inertia", "kg·m²", (2, 1, 0, 0);
+        DENSITY = "a density", "kg/m³", (-3, 1, 0, 0);
+        STIFFNESS_PER_VOLUME = "a stiffness per volume", "N/m³", (-2, 1, -2, 0);
+    }
+}

@@ -1,0 +1,90 @@
+//! The units that scenario files may use.
+
+use super::Dimension;
+use super::decimal::Scale;
+
+/// A unit with its exact factor to SI.
+pub(super) struct NamedUnit {
+    pub(super) symbol: &'static str,
+    pub(super) scale: Scale,
+    pub(super) dimension: Dimension,
+    /// Spellings that are not accepted but lead to this unit as a suggestion.
+    pub(super) also: &'static [&'static str],
+}
+
+const LENGTH: Dimension = Dimension::new(1, 0, 0, 0);
+const MASS: Dimension = Dimension::new(0, 1, 0, 0);
+const TIME: Dimension = Dimension::new(0, 0, 1, 0);
+const FREQUENCY: Dimension = Dimension::new(0, 0, -1, 0);
+const ANGLE: Dimension = Dimension::new(0, 0, 0, 1);
+const TURN_RATE: Dimension = Dimension::new(0, 0, -1, 1);
+const SPEED: Dimension = Dimension::new(1, 0, -1, 0);
+const FORCE: Dimension = Dimension::new(1, 1, -2, 0);
+const PRESSURE: Dimension = Dimension::new(-1, 1, -2, 0);
+const ENERGY: Dimension = Dimension::new(2, 1, -2, 0);
+const POWER: Dimension = Dimension::new(2, 1, -3, 0);
+
+const fn unit(
+    symbol: &'static str,
+    dimension: Dimension,
+    (numerator, denominator, ten, pi): (u64, u64, i32, i32),
+    also: &'static [&'static str],
+) -> NamedUnit {
+    NamedUnit { symbol, scale: Scale { numerator, denominator, ten, pi }, dimension, also }
+}
+
+/// 10^n.
+const fn ten(n: i32) -> (u64, u64, i32, i32) {
+    (1, 1, n, 0)
+}
+
+/// Every unit. Sources of the factors: SI brochure, 9th edition; international nautical mile
+/// 1852 m; international foot 0.3048 m; standard gravity 9.80665 m/s² for the tonne-force, in which
+/// bollard pull is quoted.
+pub(super) static UNITS: &[NamedUnit] = &[
+    unit("1", Dimension::NONE, ten(0), &[]),
+    unit("%", Dimension::NONE, ten(-2), &["percent", "pct"]),
+    unit("m", LENGTH, ten(0), &["metre", "metres", "meter", "meters"]),
+    unit("km", LENGTH, ten(3), &[]),
+    unit("cm", LENGTH, ten(-2), &[]),
+    unit("mm", LENGTH, ten(-3), &[]),
+    unit("nmi", LENGTH, (1852, 1, 0, 0), &["NM", "nm", "sm", "mile", "miles"]),
+    unit("ft", LENGTH, (3048, 1, -4, 0), &["foot", "feet"]),
+    unit("kg", MASS, ten(0), &["kilo", "kilogram", "kilograms"]),
+    unit("g", MASS, ten(-3), &["gram", "grams"]),
+    unit("t", MASS, ten(3), &["T", "ton", "tons", "tonne", "tonnes", "mt"]),
+    unit("Mt", MASS, ten(9), &[]),
+    unit("s", TIME, ten(0), &["sec", "secs", "second", "seconds"]),
+    unit("ms", TIME, ten(-3), &[]),
+    unit("min", TIME, (60, 1, 0, 0), &["mins", "minute", "minutes"]),
+    unit("h", TIME, (3600, 1, 0, 0), &["hr", "hrs", "hour", "hours"]),
+    unit("Hz", FREQUENCY, ten(0), &["hertz"]),
+    unit("rad", ANGLE, ten(0), &["radian", "radians"]),
+    unit("deg", ANGLE, (1, 180, 0, 1), &["degree", "degrees"]),
+    unit("°", ANGLE, (1, 180, 0, 1), &[]),
+    unit("rev", ANGLE, (2, 1, 0, 1), &["turn", "revolution", "revolutions"]),
+    unit("rpm", TURN_RATE, (1, 30, 0, 1), &["RPM"]),
+    unit("kn", SPEED, (1852, 3600, 0, 0), &["kts", "knot", "knots", "KN", "Kn"]),
+    unit("N", FORCE, ten(0), &["newton", "newtons"]),
+    unit("kN", FORCE, ten(3), &[]),
+    unit("MN", FORCE, ten(6), &[]),
+    unit("GN", FORCE, ten(9), &[]),
+    unit("tf", FORCE, (980_665, 1, -2, 0), &["tonf"]),
+    unit("Pa", PRESSURE, ten(0), &["pascal"]),
+    unit("kPa", PRESSURE, ten(3), &[]),
+    unit("MPa", PRESSURE, ten(6), &[]),
+    unit("GPa", PRESSURE, ten(9), &[]),
+    unit("bar", PRESSURE, ten(5), &["bars"]),
+    unit("J", ENERGY, ten(0), &["joule", "joules"]),
+    unit("kJ", ENERGY, ten(3), &[]),
+    unit("MJ", ENERGY, ten(6), &[]),
+    unit("GJ", ENERGY, ten(9), &[]),
+    unit("W", POWER, ten(0), &["watt", "watts"]),
+    unit("kW", POWER, ten(3), &[]),
+    unit("MW", POWER, ten(6), &[]),
+];
+
+/// The unit with this symbol.
+pub(super) fn find(symbol: &str) -> Option<&'static NamedUnit> {
+    UNITS.iter().find(|unit| unit.symbol == symbol)
+}

@@ -1,0 +1,117 @@
+//! Keys set from the command line.
+
+use fenderline_scenario::{Override, Place, Scenario, ScenarioError};
+
+const TEXT: &str = r#"
+[time]
+step = "0.1 s"
+duration = "20 s"
+
+[material.paper]
+stiffness = "500 kN/m^2"
+
+[material.rubber]
+stiffness = "5 kN/m^2"
+
+[body.tug]
+outline = [[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]
+mass = "930 t"
+gyradius = "8 m"
+
+[body."old quay"]
+fixed = true
+outline = [[0, -50], [5, -50], [5, 50], [0, 50]]
+
+[[pair]]
+bodies = ["tug", "old quay"]
+material = "paper"
+"#;
+
+fn with(settings: &[&str]) -> Result<Scenario, ScenarioError> {
+    let overrides =
+        settings.iter().map(|text| Override::parse(text)).collect::<Result<Vec<_>, _>>()?;
+    Scenario::parse_with(TEXT, "x.toml", &overrides)
+}
+
+#[test]
+fn values_are_toml_or_bare_words() {
+    let setup = |settings: &[&str]| with(settings).unwrap().setup;
+    assert_eq!(setup(&["time.step=0.5"]).step_s, 0.5);
+    assert_eq!(setup(&["time.step=0.5 s"]).step_s, 0.5);
+    assert_eq!(setup(&["time.step=\"500 ms\""]).step_s, 0.5);
+    assert_eq!(setup(&[" time.step = 500 ms "]).step_s, 0.5);
+    assert_eq!(setup(&["time.step=0.2", "time.step=0.5"]).step_s, 0.5);
+    assert_eq!(setup(&["pair.0.material=rubber"]).pairs[0].material, 1);
+    let tug = |settings: &[&str]| setup(settings).bodies[0].clone();
+    assert_eq!(tug(&["body.tug.velocity.surge=36 km/h"]).velocity.surge_mps, 10.0);
+    assert_eq!(tug(&["body.tug.velocity={surge=3}"]).velocity.surge_mps, 3.0);
+    assert_eq!(tug(&["body.tug.position=[\"1 km\", 2]"]).position_m.x, 1000.0);
+    assert_eq!(setup(&["body.\"old quay\".position=[1, 2]"]).bodies[1].position_m.x, 1.0);
+    assert_eq!(with(&["title=Two tugs"]).unwrap().title, "Two tugs");
+    assert_eq!(setup(&["load=[{body = \"tug\", moment = 1}]"]).loads[0].moment_nm, 1.0);
+}
+
+#[test]
+fn new_bodies_come_last() {
+    let quay = "{fixed = true, outline = [[0, 0], [1, 0], [1, 1]]}";
+    let scenario = with(&[&format!("body.aaa={quay}")]).unwrap();
+    let names: Vec<_> = scenario.setup.bodies.iter().map(|body| body.name.as_str()).collect();
+    assert_eq!(names, ["tug", "old quay", "aaa"]);
+}
+
+#[track_caller]
+fn check_refused(setting: &str, key: Option<&str>, fragment: &str) {
+    let error = with(&[setting]).expect_err(setting);
+    let shown = error.to_string();
+    assert_eq!(error.key(), key, "{shown}");
+    assert_eq!(error.line(), None, "{shown}");
+    assert_eq!(*error.place(), Place::Option { text: format!("--set {setting}") });
+    assert!(shown.contains(fragment), "{shown}");
+    assert!(shown.contains(&format!("\n--> --set {setting}")), "{shown}");
+}
+
+#[test]
+fn mistakes_point_at_the_option() {
+    check_refused("time.step=-1", Some("time.step"), "must be at least 1e-6 s, but is -1 s");
+    check_refused("time.step=4 kn", Some("time.step"), "is a speed [m/s]");
+    check_refused("time.step=nan", Some("time.step"), "not a finite number");
+    check_refused("time.stepp=1", Some("time.stepp"), "did you mean `step`?");
+    check_refused("tiem.step=1", Some("tiem"), "did you mean `time`?");
+    check_refused("body.tgu.mass=1", Some("body.tgu"), "did you mean `tug`?");
+    check_refused("body.tug.velocity.surg=1", Some("body.tug.velocity.surg"), "`surge`");
+    check_refused("body.tug.mass.kg=1", Some("body.tug.mass"), "no keys of its own");
+    check_refused("body.tug=1", Some("body.tug"), "must be a table");
+    check_refused("pair.1.material=paper", Some("pair.1"), "the file has 1 of `pair`");
+    check_refused("pair.first.material=paper", Some("pair.first"), "numbered from 0");
+    check_refused("pair.0.material=papper", Some("pair.0.material"), "did you mean \"paper\"?");
+    check_refused("load.0.moment=1", Some("load"), "the file has no `load`");
+    check_refused("contact.method=coupled", Some("contact.method"), "only the `paper` method");
+    check_refused("time.step", None, "it has no `=`");
+    check_refused("time..step=1", None, "is not a key");
+    check_refused("=1", None, "is not a key");
+    check_refused("time.step=", Some("time.step"), "there is no value");
+    check_refused("time.step=[1", None, "the value is broken");
+    check_refused("body.tug.outline=[[0, 0], [1, 1]]", Some("body.tug.outline"), "");
+}
+
+#[test]
+fn shorthands_are_named_as_the_user_wrote_them() {
+    let step = Override::new("--step -1", "time.step", "-1").unwrap();
+    let error = Scenario::parse_with(TEXT, "x.toml", &[step]).unwrap_err();
+    assert_eq!(error.place().to_string(), "--step -1");
+}
+
+#[test]
+fn mistakes_of_the_file_still_point_at_the_file() {
+    let step = Override::parse("time.step=1").unwrap();
+    let text = TEXT.replace("930 t", "0 t");
+    let error = Scenario::parse_with(&text, "x.toml", &[step]).unwrap_err();
+    assert_eq!(error.line(), Some(14));
+}
+
+#[test]
+fn an_override_can_mend_the_file() {
+    let step = Override::parse("time.step=1").unwrap();
+    let text = TEXT.replace("0.1 s", "-0.1 s");
+    assert!(Scenario::parse_with(&text, "x.toml", &[step]).is_ok());
+}

@@ -1,0 +1,299 @@
+//! The JSON Schema against the reader: both accept and refuse the same files, key by key.
+
+use std::path::{Path, PathBuf};
+
+use fenderline_scenario::{Scenario, schema};
+use jsonschema::Validator;
+use serde_json::{Map, Value as Json, json};
+use toml::de::{DeTable, DeValue};
+
+fn validator() -> Validator {
+    jsonschema::draft202012::options().build(&schema()).expect("the schema is a schema")
+}
+
+#[test]
+fn the_schema_is_a_schema() {
+    jsonschema::draft202012::meta::validate(&schema()).unwrap();
+    assert_eq!(schema()["$schema"], "https://json-schema.org/draft/2020-12/schema");
+}
+
+/// All scenario files of the repository.
+fn scenario_files() -> Vec<PathBuf> {
+    fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+        for entry in std::fs::read_dir(folder).expect("the folder can be read") {
+            let path = entry.expect("the entry can be read").path();
+            if path.is_dir() {
+                collect(&path, files);
+            } else if path.extension().is_some_and(|extension| extension == "toml") {
+                files.push(path);
+            }
+        }
+    }
+    let mut files = Vec::new();
+    collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios"), &mut files);
+    files.sort();
+    files
+}
+
+#[test]
+fn every_scenario_in_the_repository_fits_reader_and_schema() {
+    let (files, validator) = (scenario_files(), validator());
+    assert!(!files.is_empty());
+    for file in files {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let scenario = Scenario::parse(&text, &file.to_string_lossy()).unwrap();
+        assert!(!scenario.setup.bodies.is_empty());
+        let document = json_of(&text);
+        if let Err(error) = validator.validate(&document) {
+            panic!("{}: {error} at {}", file.display(), error.instance_path());
+        }
+    }
+}
+
+/// A scenario that uses every key of the schema. Kept complete by
+/// `each_key_is_known_to_reader_and_schema`.
+fn full() -> Json {
+    let square = json!([[-1, -1], [1, -1], [1, 1], [-1, 1]]);
+    json!({
+        "title": "All keys",
+        "time": { "step": "0.1 s", "duration": 10, "integrator": "rk4" },
+        "contact": { "method": "paper" },
+        "material": { "m": {
+            "stiffness": "500 kN/m^2", "damping": 0, "shear_stiffness": "3 MN/m",
+            "friction_static": 0.5, "friction_dynamic": 0.25, "restitution": 0.125
+        } },
+        "body": {
+            "a": {
+                "outline": square, "mass": "930 t", "gyradius": "8 m",
+                "added_mass": { "surge": 0.5, "sway": 1, "yaw": 0.5 },
+                "position": [0, "1 km"], "heading": "90 deg",
+                "velocity": { "surge": "4 kn", "sway": -1, "yaw": "3 deg/s" }
+            },
+            "b": { "fixed": true, "outline": square },
+            "c": { "fixed": false, "outline": square, "mass": 1000, "yaw_inertia": "1e6 kg.m^2" }
+        },
+        "pair": [
+            { "bodies": ["a", "b"], "material": "m" },
+            { "bodies": ["*", "*"], "material": "m" }
+        ],
+        "load": [
+            { "body": "a", "force": [0, "-5 kN"], "moment": "1 kN.m", "from": "1 s", "until": 1000 },
+            { "body": "c", "moment": 1 }
+        ]
+    })
+}
+
+/// Both verdicts on a document; they must agree.
+#[track_caller]
+fn accepted(document: &Json) -> bool {
+    let by_schema = validator().is_valid(document);
+    let by_reader = Scenario::parse(&toml_of(document), "x.toml");
+    assert_eq!(by_schema, by_reader.is_ok(), "{document}\n{:?}", by_reader.err());
+    by_schema
+}
+
+#[test]
+fn a_scenario_with_every_key_is_accepted() {
+    Scenario::parse(&toml_of(&full()), "x.toml").unwrap();
+    assert!(accepted(&full()));
+}
+
+#[test]
+fn each_key_is_known_to_reader_and_schema() {
+    let (schema, document) = (schema(), full());
+    let mut paths = Vec::new();
+    collect_keys(&schema, &mut Vec::new(), &mut paths);
+    assert!(paths.len() > 35, "the walk finds the keys");
+    for path in paths {
+        let mut holders = holders(&document, &path);
+        holders.retain(|pointer| document.pointer(pointer).is_some());
+        assert!(!holders.is_empty(), "{} is not in the full scenario", path.join("."));
+        for pointer in holders {
+            misspelt_is_refused(&document, &pointer);
+            absent_agrees(&document, &pointer);
+            wrong_kind_is_refused(&document, &pointer);
+        }
+    }
+}
+
+/// Paths of all keys of a schema; `*` stands for a name or a number.
+fn collect_keys(schema: &Json, path: &mut Vec<String>, paths: &mut Vec<Vec<String>>) {
+    for (name, inner) in schema["properties"].as_object().unwrap_or(&Map::new()) {
+        path.push(name.clone());
+        paths.push(path.clone());
+        collect_keys(inner, path, paths);
+        for each in ["additionalProperties", "items"] {
+            if inner[each].is_object() {
+                path.push("*".to_owned());
+                collect_keys(&inner[each], path, paths);
+                path.pop();
+            }
+        }
+        path.pop();
+    }
+}
+
+/// JSON pointers in a document that a path with `*` may mean.
+fn holders(document: &Json, path: &[String]) -> Vec<String> {
+    path.iter().fold(vec![String::new()], |pointers, name| {
+        let below = |pointer: String| match (name.as_str(), document.pointer(&pointer)) {
+            ("*", Some(Json::Object(map))) => {
+                map.keys().map(|key| format!("{pointer}/{key}")).collect()
+            }
+            ("*", Some(Json::Array(items))) => {
+                (0..items.len()).map(|index| format!("{pointer}/{index}")).collect()
+            }
+            _ => vec![format!("{pointer}/{name}")],
+        };
+        pointers.into_iter().flat_map(below).collect()
+    })
+}
+
+fn parent_of<'d>(document: &'d mut Json, pointer: &str) -> (&'d mut Map<String, Json>, String) {
+    let (parent, name) = pointer.rsplit_once('/').unwrap();
+    let parent = document.pointer_mut(parent).and_then(Json::as_object_mut).unwrap();
+    (parent, name.to_owned())
+}
+
+#[track_caller]
+fn misspelt_is_refused(document: &Json, pointer: &str) {
+    let mut changed = document.clone();
+    let (parent, name) = parent_of(&mut changed, pointer);
+    let value = parent.remove(&name).unwrap();
+    parent.insert(format!("{name}x"), value);
+    assert!(!accepted(&changed), "{pointer}x is accepted");
+}
+
+#[track_caller]
+fn absent_agrees(document: &Json, pointer: &str) {
+    let mut changed = document.clone();
+    let (parent, name) = parent_of(&mut changed, pointer);
+    parent.remove(&name);
+    // What is absent may be what others refer to; that only the reader knows.
+    let referred_to = ["/material", "/body/b/fixed"].contains(&pointer);
+    if !referred_to {
+        accepted(&changed);
+    }
+}
+
+#[track_caller]
+fn wrong_kind_is_refused(document: &Json, pointer: &str) {
+    for wrong in [json!([true]), json!({ "x": 1 }), json!("")] {
+        let mut changed = document.clone();
+        *changed.pointer_mut(pointer).unwrap() = wrong;
+        assert!(!accepted(&changed), "{changed} is accepted");
+    }
+}
+
+#[test]
+fn bounds_words_and_rules_agree() {
+    let cases = [
+        ("/time/step", json!(0), false),
+        ("/time/step", json!("fast"), false),
+        ("/time/step", json!("1e-3 s"), true),
+        ("/time/integrator", json!("euler"), true),
+        ("/time/integrator", json!("leapfrog"), false),
+        ("/contact/method", json!("coupled"), false),
+        ("/material/m/restitution", json!(1), true),
+        ("/material/m/restitution", json!(1.5), false),
+        ("/material/m/stiffness", json!(-1), false),
+        ("/material/m/stiffness", json!(1e16), false),
+        ("/body/a/position", json!([0]), false),
+        ("/body/a/position", json!([0, 1e9]), false),
+        ("/body/a/outline", json!([[0, 0], [1, 0]]), false),
+        ("/body/a/fixed", json!(true), false),
+        ("/body/b/mass", json!(1000), false),
+        ("/body/b/velocity", json!({}), false),
+        ("/body/a/yaw_inertia", json!(1e6), false),
+        ("/body/*", json!({}), false),
+        ("/pair/0/bodies", json!(["a"]), false),
+        ("/pair/0/bodies", json!(["a", "b", "c"]), false),
+        ("/pair/0/bodies", json!(["a", ""]), false),
+        ("/load", json!([]), true),
+        ("/load/0", json!({ "body": "a" }), false),
+        ("/load/0", json!({ "body": "a", "force": [1, 2] }), true),
+    ];
+    for (pointer, value, good) in cases {
+        let mut document = full();
+        let (parent, name) = match pointer {
+            "/load/0" => {
+                document["load"][0] = value;
+                assert_eq!(accepted(&document), good, "{pointer}");
+                continue;
+            }
+            _ => parent_of(&mut document, pointer),
+        };
+        parent.insert(name, value);
+        assert_eq!(accepted(&document), good, "{pointer}");
+    }
+}
+
+/// Every example that the schema shows is accepted in the place that it is an example of.
+#[test]
+fn examples_are_accepted() {
+    let (schema, document) = (schema(), full());
+    let mut paths = Vec::new();
+    collect_keys(&schema, &mut Vec::new(), &mut paths);
+    // These name bodies and materials of other scenarios.
+    let names = ["bodies", "material", "body"];
+    let mut tried = 0;
+    for path in paths.iter().filter(|path| !names.contains(&path.last().unwrap().as_str())) {
+        let key = path.iter().fold(&schema, |schema, name| match name.as_str() {
+            "*" if schema["items"].is_object() => &schema["items"],
+            "*" => &schema["additionalProperties"],
+            name => &schema["properties"][name],
+        });
+        assert!(key["description"].is_string() && key["title"].is_string(), "{path:?}");
+        let pointer =
+            holders(&document, path).into_iter().find(|p| document.pointer(p).is_some()).unwrap();
+        for example in key["examples"].as_array().into_iter().flatten().chain(key.get("default")) {
+            let mut changed = document.clone();
+            *changed.pointer_mut(&pointer).unwrap() = example.clone();
+            let conflicts = ["/material", "/body/b/fixed", "/material/m/friction_static"];
+            if !conflicts.contains(&pointer.as_str()) {
+                assert!(accepted(&changed), "{pointer} = {example}");
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 30);
+}
+
+/// A TOML text as JSON.
+fn json_of(text: &str) -> Json {
+    fn value(node: &DeValue<'_>) -> Json {
+        match node {
+            DeValue::String(text) => json!(text),
+            DeValue::Integer(number) => serde_json::from_str(number.as_str()).unwrap(),
+            DeValue::Float(number) => serde_json::from_str(number.as_str()).unwrap(),
+            DeValue::Boolean(flag) => json!(flag),
+            DeValue::Datetime(time) => json!(time.to_string()),
+            DeValue::Array(items) => items.iter().map(|item| value(item.get_ref())).collect(),
+            DeValue::Table(map) => table(map),
+        }
+    }
+    fn table(map: &DeTable<'_>) -> Json {
+        let entries =
+            map.iter().map(|(key, node)| (key.get_ref().to_string(), value(node.get_ref())));
+        Json::Object(entries.collect())
+    }
+    table(DeTable::parse(text).unwrap().get_ref())
+}
+
+/// A JSON document as TOML: one inline value a line.
+fn toml_of(document: &Json) -> String {
+    fn value(json: &Json) -> String {
+        match json {
+            Json::Object(map) => {
+                let entries = map.iter().map(|(key, inner)| format!("{key:?} = {}", value(inner)));
+                format!("{{ {} }}", entries.collect::<Vec<_>>().join(", "))
+            }
+            Json::Array(items) => {
+                format!("[{}]", items.iter().map(value).collect::<Vec<_>>().join(", "))
+            }
+            other => other.to_string(),
+        }
+    }
+    let lines = document.as_object().unwrap().iter();
+    lines.map(|(key, inner)| format!("{key} = {}\n", value(inner))).collect()
+}
