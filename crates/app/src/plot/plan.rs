@@ -1,13 +1,17 @@
 //! Plan views: bodies seen from above, north up, one scale both ways.
 
+mod furniture;
+mod labels;
+
 use core::fmt::Write as _;
 
 use fenderline_contact::{Vec2, vec2};
 use maud::{Markup, html};
 
 use super::axis::{Axis, Fitted, nice_step};
-use super::number::fixed;
 use super::{colour, dash};
+use furniture::{grid, north_arrow, scale_bar};
+use labels::label_places;
 
 /// A plan view to draw.
 #[derive(Clone, Debug, PartialEq)]
@@ -233,41 +237,6 @@ impl Plan {
     }
 }
 
-fn grid(map: &Map) -> Markup {
-    let (right, base) = (map.left + map.width, TOP + map.height);
-    let px = |east: f64| map.left + map.east.share(east) * map.width;
-    let py = |north: f64| base - map.north.share(north) * map.height;
-    let mut lines = String::new();
-    for (value, _) in map.east.ticks() {
-        let _ = write!(lines, "M{:.1},{TOP}V{base:.1}", px(value));
-    }
-    for (value, _) in map.north.ticks() {
-        let _ = write!(lines, "M{:.1},{:.1}H{right:.1}", map.left, py(value));
-    }
-    html! {
-        path class="grid" d=(lines) {}
-        g class="ticks" {
-            @for (value, label) in map.east.ticks() {
-                @let half = Box2::of_text(&label, 0.0, 0.0).half_width;
-                @if px(value) + half < WIDTH {
-                    text x=(format!("{:.1}", px(value))) y=(format!("{:.1}", base + 15.0))
-                    text-anchor="middle" { (label) }
-                }
-            }
-            @for (value, label) in map.north.ticks() {
-                text x=(format!("{:.1}", map.left - 6.0)) y=(format!("{:.1}", py(value) + 3.8))
-                    text-anchor="end" { (label) }
-            }
-        }
-        text class="axis" x=(format!("{:.1}", map.left + map.width / 2.0))
-            y=(format!("{:.1}", base + BOTTOM - 7.0)) text-anchor="middle" { "east [m]" }
-        text class="axis" text-anchor="middle"
-            transform=(format!("translate(12 {:.1}) rotate(-90)", TOP + map.height / 2.0)) {
-            "north [m]"
-        }
-    }
-}
-
 /// Fill, its opacity, stroke width and dash of a stage.
 fn look(stage: Stage) -> (&'static str, &'static str, &'static str) {
     match stage {
@@ -325,69 +294,6 @@ pub(crate) fn outlined_legend() -> Markup {
     }
 }
 
-/// A rectangle of the drawn area, by its middle and half its size [px].
-#[derive(Clone, Copy)]
-struct Box2 {
-    x: f64,
-    y: f64,
-    half_width: f64,
-    half_height: f64,
-}
-
-impl Box2 {
-    fn of_text(text: &str, x: f64, y: f64) -> Box2 {
-        let count = u32::try_from(text.chars().count()).map_or(0.0, f64::from);
-        Box2 { x, y, half_width: count * 3.6 + 3.0, half_height: 8.0 }
-    }
-
-    fn overlaps(&self, other: &Box2) -> bool {
-        (self.x - other.x).abs() < self.half_width + other.half_width
-            && (self.y - other.y).abs() < self.half_height + other.half_height
-    }
-
-    fn lies_within(&self, width: f64, height: f64) -> bool {
-        self.x > self.half_width
-            && self.x < width - self.half_width
-            && self.y > self.half_height
-            && self.y < height - self.half_height
-    }
-}
-
-/// Where each label stands [px], so that none covers another nor an arrow's text; the first come
-/// first, and one that finds no place is left out.
-fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
-    let north = Box2 { x: map.width - 22.0, y: 30.0, half_width: 14.0, half_height: 26.0 };
-    let mut taken = vec![north];
-    taken.extend(plan.arrows.iter().map(|arrow| {
-        let (x, y, is_left) = arrow_text(arrow, map);
-        let mut text = Box2::of_text(&arrow.label, x, y);
-        text.x += if is_left { -text.half_width } else { text.half_width };
-        text
-    }));
-    let places = plan.labels.iter().map(|label| {
-        let (x, y) = map.px(label.at_m);
-        let reach = label.reach_m * map.px_per_m;
-        let half_width = Box2::of_text(&label.text, x, y).half_width;
-        let candidates = if reach < half_width {
-            let (aside, off) = (reach + half_width + 2.0, reach + 12.0);
-            // Outwards, away from what the view is about.
-            let aside = if x < map.width / 2.0 { -aside } else { aside };
-            [(aside, 0.0), (-aside, 0.0), (0.0, -off), (0.0, off), (aside, -18.0)]
-        } else {
-            [0.0, -18.0, 18.0, -36.0, 36.0].map(|shift| (0.0, shift))
-        };
-        let free = candidates.into_iter().find_map(|(dx, dy)| {
-            let text = Box2::of_text(&label.text, x + dx, y + dy);
-            let is_free = text.lies_within(map.width, map.height)
-                && !taken.iter().any(|other| other.overlaps(&text));
-            is_free.then_some(text)
-        })?;
-        taken.push(free);
-        Some((free.x, free.y))
-    });
-    places.collect()
-}
-
 /// Where the text of an arrow starts, or ends where it stands left of it [px].
 fn arrow_text(arrow: &Arrow, map: &Map) -> (f64, f64, bool) {
     let (x, y) = map.px(arrow.from_m);
@@ -432,36 +338,6 @@ fn arrowed(arrow: &Arrow, map: &Map) -> Markup {
         text class="halo name" x=(format!("{text_x:.1}")) y=(format!("{:.1}", text_y + 4.0))
             text-anchor=(anchor) { (arrow.label) }
     }
-}
-
-fn north_arrow(map: &Map) -> Markup {
-    let x = map.width - 22.0;
-    html! {
-        g aria-label="north is up" {
-            path d=(format!("M{x:.1},10l7,26l-7,-6l-7,6Z")) fill="#fff" stroke="#222" {}
-            path d=(format!("M{x:.1},10l0,20l-7,6Z")) fill="#222" {}
-            text class="halo name" x=(format!("{x:.1}")) y="49" text-anchor="middle" { "N" }
-        }
-    }
-}
-
-fn scale_bar(map: &Map) -> Markup {
-    let length_m = nice_step(map.width / map.px_per_m, 6);
-    let length = length_m * map.px_per_m;
-    let (x, y) = (14.0, map.height - 14.0);
-    let label = format!("{} m", fixed(length_m, decimals_of(length_m)));
-    html! {
-        rect x=(x) y=(format!("{:.1}", y - 5.0)) width=(format!("{length:.1}")) height="5"
-            fill="#fff" stroke="#222" {}
-        rect x=(x) y=(format!("{:.1}", y - 5.0)) width=(format!("{:.1}", length / 2.0)) height="5"
-            fill="#222" stroke="#222" {}
-        text class="halo" x=(format!("{:.1}", x + length + 6.0)) y=(format!("{y:.1}")) { (label) }
-    }
-}
-
-/// Decimals that show a length of one digit.
-fn decimals_of(length_m: f64) -> usize {
-    usize::try_from(-super::number::order_of(length_m * 1.000_001)).unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -132,7 +132,14 @@ impl Charts<'_> {
         let axis = Axis::new("speed", "m/s").including(0.0);
         let mut chart = self.chart("Speed of the bodies over ground", axis, series);
         if floating > drawn {
-            chart.note = format!("The {drawn} fastest of {floating} floating bodies.");
+            let followed = recorder.bodies.len();
+            chart.note = if floating > followed {
+                format!(
+                    "The {drawn} fastest of the first {followed} of {floating} floating bodies."
+                )
+            } else {
+                format!("The {drawn} fastest of {floating} floating bodies.")
+            };
         }
         chart.render()
     }

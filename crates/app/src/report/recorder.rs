@@ -9,7 +9,7 @@ use fenderline_sim::{Energy, Setup, StepRecord};
 use crate::plot::Decimator;
 
 /// Pairs and bodies that are followed; the tables of the report know all the others.
-const FOLLOWED: usize = 128;
+pub(super) const FOLLOWED: usize = 128;
 /// Points kept of a track.
 const TRACK_POINTS: usize = 400;
 
@@ -159,6 +159,19 @@ impl BodyTrace {
     }
 }
 
+/// The whole scene in the step of the largest force.
+#[derive(Clone, Debug)]
+pub(super) struct ScenePeak {
+    /// Start of that step [s].
+    pub(super) t_s: f64,
+    /// Sum of N over the patches of the pair [N].
+    normal_n: f64,
+    /// The patch with the largest N.
+    pub(super) contact: Contact,
+    /// All bodies.
+    pub(super) states: Vec<BodyState>,
+}
+
 /// All that the report draws of a run.
 pub(crate) struct Recorder {
     pub(super) pairs: Vec<PairTrace>,
@@ -171,8 +184,8 @@ pub(crate) struct Recorder {
     pub(super) tangential_work_j: Decimator,
     pub(super) residual_j: Decimator,
     pub(super) start: Vec<BodyState>,
-    /// States of all bodies in the step of the largest force, and that force [N].
-    pub(super) peak: Option<(f64, f64, Vec<BodyState>)>,
+    /// The step of the largest force of all pairs, followed or not.
+    pub(super) peak: Option<ScenePeak>,
     /// This step's touching pairs, kept for its allocation.
     touching: BTreeMap<[usize; 2], Touch>,
     /// The pairs of `pairs`.
@@ -236,16 +249,17 @@ impl Recorder {
     }
 
     fn record_peak(&mut self, step: &StepRecord<'_>) {
-        let strongest = self.touching.values().map(|t| t.normal_n).fold(0.0, f64::max);
-        match &mut self.peak {
-            _ if strongest == 0.0 => {}
-            None => self.peak = Some((step.t_s, strongest, step.states.to_vec())),
-            Some((t_s, force_n, states)) if strongest > *force_n => {
-                (*t_s, *force_n) = (step.t_s, strongest);
-                states.copy_from_slice(step.states);
-            }
-            Some(_) => {}
+        let strongest = self.touching.values().max_by(|a, b| a.normal_n.total_cmp(&b.normal_n));
+        let Some(touch) = strongest else { return };
+        if touch.normal_n <= self.peak.as_ref().map_or(0.0, |peak| peak.normal_n) {
+            return;
         }
+        // The states' allocation is kept: a force may rise over many steps.
+        let mut states = self.peak.take().map_or_else(Vec::new, |peak| peak.states);
+        states.clear();
+        states.extend_from_slice(step.states);
+        let contact = touch.strongest;
+        self.peak = Some(ScenePeak { t_s: step.t_s, normal_n: touch.normal_n, contact, states });
     }
 
     fn record_pairs(&mut self, step: &StepRecord<'_>) {

@@ -1,5 +1,7 @@
 //! Plan views of the report: the whole scene, and the contact at its peak force.
 
+use std::collections::BTreeSet;
+
 use fenderline_contact::{BodyState, Vec2};
 use fenderline_sim::{BodySetup, Setup};
 use maud::Markup;
@@ -40,54 +42,44 @@ fn styles(setup: &Setup) -> Vec<usize> {
 pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setup = outcome.setup;
     let styles = styles(setup);
-    let peak_states = recorder.peak.as_ref().map(|(_, _, states)| states.as_slice());
-    let (mut outlines, mut labels) = (Vec::new(), Vec::new());
+    let order = by_importance(setup, recorder);
+    let drawn: BTreeSet<usize> = order.iter().copied().collect();
+    let mut outlines = Vec::new();
     let (mut floating, mut fixed) = (None::<Frame>, None::<Frame>);
-    for (i, body) in setup.bodies.iter().enumerate().take(DRAWN) {
-        let end = &outcome.states[i];
-        let stages: Vec<(&BodyState, Stage)> = if body.mass.is_none() {
-            vec![(end, Stage::Fixed)]
-        } else {
-            let peak = peak_states.map(|states| (&states[i], Stage::Peak));
-            let start = recorder.start.get(i).map(|state| (state, Stage::Start));
-            peak.into_iter().chain(start).chain([(end, Stage::End)]).collect()
-        };
-        if labels.len() < NAMED
-            && let Some((state, _)) = stages.first()
-        {
-            labels.push(Label {
-                at_m: middle(body, state),
-                reach_m: reach(body),
-                text: shortened(&body.name, NAME_LENGTH),
-            });
-        }
-        for (state, stage) in stages {
+    for &i in &drawn {
+        let body = &setup.bodies[i];
+        for (state, stage) in stages(i, outcome, recorder) {
             let outline = outlined(body, state, stage, styles[i]);
             let frame = if body.mass.is_none() { &mut fixed } else { &mut floating };
             *frame = joined(*frame, Frame::around(outline.vertices_m.iter().copied()));
             outlines.push(outline);
         }
     }
-    let tracks = recorder.bodies.iter().filter(|trace| trace.body < DRAWN);
+    let labels = order.iter().take(NAMED).filter_map(|&i| {
+        let (state, _) = stages(i, outcome, recorder).into_iter().next()?;
+        let body = &setup.bodies[i];
+        let text = shortened(&body.name, NAME_LENGTH);
+        Some(Label { at_m: middle(body, state), reach_m: reach(body), text })
+    });
+    let tracks = recorder.bodies.iter().filter(|trace| drawn.contains(&trace.body));
     let tracks = tracks.map(|trace| Track {
         points_m: trace.track_to(&outcome.states[trace.body]),
         style: styles[trace.body],
     });
-    let strongest = super::strongest(recorder);
-    let arrows = strongest.first().map(|pair| Arrow {
-        from_m: pair.peak.contact.point_m,
+    let contact_point = recorder.peak.iter().map(|peak| Arrow {
+        from_m: peak.contact.point_m,
         direction: Vec2::ZERO,
         label: String::new(),
     });
     let title = match &recorder.peak {
-        Some((t_s, _, _)) => format!("Whole scene; peak force at {} s", plain(*t_s, 4)),
+        Some(peak) => format!("Whole scene; peak force at {} s", plain(peak.t_s, 4)),
         None => "Whole scene; no contact".to_owned(),
     };
     let Some(frame) = scene_frame(floating, fixed) else {
         unreachable!("a scenario has a body, and a body has an outline");
     };
-    let note = if setup.bodies.len() > DRAWN {
-        format!("The first {DRAWN} of {} bodies are drawn.", setup.bodies.len())
+    let note = if setup.bodies.len() > drawn.len() {
+        format!("{} of {} bodies are drawn.", drawn.len(), setup.bodies.len())
     } else {
         String::new()
     };
@@ -96,11 +88,39 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         frame,
         outlines,
         tracks: tracks.collect(),
-        arrows: arrows.into_iter().collect(),
-        labels,
+        arrows: contact_point.collect(),
+        labels: labels.collect(),
         note,
     }
     .render()
+}
+
+/// The bodies to draw: those of the largest forces first, then in the order of the scenario.
+fn by_importance(setup: &Setup, recorder: &Recorder) -> Vec<usize> {
+    let peak = recorder.peak.iter().map(|peak| &peak.contact);
+    let peak = peak.flat_map(|contact| [contact.body_1.0 as usize, contact.body_2.0 as usize]);
+    let strongest = super::strongest(recorder).into_iter().flat_map(|pair| pair.bodies);
+    let mut seen = BTreeSet::new();
+    peak.chain(strongest)
+        .chain(0..setup.bodies.len())
+        .filter(|body| seen.insert(*body))
+        .take(DRAWN)
+        .collect()
+}
+
+/// The states in which a body is drawn, the one that its name goes with first.
+fn stages<'a>(
+    body: usize,
+    outcome: &Outcome<'a>,
+    recorder: &'a Recorder,
+) -> Vec<(&'a BodyState, Stage)> {
+    let end = &outcome.states[body];
+    if outcome.setup.bodies[body].mass.is_none() {
+        return vec![(end, Stage::Fixed)];
+    }
+    let peak = recorder.peak.as_ref().map(|peak| (&peak.states[body], Stage::Peak));
+    let start = recorder.start.get(body).map(|state| (state, Stage::Start));
+    peak.into_iter().chain(start).chain([(end, Stage::End)]).collect()
 }
 
 /// Round the floating bodies, and the fixed ones where they are not so large as to make the others
