@@ -43,7 +43,7 @@ pub(crate) fn admit(
             ("yaw rate", state.yaw_rate_radps, FASTEST_TURN_RADPS),
         ];
         for (field, value, largest) in fields {
-            if !(value.abs() <= largest) {
+            if value.is_nan() || value.abs() > largest {
                 let body = model.bodies()[index].name.clone();
                 return Err(StepError::BadState { body, field, value });
             }
@@ -71,9 +71,10 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
             work.poses[rank].rotation = Rotation::from_angle(state.heading_rad);
         }
         work.poses[rank].position_m = state.position_m;
-        let jumped = memory.last_states.get(rank).is_some_and(|last| {
-            jumped(last, &state, memory.last_step_s, body.radius_m)
-        });
+        let jumped = memory
+            .last_states
+            .get(rank)
+            .is_some_and(|last| jumped(last, &state, memory.last_step_s, body.radius_m));
         work.teleported.push(jumped);
         if jumped {
             let bodies = [body.id, body.id];

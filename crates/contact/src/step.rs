@@ -204,12 +204,7 @@ fn contact(
 }
 
 /// Events of one patch; those that last are told once. Returns the flags to remember.
-fn tell_of_patch(
-    model: &Model,
-    work: &mut Workspace,
-    patch: &Patch,
-    inherited: &Inherited,
-) -> u32 {
+fn tell_of_patch(model: &Model, work: &mut Workspace, patch: &Patch, inherited: &Inherited) -> u32 {
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     match inherited {
         Inherited::Nothing => note(model, work, a, b, EventKind::ContactBegan),

@@ -1,0 +1,245 @@
+//! The identities of the contact model's §7: they need no reference data.
+
+mod support;
+
+use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_sim::{BodySetup, BodyVelocity, Integrator, Setup, Simulation};
+use proptest::prelude::*;
+use support::{fixed, floating, outline, rectangle, spring, two};
+
+fn run(setup: Setup) -> Simulation {
+    let mut simulation = Simulation::new(setup).expect("a good set-up");
+    while !simulation.is_done() {
+        simulation.step().expect("a good step");
+    }
+    simulation
+}
+
+/// A 10 m wide block, 1000 t, that is about to touch a wall 40 m wide head-on.
+fn head_on(
+    speed_mps: f64,
+    stiffness_npm2: f64,
+    restitution: f64,
+    integrator: Integrator,
+    step_s: f64,
+    duration_s: f64,
+) -> Setup {
+    let mut block = floating("block", rectangle(30.0, 10.0), 1e6, 8.0);
+    block.velocity.surge_mps = speed_mps;
+    let mut wall = fixed("wall", rectangle(20.0, 40.0));
+    wall.position_m = vec2(25.0, 0.0);
+    two(block, wall, spring(stiffness_npm2, restitution), integrator, step_s, duration_s)
+}
+
+#[test]
+fn a_flat_contact_is_a_half_sine_of_omega_root_kw_over_m() {
+    let (speed, stiffness): (f64, f64) = (1.0, 500e3);
+    let omega = (stiffness * 10.0 / 1e6_f64).sqrt();
+    let step_s = 1e-4;
+    let duration_s = 3.3 / omega;
+    let simulation =
+        run(head_on(speed, stiffness, 1.0, Integrator::SemiImplicit, step_s, duration_s));
+    let pair = &simulation.pair_summaries()[0];
+    // First-order in Δt: ωΔt is 2e-4 here.
+    let close =
+        |ours: f64, exact: f64| assert!((ours / exact - 1.0).abs() < 5e-4, "{ours} {exact}");
+    close(pair.peak_depth_m, speed / omega);
+    close(pair.peak_normal_force_n, stiffness * 10.0 * speed / omega);
+    close(pair.peak_depth_at_s, 0.5 * std::f64::consts::PI / omega);
+    close(pair.last_touch_s - pair.first_touch_s, std::f64::consts::PI / omega);
+    close(pair.impulse_ns, 2.0 * 1e6 * speed);
+}
+
+#[allow(clippy::disallowed_methods, reason = "a test's closed form need not be bit for bit")]
+/// Error of position and velocity before a quarter of the contact's period, while nothing limits the
+/// force [m]. (In position alone semi-implicit Euler, begun at the touch, is of second order.)
+fn error_at_quarter_period(integrator: Integrator, steps: u32) -> f64 {
+    let (speed, stiffness): (f64, f64) = (1.0, 500e3);
+    let omega = (stiffness * 10.0 / 1e6_f64).sqrt();
+    let quarter_s = 0.4 * std::f64::consts::PI / omega;
+    let step_s = quarter_s / f64::from(steps);
+    let simulation = run(head_on(speed, stiffness, 1.0, integrator, step_s, quarter_s));
+    let state = simulation.states()[0];
+    let exact_m = speed / omega * (omega * quarter_s).sin();
+    let exact_mps = speed * (omega * quarter_s).cos();
+    (state.position_m.x - exact_m).abs() + (state.velocity_mps.x - exact_mps).abs() / omega
+}
+
+#[test]
+#[allow(clippy::disallowed_methods, reason = "a test's closed form need not be bit for bit")]
+fn the_error_falls_with_the_time_step_at_the_order_of_the_integrator() {
+    for (integrator, order) in
+        [(Integrator::Euler, 1.0), (Integrator::SemiImplicit, 1.0), (Integrator::Rk4, 4.0)]
+    {
+        let coarse = error_at_quarter_period(integrator, 40);
+        let fine = error_at_quarter_period(integrator, 80);
+        let seen = (coarse / fine).log2();
+        assert!((seen - order).abs() < 0.1, "{integrator:?}: order {seen}, not {order}");
+    }
+}
+
+fn kinetic_j(setup: &Setup, states: &[BodyState]) -> f64 {
+    let of = |(body, state): (&BodySetup, &BodyState)| {
+        let Some(mass) = body.mass else { return 0.0 };
+        0.5 * (mass.mass_kg * state.velocity_mps.length_squared()
+            + mass.yaw_inertia_kgm2 * state.yaw_rate_radps * state.yaw_rate_radps)
+    };
+    setup.bodies.iter().zip(states).map(of).sum()
+}
+
+/// A ship whose side moves onto a small fixed fender `along_m` forward of midships.
+fn onto_a_point(along_m: f64, velocity: BodyVelocity, half_width_m: f64) -> [BodySetup; 2] {
+    let mut ship = floating("ship", rectangle(100.0, 20.0), 1e7, 25.0);
+    ship.velocity = velocity;
+    let w = half_width_m;
+    let mut fender =
+        fixed("fender", outline(&[vec2(-w, 0.0), vec2(w, 0.0), vec2(w, 1.0), vec2(-w, 1.0)]));
+    fender.position_m = vec2(along_m, 10.0);
+    [ship, fender]
+}
+
+#[test]
+fn pianc_frictionless_contact_loses_the_fraction_k2_over_k2_plus_a2() {
+    for along_m in [-40.0, -25.0, -5.0, 0.0, 10.0, 33.0] {
+        let velocity = BodyVelocity { sway_mps: 0.2, surge_mps: 0.1, ..Default::default() };
+        let [ship, fender] = onto_a_point(along_m, velocity, 0.05);
+        let setup = two(ship, fender, spring(1e14, 0.0), Integrator::Euler, 1e-4, 0.01);
+        let simulation = run(setup.clone());
+        let before_j = 0.5 * 1e7 * 0.2 * 0.2; // the energy along the normal
+        let all_j = before_j + 0.5 * 1e7 * 0.1 * 0.1;
+        let lost = (all_j - kinetic_j(&setup, simulation.states())) / before_j;
+        let ce = 25.0 * 25.0 / (25.0 * 25.0 + along_m * along_m);
+        assert!((lost / ce - 1.0).abs() < 1e-3, "at {along_m} m: {lost}, Ce {ce}");
+    }
+}
+
+#[test]
+#[allow(clippy::disallowed_methods, reason = "a test's closed form need not be bit for bit")]
+fn pianc_sticking_contact_loses_the_eccentricity_factor() {
+    for (along_m, angle_deg) in
+        [(25.0, 0.0), (-30.0, 0.0), (25.0, 10.0), (25.0, -20.0), (-35.0, 30.0), (0.0, 15.0)]
+    {
+        let angle = f64::to_radians(angle_deg);
+        let (v_n, v_t) = (0.2 * angle.cos(), 0.2 * angle.sin());
+        let velocity = BodyVelocity { sway_mps: v_n, surge_mps: v_t, ..Default::default() };
+        let [ship, fender] = onto_a_point(along_m, velocity, 0.25);
+        let mut rubber = spring(2e9, 0.0);
+        rubber.shear_stiffness_npm = 1e13;
+        rubber.friction_static = 1e6;
+        rubber.friction_dynamic = 1e6;
+        let setup = two(ship, fender, rubber, Integrator::Euler, 1e-5, 0.5);
+        let simulation = run(setup.clone());
+        let before_j = 0.5 * 1e7 * 0.2 * 0.2;
+        let lost = 1.0 - kinetic_j(&setup, simulation.states()) / before_j;
+        // γ: between the arm from the contact to the centre of gravity and the velocity.
+        let arm = vec2(-along_m, -10.0);
+        let r2 = arm.length_squared();
+        let cos2 = (arm.x * v_t + arm.y * v_n).powi(2) / (r2 * 0.04);
+        let ce = (25.0 * 25.0 + r2 * cos2) / (25.0 * 25.0 + r2);
+        assert!((lost / ce - 1.0).abs() < 1e-3, "at {along_m} m, {angle_deg}°: {lost}, Ce {ce}");
+    }
+}
+
+/// Linear and angular momentum about the earth's origin.
+fn momentum(setup: &Setup, states: &[BodyState]) -> (Vec2, f64) {
+    let mut linear = Vec2::ZERO;
+    let mut angular = 0.0;
+    for (body, state) in setup.bodies.iter().zip(states) {
+        let mass = body.mass.expect("free bodies");
+        let own = state.velocity_mps * mass.mass_kg;
+        linear += own;
+        angular += state.position_m.cross(own) + mass.yaw_inertia_kgm2 * state.yaw_rate_radps;
+    }
+    (linear, angular)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Semi-implicit: Δ(x×mv) = x×FΔt exactly, so that angular momentum is kept as well as linear.
+    /// Forward Euler keeps the linear one only: it adds Δt² (v₁ − v₂)×F a step.
+    #[test]
+    fn momentum_of_a_free_pair_is_constant_to_rounding(
+        y in -18.0..18.0_f64,
+        heading in -0.6..0.6_f64,
+        speed in 0.2..4.0_f64,
+        spin in -0.05..0.05_f64,
+        friction in 0.0..0.8_f64,
+        step_s in 0.02..1.0_f64,
+    ) {
+        let mut tug = floating("tug", rectangle(32.0, 13.0), 1.01e6, 8.0);
+        tug.velocity.surge_mps = speed;
+        tug.heading_rad = heading;
+        tug.position_m = vec2(-40.0, y);
+        let mut ship = floating("ship", rectangle(46.0, 120.0), 9e7, 30.0);
+        ship.velocity.yaw_radps = spin * 0.1;
+        let mut rubber = spring(500e3, 0.1);
+        rubber.damping_nspm2 = 2e4;
+        rubber.shear_stiffness_npm = 3e6;
+        rubber.friction_static = friction;
+        rubber.friction_dynamic = friction;
+        let setup = two(tug, ship, rubber, Integrator::SemiImplicit, step_s, 60.0);
+        let mut simulation = Simulation::new(setup.clone()).unwrap();
+        let (linear, angular) = momentum(&setup, simulation.states());
+        let scale = linear.length() + 1e5;
+        while !simulation.is_done() {
+            let record = simulation.step().unwrap();
+            let sum = record.wrenches[0].force_n + record.wrenches[1].force_n;
+            prop_assert_eq!(sum, Vec2::ZERO, "F₁ = −F₂ bit for bit");
+        }
+        let (linear_after, angular_after) = momentum(&setup, simulation.states());
+        prop_assert!((linear_after - linear).length() <= 1e-10 * scale);
+        prop_assert!((angular_after - angular).abs() <= 1e-10 * scale * 200.0);
+    }
+
+    /// Head-on and without friction nobody leaves with more energy than it came with, at any time
+    /// step, stiffness and restitution up to 1.
+    #[test]
+    fn a_head_on_frictionless_hit_makes_no_energy(
+        speed in 0.05..4.0_f64,
+        log_stiffness in 4.0..8.0_f64,
+        restitution in 0.0..=1.0_f64,
+        step_s in 0.01..2.0_f64,
+    ) {
+        let stiffness = libm::exp10(log_stiffness);
+        let setup = head_on(speed, stiffness, restitution, Integrator::Euler, step_s, 60.0);
+        let simulation = run(setup.clone());
+        let before_j = 0.5 * 1e6 * speed * speed;
+        prop_assert!(kinetic_j(&setup, simulation.states()) <= before_j * (1.0 + 1e-12));
+        prop_assert!(simulation.energy().residual_j.abs() <= 1e-9 * before_j);
+    }
+
+    /// The ledger accounts for every joule under every integrator, in an oblique hit with friction
+    /// and a load.
+    #[test]
+    fn the_energy_ledger_closes_to_rounding(
+        y in -18.0..18.0_f64,
+        heading in -0.6..0.6_f64,
+        speed in 0.2..3.0_f64,
+        integrator in prop_oneof![
+            Just(Integrator::Euler), Just(Integrator::SemiImplicit), Just(Integrator::Rk4)
+        ],
+    ) {
+        let mut tug = floating("tug", rectangle(32.0, 13.0), 1.01e6, 8.0);
+        tug.velocity.surge_mps = speed;
+        tug.heading_rad = heading;
+        tug.position_m = vec2(-42.0, y);
+        let ship = floating("ship", rectangle(46.0, 120.0), 9e7, 30.0);
+        let mut rubber = spring(500e3, 0.1);
+        rubber.shear_stiffness_npm = 3e6;
+        rubber.friction_static = 0.5;
+        rubber.friction_dynamic = 0.4;
+        let mut setup = two(tug, ship, rubber, integrator, 0.1, 30.0);
+        setup.loads.push(fenderline_sim::Load {
+            body: 0,
+            force_n: vec2(2e5, 1e4),
+            moment_nm: 1e5,
+            from_s: 1.03,
+            until_s: 12.34,
+        });
+        let energy = run(setup).energy();
+        let moved = energy.kinetic_j.abs() + energy.load_work_j.abs()
+            + energy.normal_work_j.abs() + energy.tangential_work_j.abs();
+        prop_assert!(energy.residual_j.abs() <= 1e-10 * moved, "{:?}", energy);
+    }
+}
