@@ -32,7 +32,7 @@ pub(crate) struct RunArgs {
     /// Scenario file
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
-    /// Folder for the results [default: out/<scenario name>/]
+    /// Folder for the results; without it `out/`, then the name of the scenario file
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Format of the tables of bodies and contacts

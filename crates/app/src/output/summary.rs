@@ -9,21 +9,11 @@ use super::{OutputError, SUMMARY, WrittenFile};
 /// How many events are told one by one.
 const FIRST_EVENTS: usize = 20;
 
-/// All kinds, in the order in which they are told.
-const KINDS: [EventKind; 7] = [
-    EventKind::ContactBegan,
-    EventKind::ContactEnded,
-    EventKind::PatchSplit,
-    EventKind::PatchesMerged,
-    EventKind::Contained,
-    EventKind::DeepOverlap,
-    EventKind::Teleported,
-];
-
 /// Events of a run: how many of each kind, and the first few. Bounded, whatever the run's length.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Events {
-    counts: [u64; KINDS.len()],
+    /// In the order of first occurrence.
+    counts: Vec<(EventKind, u64)>,
     first: Vec<(f64, Event)>,
 }
 
@@ -31,8 +21,10 @@ impl Events {
     /// Adds those of one step.
     pub(crate) fn count(&mut self, step: &StepRecord<'_>) {
         for event in step.events {
-            let kind = KINDS.iter().position(|k| *k == event.kind);
-            self.counts[kind.expect("KINDS holds every kind")] += 1;
+            match self.counts.iter_mut().find(|(kind, _)| *kind == event.kind) {
+                Some((_, count)) => *count += 1,
+                None => self.counts.push((event.kind, 1)),
+            }
             if self.first.len() < FIRST_EVENTS {
                 self.first.push((step.t_s, *event));
             }
@@ -41,7 +33,7 @@ impl Events {
 
     /// The kinds that occurred, and how often.
     pub(crate) fn counts(&self) -> impl Iterator<Item = (EventKind, u64)> {
-        KINDS.into_iter().zip(self.counts).filter(|(_, count)| *count > 0)
+        self.counts.iter().copied()
     }
 }
 

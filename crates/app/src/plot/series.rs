@@ -82,25 +82,19 @@ struct Bucket {
     low: Point,
     high: Point,
     last: Point,
-    breaks_before: bool,
 }
 
 impl Bucket {
     fn of(sample: Point) -> Bucket {
-        let breaks_before = sample.y.is_nan();
-        Bucket { first: sample, low: sample, high: sample, last: sample, breaks_before }
+        Bucket { first: sample, low: sample, high: sample, last: sample }
     }
 
     fn with(self, later: Bucket) -> Bucket {
-        // A break is kept as its own flag; its NaN must not hide real extremes.
-        let lower = |a: Point, b: Point| if b.y < a.y || a.y.is_nan() { b } else { a };
-        let higher = |a: Point, b: Point| if b.y > a.y || a.y.is_nan() { b } else { a };
         Bucket {
-            first: if self.first.y.is_nan() { later.first } else { self.first },
-            low: lower(self.low, later.low),
-            high: higher(self.high, later.high),
-            last: if later.last.y.is_nan() { self.last } else { later.last },
-            breaks_before: self.breaks_before,
+            first: self.first,
+            low: if later.low.y < self.low.y { later.low } else { self.low },
+            high: if later.high.y > self.high.y { later.high } else { self.high },
+            last: later.last,
         }
     }
 }
@@ -110,7 +104,7 @@ impl Decimator {
         Decimator { buckets: Vec::new(), samples_per_bucket: 1, samples_in_last: 0 }
     }
 
-    /// Adds a sample; x must not fall.
+    /// Adds a sample of finite values; x must not fall.
     pub(crate) fn push(&mut self, x: f64, y: f64) {
         let sample = Bucket::of(Point { x, y });
         match self.buckets.last_mut() {
@@ -141,16 +135,13 @@ impl Decimator {
     pub(crate) fn points(&self) -> Vec<Point> {
         let mut points: Vec<Point> = Vec::with_capacity(self.buckets.len());
         for bucket in &self.buckets {
-            if bucket.breaks_before && !points.is_empty() {
-                points.push(Point { x: bucket.first.x, y: f64::NAN });
-            }
             let (a, b) = if bucket.low.x <= bucket.high.x {
                 (bucket.low, bucket.high)
             } else {
                 (bucket.high, bucket.low)
             };
             for point in [bucket.first, a, b, bucket.last] {
-                if !point.y.is_nan() && points.last() != Some(&point) {
+                if points.last() != Some(&point) {
                     points.push(point);
                 }
             }
@@ -192,15 +183,5 @@ mod tests {
         assert!(points.windows(2).all(|w| w[0].x <= w[1].x));
         assert_eq!(points.first().map(|p| p.x), Some(0.0));
         assert_eq!(points.last().map(|p| p.x), Some(999_999.0));
-    }
-
-    #[test]
-    fn a_break_stays_a_break() {
-        let mut store = Decimator::new();
-        for (x, y) in [(0.0, 1.0), (1.0, f64::NAN), (2.0, 2.0), (3.0, 2.5)] {
-            store.push(x, y);
-        }
-        let ys: Vec<_> = store.points().iter().map(|p| p.y.is_nan()).collect();
-        assert_eq!(ys, [false, true, false, false]);
     }
 }
