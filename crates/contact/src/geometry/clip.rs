@@ -104,9 +104,11 @@ pub(crate) fn clip(
     let placed = Placed { polygon: b, pose: b_in_a };
     match *hint {
         Hint::Lens(stretch) => {
-            if let Some(found) = warm::find(a, &placed, stretch) {
-                *hint = Hint::Lens(found);
-                return accept(assemble(a, &placed, &[found], outline_m), false);
+            let start = outline_m.len();
+            if let Some(found) = warm::find(a, &placed, stretch, outline_m) {
+                *hint = Hint::Lens(found.at);
+                let chord_m = found.leaves_m - found.enters_m;
+                return accept(measure(&outline_m[start..], chord_m, false), false);
             }
         }
         Hint::Apart { on_a, edge, support } => {

@@ -1,8 +1,9 @@
 //! The overlap of two convex polygons, put together from the places where their boundaries cross.
 
 use alloc::vec::Vec;
+use core::iter::once;
 
-use super::convex::{ConvexPolygon, Placed, after};
+use super::convex::{ConvexPolygon, Placed};
 use crate::vec2::Vec2;
 
 /// A crossing of the two boundaries: the edge of the first and the edge of the second polygon.
@@ -33,17 +34,24 @@ pub(crate) struct Lens {
     pub(crate) collinear: bool,
 }
 
-/// Where the lines of an edge of `a` and an edge of `b` cross [m]. `side` are the signed distances
-/// (times the length of `b`'s edge) of the ends of `a`'s edge from `b`'s line.
+/// The point a share of the way along an edge [m]: 0 its start, 1 its end. What rounding leaves
+/// outside is brought back to the ends.
 #[inline]
-pub(crate) fn crossing_point(a_start: Vec2, a_end: Vec2, side_start: f64, side_end: f64) -> Vec2 {
-    let share = side_start / (side_start - side_end);
+pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
     // From the nearer end, so that an end on the line is met exactly.
     if share <= 0.5 {
-        a_start + (a_end - a_start) * share.max(0.0)
+        start + (end - start) * share.max(0.0)
     } else {
-        a_end - (a_end - a_start) * (1.0 - share).max(0.0)
+        end - (end - start) * (1.0 - share).max(0.0)
     }
+}
+
+/// A stretch with the two points where it begins and ends, P_in and P_out [m].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Located {
+    pub(crate) at: Stretch,
+    pub(crate) enters_m: Vec2,
+    pub(crate) leaves_m: Vec2,
 }
 
 /// Walks the boundary of the overlap and leaves its vertices in `outline_m` (appended).
@@ -56,35 +64,55 @@ pub(crate) fn assemble(
 ) -> Lens {
     let start = outline_m.len();
     let mut chord_m = Vec2::ZERO;
-    for (k, stretch) in stretches.iter().enumerate() {
+    for (k, &at) in stretches.iter().enumerate() {
         let next = &stretches[if k + 1 == stretches.len() { 0 } else { k + 1 }];
-        let enters = meeting_point(a, b, stretch.enter);
-        let leaves = meeting_point(a, b, stretch.leave);
-        chord_m += leaves - enters;
-        outline_m.push(enters);
-        let mut i = stretch.enter.a as usize;
-        while i != stretch.leave.a as usize {
-            i = after(i, a.count());
-            outline_m.push(a.closed()[i]);
-        }
-        outline_m.push(leaves);
-        let mut j = stretch.leave.b as usize;
-        while j != next.enter.b as usize {
-            j = after(j, b.count());
-            outline_m.push(b.vertex(j));
-        }
+        let enters_m = meeting_point(a, b, at.enter);
+        let leaves_m = meeting_point(a, b, at.leave);
+        chord_m += leaves_m - enters_m;
+        trace(a, b, &Located { at, enters_m, leaves_m }, next.enter.b, outline_m);
     }
     measure(&outline_m[start..], chord_m, false)
 }
 
-/// Where the first polygon's boundary crosses the second's, on the two edges of `crossing` [m].
+/// Appends the boundary of the overlap from where a stretch enters, along the first polygon to
+/// where it leaves, and along the second up to its edge `until_b`, where the next one enters.
 #[inline]
+pub(crate) fn trace(
+    a: &ConvexPolygon,
+    b: &Placed<'_>,
+    stretch: &Located,
+    until_b: u32,
+    outline_m: &mut Vec<Vec2>,
+) {
+    let Stretch { enter, leave } = stretch.at;
+    let (n, m) = (a.count(), b.count());
+    let of_a = (0..ring_distance(enter.a, leave.a, n)).map(|k| a.closed()[ring(enter.a, k, n)]);
+    let of_b = (0..ring_distance(leave.b, until_b, m)).map(|k| b.vertex(ring(leave.b, k, m)));
+    outline_m.extend(once(stretch.enters_m).chain(of_a).chain(once(stretch.leaves_m)).chain(of_b));
+}
+
+/// Vertices between an edge and a later one of a ring of `count`.
+#[inline]
+pub(crate) fn ring_distance(from: u32, to: u32, count: usize) -> usize {
+    let (from, to) = (from as usize, to as usize);
+    if to >= from { to - from } else { to + count - from }
+}
+
+/// The `k`th vertex after the start of edge `from`, counted from 0.
+#[inline]
+fn ring(from: u32, k: usize, count: usize) -> usize {
+    let index = from as usize + k + 1;
+    if index >= count { index - count } else { index }
+}
+
+/// Where the first polygon's boundary crosses the second's, on the two edges of `crossing` [m].
 fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 {
     let (i, j) = (crossing.a as usize, crossing.b as usize);
     let (a0, a1) = (a.closed()[i], a.closed()[i + 1]);
     let (b0, b1) = (b.vertex(j), b.vertex(j + 1));
     let edge = b1 - b0;
-    crossing_point(a0, a1, edge.cross(a0 - b0), edge.cross(a1 - b0))
+    let (side_start, side_end) = (edge.cross(a0 - b0), edge.cross(a1 - b0));
+    point_along(a0, a1, side_start / (side_start - side_end))
 }
 
 /// Area and centroid of a polygon about its own first vertex: what is small is measured against

@@ -11,8 +11,10 @@
 //! enough. Then Q's boundary is part of the boundary of the overlap; both are simple closed curves,
 //! so they are the same.
 
+use alloc::vec::Vec;
+
 use super::convex::{ConvexPolygon, Placed, after, before};
-use super::lens::{Crossing, Stretch};
+use super::lens::{Crossing, Located, Stretch, point_along, ring_distance, trace};
 use crate::vec2::Vec2;
 
 /// Steps that a walk may take before the cold path is the cheaper one.
@@ -28,23 +30,66 @@ const FLAT: f64 = 1e-9;
 /// A crossing with the geometry that found it.
 struct Edges {
     at: Crossing,
-    a_along: Vec2,
-    b_along: Vec2,
     a_start: Vec2,
     a_end: Vec2,
-    b_end: Vec2,
     b_start: Vec2,
+    b_end: Vec2,
+    a_along: Vec2,
+    b_along: Vec2,
+    /// b_along × a_along.
+    turn: f64,
     /// How far along the first polygon's edge, 0 to 1.
     share: f64,
 }
 
+impl Edges {
+    #[inline]
+    fn point(&self) -> Vec2 {
+        point_along(self.a_start, self.a_end, self.share)
+    }
+
+    #[inline]
+    fn is_flat(&self) -> bool {
+        self.turn * self.turn
+            <= FLAT * FLAT * self.a_along.length_squared() * self.b_along.length_squared()
+    }
+}
+
 /// The stretch of `a`'s boundary inside `b`, if it is found near `hint` and certified to be the
-/// only one.
+/// only one. Then the vertices of the overlap are in `outline_m` (appended).
 #[inline]
-pub(crate) fn find(a: &ConvexPolygon, b: &Placed<'_>, hint: Stretch) -> Option<Stretch> {
+pub(crate) fn find(
+    a: &ConvexPolygon,
+    b: &Placed<'_>,
+    hint: Stretch,
+    outline_m: &mut Vec<Vec2>,
+) -> Option<Located> {
     let enter = walk::<true>(a, b, hint.enter)?;
     let leave = walk::<false>(a, b, hint.leave)?;
-    certify(a, b, &enter, &leave).then_some(Stretch { enter: enter.at, leave: leave.at })
+    if enter.is_flat() || leave.is_flat() {
+        return None;
+    }
+    let at = Stretch { enter: enter.at, leave: leave.at };
+    let found = Located { at, enters_m: enter.point(), leaves_m: leave.point() };
+    let a_chain = ring_distance(enter.at.a, leave.at.a, a.count());
+    let b_chain = ring_distance(leave.at.b, enter.at.b, b.count());
+    let little = a_chain <= CHAIN
+        && b_chain <= CHAIN
+        && chain_turns_little(a_chain, enter.a_along, leave.a_along, enter.share < leave.share)
+        && chain_turns_little(b_chain, leave.b_along, enter.b_along, b_order(&enter, &found));
+    if !little {
+        return None;
+    }
+    let start = outline_m.len();
+    trace(a, b, &found, enter.at.b, outline_m);
+    let (of_a, of_b) = outline_m[start..].split_at(1 + a_chain);
+    let certified = far_part_of_b(b, &enter, &leave).holds(|k| b.vertex(k), &of_a[1..])
+        && far_part_of_a(a, &enter, &leave).holds(|k| a.closed()[k], &of_b[1..]);
+    if !certified {
+        outline_m.truncate(start);
+        return None;
+    }
+    Some(found)
 }
 
 /// Walks to the crossing where `a` enters (or leaves) `b`.
@@ -63,68 +108,45 @@ fn walk<const ENTER: bool>(a: &ConvexPolygon, b: &Placed<'_>, hint: Crossing) ->
         let a_end_in = b_along.cross(a_end - b_start);
         let b_start_in = a_along.cross(b_start - a_start);
         let b_end_in = a_along.cross(b_end - a_start);
-        if ENTER {
-            if a_start_in >= 0.0 {
-                i = before(i, n);
-            } else if a_end_in < 0.0 {
-                i = after(i, n);
-            } else if b_start_in < 0.0 {
-                j = before(j, m);
-                (b_end, b_start) = (b_start, b.vertex(j));
-            } else if b_end_in >= 0.0 {
-                j = after(j, m);
-                (b_start, b_end) = (b_end, b.vertex(j + 1));
-            } else {
-                let share = a_start_in / (a_start_in - a_end_in);
-                let at = Crossing { a: i as u32, b: j as u32 };
-                return Some(Edges { at, a_along, b_along, a_start, a_end, b_start, b_end, share });
-            }
-        } else if a_end_in >= 0.0 {
-            i = after(i, n);
-        } else if a_start_in < 0.0 {
+        let (before_a, beyond_a, before_b, beyond_b) = if ENTER {
+            (a_start_in >= 0.0, a_end_in < 0.0, b_start_in < 0.0, b_end_in >= 0.0)
+        } else {
+            (a_start_in < 0.0, a_end_in >= 0.0, b_start_in >= 0.0, b_end_in < 0.0)
+        };
+        if before_a {
             i = before(i, n);
-        } else if b_end_in < 0.0 {
-            j = after(j, m);
-            (b_start, b_end) = (b_end, b.vertex(j + 1));
-        } else if b_start_in >= 0.0 {
+        } else if beyond_a {
+            i = after(i, n);
+        } else if before_b {
             j = before(j, m);
             (b_end, b_start) = (b_start, b.vertex(j));
+        } else if beyond_b {
+            j = after(j, m);
+            (b_start, b_end) = (b_end, b.vertex(j + 1));
         } else {
-            let share = a_start_in / (a_start_in - a_end_in);
             let at = Crossing { a: i as u32, b: j as u32 };
-            return Some(Edges { at, a_along, b_along, a_start, a_end, b_start, b_end, share });
+            let turn = a_end_in - a_start_in;
+            let share = a_start_in / -turn;
+            return Some(Edges {
+                at,
+                a_start,
+                a_end,
+                b_start,
+                b_end,
+                a_along,
+                b_along,
+                turn,
+                share,
+            });
         }
     }
     None
 }
 
-#[inline]
-fn certify(a: &ConvexPolygon, b: &Placed<'_>, enter: &Edges, leave: &Edges) -> bool {
-    let (n, m) = (a.count(), b.count());
-    let a_chain = ring_distance(enter.at.a, leave.at.a, n);
-    let b_chain = ring_distance(leave.at.b, enter.at.b, m);
-    if a_chain > CHAIN || b_chain > CHAIN || flat(enter) || flat(leave) {
-        return false;
-    }
-    chain_turns_little(a_chain, enter.a_along, leave.a_along, enter.share < leave.share)
-        && chain_turns_little(b_chain, leave.b_along, enter.b_along, b_order(enter, leave))
-        && a_chain_in_far_b(a, b, enter, leave, a_chain)
-        && b_chain_in_far_a(a, b, enter, leave, b_chain)
-}
-
-#[inline]
-fn flat(edges: &Edges) -> bool {
-    let sine = edges.a_along.cross(edges.b_along);
-    sine * sine
-        <= FLAT * FLAT * edges.a_along.length_squared() * edges.b_along.length_squared()
-}
-
 /// On one edge of `b`: does the walk back meet P_out before P_in?
 #[inline]
-fn b_order(enter: &Edges, leave: &Edges) -> bool {
-    let enters = enter.a_start + enter.a_along * enter.share;
-    let leaves = leave.a_start + leave.a_along * leave.share;
-    enter.b_along.dot(enters - leaves) > 0.0
+fn b_order(enter: &Edges, found: &Located) -> bool {
+    enter.b_along.dot(found.enters_m - found.leaves_m) > 0.0
 }
 
 /// At most half a turn from the first edge of a chain to its last; on one edge, in order.
@@ -133,56 +155,22 @@ fn chain_turns_little(chain: usize, first: Vec2, last: Vec2, in_order: bool) -> 
     if chain == 0 { in_order } else { first.cross(last) >= 0.0 }
 }
 
+/// From the end of the edge where `a` enters round to the start of the edge where it leaves.
 #[inline]
-fn ring_distance(from: u32, to: u32, count: usize) -> usize {
-    let (from, to) = (from as usize, to as usize);
-    if to >= from { to - from } else { to + count - from }
+fn far_part_of_b(b: &Placed<'_>, enter: &Edges, leave: &Edges) -> FarPart {
+    let count = b.count();
+    let from = after(enter.at.b as usize, count);
+    let edges = ring_distance(from as u32, leave.at.b, count);
+    FarPart { from, edges, count, start: enter.b_end, end: leave.b_start }
 }
 
-/// The first polygon's chain against the second's far part: from the end of the edge where it
-/// enters round to the start of the edge where it leaves.
+/// From the end of the edge where `a` leaves round to the start of the edge where it enters.
 #[inline]
-fn a_chain_in_far_b(
-    a: &ConvexPolygon,
-    b: &Placed<'_>,
-    enter: &Edges,
-    leave: &Edges,
-    chain: usize,
-) -> bool {
-    if chain == 0 {
-        return true;
-    }
-    let m = b.count();
-    let from = after(enter.at.b as usize, m);
-    let edges = ring_distance(from as u32, leave.at.b, m);
-    let far = FarPart { from, edges, count: m, start: enter.b_end, end: leave.b_start };
-    far.holds(|k| b.vertex(k), chain, |step| a.closed()[ring(enter.at.a, step, a.count())])
-}
-
-/// The second polygon's chain against the first one's far part.
-#[inline]
-fn b_chain_in_far_a(
-    a: &ConvexPolygon,
-    b: &Placed<'_>,
-    enter: &Edges,
-    leave: &Edges,
-    chain: usize,
-) -> bool {
-    if chain == 0 {
-        return true;
-    }
-    let n = a.count();
-    let from = after(leave.at.a as usize, n);
-    let edges = ring_distance(from as u32, enter.at.a, n);
-    let far = FarPart { from, edges, count: n, start: leave.a_end, end: enter.a_start };
-    far.holds(|k| a.closed()[k], chain, |step| b.vertex(ring(leave.at.b, step, b.count())))
-}
-
-/// Index `step + 1` places after edge `from`: the chain's vertices in order.
-#[inline]
-fn ring(from: u32, step: usize, count: usize) -> usize {
-    let index = from as usize + step + 1;
-    if index >= count { index - count } else { index }
+fn far_part_of_a(a: &ConvexPolygon, enter: &Edges, leave: &Edges) -> FarPart {
+    let count = a.count();
+    let from = after(leave.at.a as usize, count);
+    let edges = ring_distance(from as u32, enter.at.a, count);
+    FarPart { from, edges, count, start: leave.a_end, end: enter.a_start }
 }
 
 /// The edges of a polygon that take no part in a lens: `edges` of them, from vertex `from` on.
@@ -196,34 +184,45 @@ struct FarPart {
 
 impl FarPart {
     /// Do all of a chain's vertices lie within the far part? Tests a polygon inscribed in it first
-    /// and, for those it does not hold, the far part itself.
+    /// and, for those it does not hold, the far part itself. `vertex` gives the polygon's.
     #[inline]
-    fn holds(
-        &self,
-        vertex: impl Fn(usize) -> Vec2,
-        chain: usize,
-        chain_vertex: impl Fn(usize) -> Vec2,
-    ) -> bool {
-        let at = |k: usize| vertex((self.from + k) % self.count);
-        let all_edges = |p: Vec2| {
-            let mut start = self.start;
-            (1..=self.edges).all(|k| {
-                let end = at(k);
-                let left = (end - start).cross(p - start) >= 0.0;
-                start = end;
-                left
-            })
-        };
-        if self.edges <= FAR_EXACT {
-            return (0..chain).all(|step| all_edges(chain_vertex(step)));
+    fn holds(&self, vertex: impl Fn(usize) -> Vec2, chain: &[Vec2]) -> bool {
+        if chain.is_empty() {
+            return true;
         }
-        let (one, two) = (at(self.edges / 3), at(self.edges - self.edges / 3));
-        (0..chain).all(|step| {
-            let p = chain_vertex(step);
-            let inscribed = (one - self.start).cross(p - self.start) >= 0.0
-                && (two - one).cross(p - one) >= 0.0
-                && (self.end - two).cross(p - two) >= 0.0;
-            inscribed || all_edges(p)
+        if self.edges <= FAR_EXACT {
+            return chain.iter().all(|&p| self.holds_exactly(&vertex, p));
+        }
+        let third = self.edges / 3;
+        let (one, two) = (vertex(self.index(third)), vertex(self.index(self.edges - third)));
+        chain.iter().all(|&p| {
+            let inscribed =
+                is_left(self.start, one, p) && is_left(one, two, p) && is_left(two, self.end, p);
+            inscribed || self.holds_exactly(&vertex, p)
         })
     }
+
+    #[inline]
+    fn holds_exactly(&self, vertex: impl Fn(usize) -> Vec2, p: Vec2) -> bool {
+        let mut start = self.start;
+        (1..=self.edges).all(|k| {
+            let end = vertex(self.index(k));
+            let left = is_left(start, end, p);
+            start = end;
+            left
+        })
+    }
+
+    /// Index of the `k`th vertex of the far part.
+    #[inline]
+    fn index(&self, k: usize) -> usize {
+        let index = self.from + k;
+        if index >= self.count { index - self.count } else { index }
+    }
+}
+
+/// Does `p` lie to the left of the line from `start` to `end`, or on it?
+#[inline]
+fn is_left(start: Vec2, end: Vec2, p: Vec2) -> bool {
+    (end - start).cross(p - start) >= 0.0
 }
