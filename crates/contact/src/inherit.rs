@@ -1,11 +1,15 @@
 //! Which patch of this step goes on with which memory of the last: a contact's memory belongs to
 //! the pair of bodies and its patch, and outlives the walk from edge to edge and piece to piece.
 
-use crate::memory::PatchMemory;
+use crate::events::{note, tell_ends_and_splits};
+use crate::memory::{Memory, PatchMemory};
+use crate::model::Model;
 use crate::overlap::Patch;
+use crate::report::EventKind;
+use crate::workspace::{Candidate, Workspace};
 
 /// What a patch takes over from the last step.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Inherited {
     /// A new contact.
     Nothing,
@@ -25,9 +29,36 @@ impl Inherited {
     }
 }
 
-/// The last step's patches of the pair `(a, b)`; `memory` is sorted, and what comes before is done.
+/// For every patch of this step what it inherits, in `work.inherited`; and the events of contacts that
+/// ended and patches that split.
+pub(crate) fn inherit_all(model: &Model, memory: &Memory, work: &mut Workspace) {
+    work.inherited.clear();
+    let mut old = memory.patches.as_slice();
+    let mut from = 0;
+    while from < work.patches.len() {
+        let Candidate { a, b, .. } = work.patches[from].candidate;
+        let of_pair = |p: &&Patch| (p.candidate.a, p.candidate.b) == (a, b);
+        let to = from + work.patches[from..].iter().take_while(of_pair).count();
+        let (ended, mut own) = patches_of(&mut old, a, b);
+        ended.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
+        if work.teleported[a as usize] || work.teleported[b as usize] {
+            own.iter().for_each(|_| note(model, work, a, b, EventKind::ContactEnded));
+            own = &[];
+        }
+        tell_ends_and_splits(model, work, own, from, to);
+        for index in from..to {
+            let inherited = inherit(own, &work.patches[from..to], &work.patches[index]);
+            work.inherited.push(inherited);
+        }
+        from = to;
+    }
+    old.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
+}
+
+/// The last step's patches of pairs before `(a, b)`, and those of the pair itself; `memory` is sorted,
+/// and moves on to what comes after.
 #[inline]
-pub(crate) fn patches_of<'a>(
+fn patches_of<'a>(
     memory: &mut &'a [PatchMemory],
     a: u32,
     b: u32,
@@ -42,7 +73,7 @@ pub(crate) fn patches_of<'a>(
 
 /// What `patch`, one of `patches` of its pair, inherits from `old`.
 #[inline]
-pub(crate) fn inherit(old: &[PatchMemory], patches: &[Patch], patch: &Patch) -> Inherited {
+fn inherit(old: &[PatchMemory], patches: &[Patch], patch: &Patch) -> Inherited {
     match old {
         [] => Inherited::Nothing,
         [only] if patches.len() == 1 => Inherited::One(*only),

@@ -42,6 +42,7 @@ extern crate std;
 mod admit;
 mod broad;
 mod error;
+mod events;
 mod geometry;
 mod inherit;
 mod law;
@@ -54,6 +55,7 @@ mod report;
 mod snapshot;
 mod state;
 mod step;
+mod touch;
 mod vec2;
 mod workspace;
 

@@ -4,9 +4,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::geometry::clip::ClipBuffers;
+use crate::inherit::Inherited;
 use crate::memory::{HintMemory, PatchMemory};
 use crate::model::{MaterialId, Model};
-use crate::overlap::Patch;
+use crate::overlap::{Patch, PieceLens};
 use crate::report::{Contact, Event, Wrench};
 use crate::state::BodyState;
 use crate::vec2::{Pose, Vec2};
@@ -29,7 +30,9 @@ pub struct Workspace {
     /// Order of the bodies along the x axis, warm from the last step.
     pub(crate) by_x: Vec<(f64, u32)>,
     pub(crate) patches: Vec<Patch>,
-    pub(crate) lenses: Vec<crate::overlap::PieceLens>,
+    /// What each patch takes over from the last step.
+    pub(crate) inherited: Vec<Inherited>,
+    pub(crate) lenses: Vec<PieceLens>,
     pub(crate) outline_m: Vec<Vec2>,
     pub(crate) clip: ClipBuffers,
     pub(crate) next_patches: Vec<PatchMemory>,
@@ -60,6 +63,7 @@ impl Workspace {
             candidates: Vec::new(),
             by_x: Vec::new(),
             patches: Vec::new(),
+            inherited: Vec::new(),
             lenses: Vec::new(),
             outline_m: Vec::new(),
             clip: ClipBuffers::default(),

@@ -1,0 +1,63 @@
+//! Events: what a user should know of, told when it begins and not again while it lasts.
+
+use crate::inherit::{Inherited, continues};
+use crate::memory::PatchMemory;
+use crate::model::Model;
+use crate::overlap::Patch;
+use crate::report::{Event, EventKind};
+use crate::workspace::Workspace;
+
+/// Events for the old patches of a pair that no new one continues, or more than one does.
+pub(crate) fn tell_ends_and_splits(
+    model: &Model,
+    work: &mut Workspace,
+    own: &[PatchMemory],
+    from: usize,
+    to: usize,
+) {
+    if own.len() <= 1 && to - from == 1 {
+        return; // one patch that goes on
+    }
+    for m in own {
+        let heirs = work.patches[from..to].iter().filter(|p| continues(m, p)).count();
+        match heirs {
+            0 => note(model, work, m.a, m.b, EventKind::ContactEnded),
+            1 => {}
+            _ => note(model, work, m.a, m.b, EventKind::PatchSplit),
+        }
+    }
+}
+
+/// Events of one patch; those that last are told once. Returns the flags to remember.
+pub(crate) fn tell_of_patch(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    inherited: &Inherited,
+) -> u32 {
+    let (a, b) = (patch.candidate.a, patch.candidate.b);
+    match inherited {
+        Inherited::Nothing => note(model, work, a, b, EventKind::ContactBegan),
+        Inherited::Merged(_) => note(model, work, a, b, EventKind::PatchesMerged),
+        Inherited::One(_) => {}
+    }
+    let smaller_m2 = model.ranked[a as usize].area_m2.min(model.ranked[b as usize].area_m2);
+    // To a billionth: a body that lies in several pieces of another is summed from them.
+    let contained = patch.contained || patch.area_m2 >= smaller_m2 * (1.0 - 1e-9);
+    let deep = patch.area_m2 > 0.5 * smaller_m2;
+    let flags = u32::from(contained) * PatchMemory::CONTAINED + u32::from(deep) * PatchMemory::DEEP;
+    let told = inherited.memory().map_or(0, |m| m.flags);
+    if flags & !told & PatchMemory::CONTAINED != 0 {
+        note(model, work, a, b, EventKind::Contained);
+    }
+    if flags & !told & PatchMemory::DEEP != 0 {
+        note(model, work, a, b, EventKind::DeepOverlap);
+    }
+    flags
+}
+
+/// Books an event of the bodies of two ranks.
+pub(crate) fn note(model: &Model, work: &mut Workspace, a: u32, b: u32, kind: EventKind) {
+    let (a, b) = (model.ranked[a as usize].id, model.ranked[b as usize].id);
+    work.events.push(Event { bodies: [a.min(b), a.max(b)], kind });
+}

@@ -1,0 +1,108 @@
+//! The kinematics of one patch: normal, arms, velocities and shear, in earth-fixed axes.
+
+use crate::memory::PatchMemory;
+use crate::model::Model;
+use crate::overlap::{self, Patch};
+use crate::report::{Contact, Friction};
+use crate::vec2::Vec2;
+use crate::workspace::Workspace;
+
+/// One patch as the laws see it; body A is the one with the lower rank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Touch {
+    /// n in A's frame.
+    pub(crate) normal_in_a: Vec2,
+    /// n, A's outward normal, earth-fixed.
+    pub(crate) normal: Vec2,
+    /// r of each body: from its centre of gravity to C, earth-fixed [m].
+    pub(crate) arm_a_m: Vec2,
+    pub(crate) arm_b_m: Vec2,
+    /// δ [m].
+    pub(crate) depth_m: f64,
+    /// V_n, V_t [m/s] (eq. 10).
+    pub(crate) v_normal_mps: f64,
+    pub(crate) v_tangential_mps: f64,
+    /// Δs before this step's friction law [m].
+    pub(crate) shear_m: f64,
+}
+
+/// Kinematics of a patch from the states and poses in `work`.
+pub(crate) fn touch(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    old: Option<&PatchMemory>,
+) -> Touch {
+    let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
+    let remembered = old.map(|m| (m.normal_in_a, m.normal_in_b));
+    let normal_in_a = overlap::normal_in_a(model, work, patch, remembered);
+    let depth_m = overlap::depth_m(work, patch, normal_in_a);
+    let rotation = work.poses[a].rotation;
+    let normal = rotation.apply(normal_in_a);
+    let arm_a_m = rotation.apply(patch.centroid_m);
+    let arm_b_m = rotation.apply(patch.centroid_m - patch.b_in_a.position_m);
+    let (state_a, state_b) = (&work.states[a], &work.states[b]);
+    let slip_mps = (state_a.velocity_mps - state_b.velocity_mps)
+        + (arm_a_m.spun_by(state_a.yaw_rate_radps) - arm_b_m.spun_by(state_b.yaw_rate_radps));
+    let shear_m = old.map_or(0.0, |m| {
+        // How far the material points that were at C have moved apart, in A's frame, where nothing
+        // is lost far from the origin.
+        let apart = m.point_in_a_m - patch.b_in_a.apply(m.point_in_b_m);
+        m.shear_m + apart.dot(normal_in_a.quarter_turn())
+    });
+    Touch {
+        normal_in_a,
+        normal,
+        arm_a_m,
+        arm_b_m,
+        depth_m,
+        v_normal_mps: slip_mps.dot(normal),
+        v_tangential_mps: slip_mps.dot(normal.quarter_turn()),
+        shear_m,
+    }
+}
+
+impl Touch {
+    /// The report of this patch without its forces, with the body that was added first as body 1:
+    /// a change of order turns n and t round and nothing else.
+    pub(crate) fn contact(&self, model: &Model, work: &Workspace, patch: &Patch) -> Contact {
+        let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
+        let (id_a, id_b) = (model.ranked[a].id, model.ranked[b].id);
+        let swapped = id_a > id_b;
+        Contact {
+            body_1: id_a.min(id_b),
+            body_2: id_a.max(id_b),
+            patch: patch.number,
+            area_m2: patch.area_m2,
+            depth_m: self.depth_m,
+            point_m: work.poses[a].position_m + self.arm_a_m,
+            arm_1_m: if swapped { self.arm_b_m } else { self.arm_a_m },
+            arm_2_m: if swapped { self.arm_a_m } else { self.arm_b_m },
+            normal: if swapped { -self.normal } else { self.normal },
+            v_normal_mps: self.v_normal_mps,
+            v_tangential_mps: self.v_tangential_mps,
+            shear_m: self.shear_m,
+            normal_force_n: 0.0,
+            tangential_force_n: 0.0,
+            friction: Friction::Stick,
+            limited: false,
+        }
+    }
+
+    /// What the next step needs to know of this patch's place.
+    pub(crate) fn memory(&self, patch: &Patch) -> PatchMemory {
+        PatchMemory {
+            a: patch.candidate.a,
+            b: patch.candidate.b,
+            patch: patch.number,
+            area_m2: patch.area_m2,
+            point_in_a_m: patch.centroid_m,
+            point_in_b_m: patch.b_in_a.apply_inverse(patch.centroid_m),
+            normal_in_a: self.normal_in_a,
+            normal_in_b: patch.b_in_a.rotation.apply_inverse(self.normal_in_a),
+            extent_in_a: patch.extent_in_a,
+            extent_in_b: patch.extent_in_b,
+            ..PatchMemory::default()
+        }
+    }
+}
