@@ -3,17 +3,18 @@
 use crate::error::StepError;
 use crate::memory::Memory;
 use crate::model::Model;
-use crate::report::{Event, EventKind};
+use crate::report::{Event, EventKind, Wrench};
 use crate::state::BodyState;
 use crate::vec2::{Pose, Rotation};
 use crate::workspace::Workspace;
 
-/// Largest size of a position, a velocity and a time step [m, m/s, rad/s, rad, s]. Beyond these a
+/// Largest size of a position, a velocity, a load and a time step [m, m/s, rad/s, rad, N, s]. Beyond these a
 /// number is a host's mistake, and forces could overflow.
 const FURTHEST_M: f64 = 1e9;
 const FASTEST_MPS: f64 = 1e6;
 const FASTEST_TURN_RADPS: f64 = 1e3;
 const LARGEST_HEADING_RAD: f64 = 1e9;
+const LARGEST_LOAD: f64 = 1e15;
 const LONGEST_STEP_S: f64 = 1e6;
 const SHORTEST_STEP_S: f64 = 1e-9;
 
@@ -52,6 +53,27 @@ pub(crate) fn admit(
     Ok(())
 }
 
+/// Checks the loads that the coupled method is given.
+pub(crate) fn admit_loads(model: &Model, loads: &[Wrench]) -> Result<(), StepError> {
+    if loads.len() != model.bodies().len() {
+        return Err(StepError::WrongCount { bodies: model.bodies().len(), states: loads.len() });
+    }
+    for (index, load) in loads.iter().enumerate() {
+        let fields = [
+            ("north load", load.force_n.x),
+            ("east load", load.force_n.y),
+            ("moment of the load", load.moment_nm),
+        ];
+        for (field, value) in fields {
+            if value.is_nan() || value.abs() > LARGEST_LOAD {
+                let body = model.bodies()[index].name.clone();
+                return Err(StepError::BadState { body, field, value });
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Puts states and poses in the order of the ranks, and finds bodies that jumped.
 pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
     let count = model.ranked.len();
@@ -63,6 +85,7 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
     }
     work.states.clear();
     work.teleported.clear();
+    work.reach_m.clear();
     for (rank, body) in model.ranked.iter().enumerate() {
         let state = states[body.id.0 as usize];
         // Quays and fenders on them never turn: spare their sine and cosine.
@@ -76,6 +99,7 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
             .get(rank)
             .is_some_and(|last| jumped(last, &state, memory.last_step_s, body.radius_m));
         work.teleported.push(jumped);
+        work.reach_m.push(body.radius_m);
         if jumped {
             let bodies = [body.id, body.id];
             work.events.push(Event { bodies, kind: EventKind::Teleported });

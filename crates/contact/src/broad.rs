@@ -8,7 +8,7 @@ use crate::workspace::{Candidate, Workspace};
 pub(crate) fn pair(model: &Model, work: &mut Workspace) {
     work.candidates.clear();
     for pair in &model.pairs {
-        if near(model, work, pair.a, pair.b) {
+        if near(work, pair.a, pair.b) {
             let (a, b, material) = (pair.a, pair.b, pair.material);
             work.candidates.push(Candidate { a, b, material });
         }
@@ -19,11 +19,11 @@ pub(crate) fn pair(model: &Model, work: &mut Workspace) {
     }
 }
 
-/// Do the circles about the centres of gravity meet?
+/// Do the circles about the centres of gravity meet, or may they in this step?
 #[inline]
-fn near(model: &Model, work: &Workspace, a: u32, b: u32) -> bool {
+fn near(work: &Workspace, a: u32, b: u32) -> bool {
     let (a, b) = (a as usize, b as usize);
-    let reach = model.ranked[a].radius_m + model.ranked[b].radius_m;
+    let reach = work.reach_m[a] + work.reach_m[b];
     let apart = work.poses[a].position_m - work.poses[b].position_m;
     apart.length_squared() <= reach * reach
 }
@@ -39,20 +39,20 @@ fn sweep_and_prune(model: &Model, work: &mut Workspace) {
     }
     for entry in &mut work.by_x {
         let rank = entry.1 as usize;
-        entry.0 = work.poses[rank].position_m.x - model.ranked[rank].radius_m;
+        entry.0 = work.poses[rank].position_m.x - work.reach_m[rank];
     }
     insertion_sort(&mut work.by_x);
     for i in 0..count {
         let (_, one) = work.by_x[i];
         let body = &model.ranked[one as usize];
-        let high = work.poses[one as usize].position_m.x + body.radius_m;
+        let high = work.poses[one as usize].position_m.x + work.reach_m[one as usize];
         for &(low, two) in &work.by_x[i + 1..] {
             if low > high {
                 break;
             }
             let (a, b) = (one.min(two), one.max(two));
             let both_fixed = body.is_fixed() && model.ranked[two as usize].is_fixed();
-            if !both_fixed && near(model, work, a, b) && !named(model, a, b) {
+            if !both_fixed && near(work, a, b) && !named(model, a, b) {
                 work.candidates.push(Candidate { a, b, material });
             }
         }

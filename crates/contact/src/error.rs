@@ -18,6 +18,11 @@ pub enum ModelError {
         /// What it must be.
         must: &'static str,
     },
+    /// A mass matrix that is not symmetric or not positive definite.
+    BadMatrix {
+        /// The body.
+        body: String,
+    },
     /// Two bodies have the same key.
     DuplicateKey {
         /// The body added later.
@@ -46,6 +51,9 @@ impl fmt::Display for ModelError {
         match self {
             ModelError::OutOfRange { owner, field, value, must } => {
                 write!(f, "{field} of `{owner}` is {value}: it must be {must}")
+            }
+            ModelError::BadMatrix { body } => {
+                write!(f, "the mass matrix of `{body}` is not symmetric and positive definite")
             }
             ModelError::DuplicateKey { body, key } => {
                 write!(f, "body `{body}` has key {key}, which another body has too")

@@ -41,12 +41,14 @@ extern crate std;
 
 mod admit;
 mod broad;
+mod coupled;
 mod error;
 mod events;
 mod geometry;
 mod inherit;
 mod law;
 mod limit;
+mod mass;
 mod memory;
 mod model;
 pub mod outline;
@@ -59,6 +61,7 @@ mod touch;
 mod vec2;
 mod workspace;
 
+pub use coupled::advance;
 pub use error::{ModelError, RestoreError, StepError};
 pub use geometry::clip::{Clip, PairClip};
 pub use geometry::convex::ConvexPolygon;

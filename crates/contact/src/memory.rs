@@ -30,7 +30,8 @@ pub(crate) struct PatchMemory {
     pub(crate) a: u32,
     pub(crate) b: u32,
     pub(crate) patch: u32,
-    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is told once.
+    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is told once, and
+    /// [`PatchMemory::APPROACHING`].
     pub(crate) flags: u32,
     /// S^{n−1} [m²].
     pub(crate) area_m2: f64,
@@ -42,9 +43,13 @@ pub(crate) struct PatchMemory {
     pub(crate) normal_in_b: Vec2,
     /// Δs [m].
     pub(crate) shear_m: f64,
-    /// V_n⁰ and V_t⁰, the relative velocity when the contact began [m/s].
+    /// By the paper's method V_n⁰ and V_t⁰, the relative velocity when the contact began. By the
+    /// coupled method the largest V_n since it last changed sign, and nothing [m/s].
     pub(crate) v_normal_0_mps: f64,
     pub(crate) v_tangential_0_mps: f64,
+    /// N and T of the last (sub-)step, where the coupled solve begins [N].
+    pub(crate) normal_force_n: f64,
+    pub(crate) tangential_force_n: f64,
     /// Extent of the patch in each body's frame [m]: which patch is which when there are several.
     pub(crate) extent_in_a: Extent,
     pub(crate) extent_in_b: Extent,
@@ -53,6 +58,12 @@ pub(crate) struct PatchMemory {
 impl PatchMemory {
     pub(crate) const CONTAINED: u32 = 1;
     pub(crate) const DEEP: u32 = 2;
+    /// V_n was positive at the last (sub-)step's start.
+    pub(crate) const APPROACHING: u32 = 4;
+
+    pub(crate) fn key(&self) -> (u32, u32, u32) {
+        (self.a, self.b, self.patch)
+    }
 }
 
 /// A box along the axes of a frame.

@@ -6,6 +6,7 @@ use alloc::{format, vec};
 
 use crate::error::ModelError;
 use crate::geometry::convex::ConvexPolygon;
+use crate::mass::InverseMatrix;
 use crate::outline::Outline;
 
 /// Index of a body, in the order in which bodies were added.
@@ -44,6 +45,13 @@ pub enum Mobility {
         mass_kg: f64,
         /// Moment of inertia about the vertical through the centre of gravity [kg·m²].
         yaw_inertia_kgm2: f64,
+    },
+    /// A floating body with its full mass matrix, for the coupled method. The paper's method takes
+    /// the smaller of surge and sway in every direction.
+    Massive {
+        /// Rigid body and added mass over surge, sway and yaw, about the centre of gravity,
+        /// symmetric [kg, kg·m, kg·m²].
+        matrix: [[f64; 3]; 3],
     },
 }
 
@@ -104,6 +112,8 @@ pub struct Model {
     materials: Vec<Material>,
     /// Bodies in the order of their keys.
     pub(crate) ranked: Vec<RankedBody>,
+    /// Rank of each body.
+    pub(crate) rank_of: Vec<u32>,
     /// Named pairs, sorted by rank.
     pub(crate) pairs: Vec<RankedPair>,
     /// Material of all other pairs.
@@ -124,6 +134,8 @@ pub(crate) struct RankedBody {
     pub(crate) inverse_mass: f64,
     /// 1/I [1/(kg·m²)].
     pub(crate) inverse_inertia: f64,
+    /// M⁻¹ in the body's axes.
+    pub(crate) inverse: InverseMatrix,
 }
 
 /// Two bodies by rank, the lower first.
@@ -206,14 +218,24 @@ impl ModelBuilder {
             return Err(ModelError::UnknownId { what: "material", index });
         }
         let mut model =
-            Model { bodies, materials, ranked, pairs, every_other_pair, fingerprint: 0 };
+            Model { bodies, materials, ranked, rank_of, pairs, every_other_pair, fingerprint: 0 };
         model.fingerprint = fingerprint(&model);
         Ok(model)
     }
 }
 
 fn check_body(body: &Body) -> Result<(), ModelError> {
-    let Mobility::Free { mass_kg, yaw_inertia_kgm2 } = body.mobility else { return Ok(()) };
+    let (mass_kg, yaw_inertia_kgm2) = match body.mobility {
+        Mobility::Fixed => return Ok(()),
+        Mobility::Free { mass_kg, yaw_inertia_kgm2 } => (mass_kg, yaw_inertia_kgm2),
+        Mobility::Massive { matrix } => {
+            let [[_, b, c], [d, _, e], [f, g, _]] = matrix;
+            if (b, c, e) != (d, f, g) || InverseMatrix::of(&matrix).is_none() {
+                return Err(ModelError::BadMatrix { body: body.name.clone() });
+            }
+            (matrix[0][0].max(matrix[1][1]), matrix[2][2])
+        }
+    };
     let check = |field, value: f64| {
         if value > 0.0 && value <= LARGEST_MASS {
             return Ok(());
@@ -271,17 +293,26 @@ fn rank(bodies: &[Body]) -> Result<(Vec<RankedBody>, Vec<u32>), ModelError> {
 
 impl RankedBody {
     fn new(id: BodyId, body: &Body) -> RankedBody {
-        let (inverse_mass, inverse_inertia) = match body.mobility {
-            Mobility::Fixed => (0.0, 0.0),
-            Mobility::Free { mass_kg, yaw_inertia_kgm2 } => (1.0 / mass_kg, 1.0 / yaw_inertia_kgm2),
+        let (mass_kg, yaw_inertia_kgm2, inverse) = match body.mobility {
+            Mobility::Fixed => (f64::INFINITY, f64::INFINITY, Some(InverseMatrix::default())),
+            Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
+                let inverse = InverseMatrix::isotropic(mass_kg, yaw_inertia_kgm2);
+                (mass_kg, yaw_inertia_kgm2, Some(inverse))
+            }
+            Mobility::Massive { matrix } => {
+                let lightest = matrix[0][0].min(matrix[1][1]);
+                (lightest, matrix[2][2], InverseMatrix::of(&matrix))
+            }
         };
+        let inverse = inverse.expect("checked with the body");
         RankedBody {
             id,
             pieces: body.outline.pieces().iter().map(|p| ConvexPolygon::new(p)).collect(),
             radius_m: body.outline.radius_m(),
             area_m2: body.outline.area_m2(),
-            inverse_mass,
-            inverse_inertia,
+            inverse_mass: 1.0 / mass_kg,
+            inverse_inertia: 1.0 / yaw_inertia_kgm2,
+            inverse,
         }
     }
 
@@ -343,6 +374,9 @@ fn fingerprint(model: &Model) -> u64 {
         hash.word(body.key);
         hash.word(ranked.inverse_mass.to_bits());
         hash.word(ranked.inverse_inertia.to_bits());
+        if let Mobility::Massive { matrix } = body.mobility {
+            matrix.iter().flatten().for_each(|m| hash.word(m.to_bits()));
+        }
         for v in body.outline.vertices() {
             hash.word(v.x.to_bits());
             hash.word(v.y.to_bits());

@@ -46,8 +46,16 @@ pub struct Contact {
     pub tangential_force_n: f64,
     /// Stick or slip.
     pub friction: Friction,
-    /// True where the impulse-momentum limiter cut the normal or the tangential force.
+    /// True where the limit from momentum cut the normal or the tangential force.
     pub limited: bool,
+    /// Largest N within the step, sub-steps included [N]; `normal_force_n` by the paper's method.
+    pub peak_normal_force_n: f64,
+    /// Largest δ within the step, sub-steps included [m]; `depth_m` by the paper's method.
+    pub peak_depth_m: f64,
+    /// Work of N on the two bodies within the step [J], where the engine moved them; else 0.
+    pub normal_work_j: f64,
+    /// Work of T on the two bodies within the step [J], where the engine moved them; else 0.
+    pub tangential_work_j: f64,
 }
 
 impl Contact {
@@ -101,4 +109,6 @@ pub enum EventKind {
     DeepOverlap,
     /// A body moved by more than its velocities explain: its contacts start afresh.
     Teleported,
+    /// The coupled solve of these bodies' contact did not settle within its bounded work.
+    NotConverged,
 }

@@ -8,7 +8,7 @@
 //! | 8 | Δt of the last step |
 //! | 4, 4, 4 | numbers of states, patches and hints |
 //! | 48 each | states, by rank |
-//! | 176 each | patches |
+//! | 192 each | patches |
 //! | 36 each | hints |
 //! | 8 | FNV-1a of all before |
 //!
@@ -29,7 +29,7 @@ pub const SNAPSHOT_VERSION: u32 = 1;
 
 const MAGIC: &[u8; 8] = b"fndrline";
 const STATE_BYTES: usize = 48;
-const PATCH_BYTES: usize = 176;
+const PATCH_BYTES: usize = 192;
 const HINT_BYTES: usize = 36;
 
 impl Memory {
@@ -116,15 +116,11 @@ fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
     let bodies = model.ranked.len();
     let ok = (memory.last_states.is_empty() || memory.last_states.len() == bodies)
         && memory.last_step_s >= 0.0
-        && memory.patches.windows(2).all(|w| patch_key(&w[0]) < patch_key(&w[1]))
+        && memory.patches.windows(2).all(|w| w[0].key() < w[1].key())
         && memory.patches.iter().all(|p| p.a < p.b && (p.b as usize) < bodies && p.area_m2 > 0.0)
         && memory.hints.windows(2).all(|w| w[0].key() < w[1].key())
         && memory.hints.iter().all(|h| h.a < h.b && (h.b as usize) < bodies);
     if ok { Ok(()) } else { Err(RestoreError::Content) }
-}
-
-fn patch_key(p: &PatchMemory) -> (u32, u32, u32) {
-    (p.a, p.b, p.patch)
 }
 
 struct Writer(Vec<u8>);
@@ -164,6 +160,7 @@ impl Writer {
         [p.area_m2, p.shear_m, p.v_normal_0_mps, p.v_tangential_0_mps]
             .into_iter()
             .for_each(|v| self.number(v));
+        [p.normal_force_n, p.tangential_force_n].into_iter().for_each(|v| self.number(v));
         [p.point_in_a_m, p.point_in_b_m, p.normal_in_a, p.normal_in_b]
             .into_iter()
             .for_each(|v| self.vector(v));
@@ -229,6 +226,8 @@ impl<'a> Reader<'a> {
             shear_m: self.number()?,
             v_normal_0_mps: self.number()?,
             v_tangential_0_mps: self.number()?,
+            normal_force_n: self.number()?,
+            tangential_force_n: self.number()?,
             point_in_a_m: self.vector()?,
             point_in_b_m: self.vector()?,
             normal_in_a: self.vector()?,

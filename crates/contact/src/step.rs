@@ -105,6 +105,7 @@ fn contact(
         tangential_force_n,
         friction: shear.friction,
         limited: normal_force_n < trial_n || tangential_force_n != shear.force_n,
+        peak_normal_force_n: normal_force_n,
         ..touch.contact(model, work, patch)
     };
     work.contacts.push(report);

@@ -86,6 +86,10 @@ impl Touch {
             tangential_force_n: 0.0,
             friction: Friction::Stick,
             limited: false,
+            peak_normal_force_n: 0.0,
+            peak_depth_m: self.depth_m,
+            normal_work_j: 0.0,
+            tangential_work_j: 0.0,
         }
     }
 

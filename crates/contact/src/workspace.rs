@@ -3,9 +3,12 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use crate::coupled::island::Island;
+use crate::coupled::rows::Row;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
-use crate::memory::{HintMemory, PatchMemory};
+use crate::mass::InverseMatrix;
+use crate::memory::{HintMemory, Memory, PatchMemory};
 use crate::model::{MaterialId, Model};
 use crate::overlap::{Patch, PieceLens};
 use crate::report::{Contact, Event, Wrench};
@@ -26,6 +29,8 @@ pub struct Workspace {
     pub(crate) headings_rad: Vec<f64>,
     /// Bodies that jumped, by rank.
     pub(crate) teleported: Vec<bool>,
+    /// How far from its centre of gravity each body may reach in this step, by rank [m].
+    pub(crate) reach_m: Vec<f64>,
     pub(crate) candidates: Vec<Candidate>,
     /// Order of the bodies along the x axis, warm from the last step.
     pub(crate) by_x: Vec<(f64, u32)>,
@@ -37,6 +42,30 @@ pub struct Workspace {
     pub(crate) clip: ClipBuffers,
     pub(crate) next_patches: Vec<PatchMemory>,
     pub(crate) next_hints: Vec<HintMemory>,
+    // What only the coupled method needs.
+    pub(crate) states_after: Vec<BodyState>,
+    /// Loads and contact impulses by rank.
+    pub(crate) loads: Vec<Wrench>,
+    pub(crate) impulses: Vec<Wrench>,
+    /// What acceleration and rotation may add to the speed of a body's points in this step [m/s].
+    pub(crate) room_mps: Vec<f64>,
+    pub(crate) all_candidates: Vec<Candidate>,
+    pub(crate) islands: Vec<Island>,
+    pub(crate) island_root: Vec<u32>,
+    pub(crate) in_island: Vec<bool>,
+    pub(crate) island_bodies: Vec<u32>,
+    pub(crate) island_memory: Memory,
+    pub(crate) all_patches: Vec<PatchMemory>,
+    pub(crate) all_hints: Vec<HintMemory>,
+    pub(crate) rows: Vec<Row>,
+    /// Earth-fixed inverse mass by rank, for the bodies of the island.
+    pub(crate) inverses: Vec<InverseMatrix>,
+    /// Velocities before the solve by rank, for the bodies of the island.
+    pub(crate) before: Vec<BodyState>,
+    /// Largest change of velocity in the solve's last sweep [m/s].
+    pub(crate) last_change_mps: f64,
+    /// First of the island's contacts in `contacts`.
+    pub(crate) first_contact: usize,
 }
 
 /// A pair of bodies near enough to touch.
@@ -60,6 +89,7 @@ impl Workspace {
             poses: Vec::with_capacity(count),
             headings_rad: Vec::with_capacity(count),
             teleported: Vec::with_capacity(count),
+            reach_m: Vec::with_capacity(count),
             candidates: Vec::new(),
             by_x: Vec::new(),
             patches: Vec::new(),
@@ -69,7 +99,31 @@ impl Workspace {
             clip: ClipBuffers::default(),
             next_patches: Vec::new(),
             next_hints: Vec::new(),
+            states_after: Vec::with_capacity(count),
+            loads: Vec::with_capacity(count),
+            impulses: Vec::with_capacity(count),
+            room_mps: Vec::with_capacity(count),
+            all_candidates: Vec::new(),
+            islands: Vec::new(),
+            island_root: Vec::new(),
+            in_island: Vec::new(),
+            island_bodies: Vec::new(),
+            island_memory: Memory::new(model),
+            all_patches: Vec::new(),
+            all_hints: Vec::new(),
+            rows: Vec::new(),
+            inverses: vec![InverseMatrix::default(); count],
+            before: vec![BodyState::default(); count],
+            last_change_mps: 0.0,
+            first_contact: 0,
         }
+    }
+
+    /// States at the end of the last step by [`crate::advance`], one a body: what a host that lets
+    /// the engine move its bodies goes on with.
+    #[must_use]
+    pub fn states_after(&self) -> &[BodyState] {
+        &self.states_after
     }
 
     /// Contacts of the last step, sorted by the bodies' keys and patch.

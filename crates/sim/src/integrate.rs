@@ -15,7 +15,7 @@ pub(crate) struct Rate {
 
 impl Rate {
     pub(crate) fn of(inertia: &Inertia, state: &BodyState, wrench: &Wrench) -> Rate {
-        let (acceleration_mps2, yaw_acceleration_radps2) = inertia.acceleration(wrench);
+        let (acceleration_mps2, yaw_acceleration_radps2) = inertia.acceleration(state, wrench);
         Rate {
             velocity_mps: state.velocity_mps,
             yaw_rate_radps: state.yaw_rate_radps,

@@ -41,19 +41,43 @@ pub(crate) fn add_contacts(
         let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
         let [one, two] = bodies.map(|body| mean[body]);
         let slip_mps = one.at(contact.arm_1_m) - two.at(contact.arm_2_m);
-        let work = match works.iter_mut().find(|w| w.bodies == bodies) {
-            Some(work) => work,
-            None => {
-                works.push(PairWork { bodies, ..PairWork::default() });
-                let last = works.len() - 1;
-                &mut works[last]
-            }
-        };
+        let work = work_of(works, contact);
         let normal_n = contact.normal_force_n;
         work.normal_impulse_ns += normal_n * seconds;
         work.normal_j -= normal_n * contact.normal.dot(slip_mps) * seconds;
         work.tangential_j += contact.tangential_force_n * contact.tangent().dot(slip_mps) * seconds;
     }
+}
+
+/// The same for the coupled method's mean forces. Where the engine moved the bodies it knows the work
+/// of each sub-step; where the host did, the mean forces act along the host's motion.
+pub(crate) fn add_means(
+    works: &mut Vec<PairWork>,
+    contacts: &[Contact],
+    mean: &[MeanVelocity],
+    step_s: f64,
+    engine_moved: bool,
+) {
+    if !engine_moved {
+        add_contacts(works, contacts, mean, step_s);
+        return;
+    }
+    for contact in contacts {
+        let work = work_of(works, contact);
+        work.normal_impulse_ns += contact.normal_force_n * step_s;
+        work.normal_j += contact.normal_work_j;
+        work.tangential_j += contact.tangential_work_j;
+    }
+}
+
+/// The entry of a contact's pair.
+fn work_of<'a>(works: &'a mut Vec<PairWork>, contact: &Contact) -> &'a mut PairWork {
+    let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
+    let index = works.iter().position(|w| w.bodies == bodies).unwrap_or_else(|| {
+        works.push(PairWork { bodies, ..PairWork::default() });
+        works.len() - 1
+    });
+    &mut works[index]
 }
 
 /// The ledger, step by step.

@@ -4,10 +4,11 @@ use fenderline_contact::{BodyState, Mobility, Vec2, Wrench, vec2};
 
 use crate::setup::{BodySetup, BodyVelocity, MassProperties, Method};
 
-/// How a body answers a wrench: inverse mass and inertia, zero for a fixed body.
+/// How a body answers a wrench: rigid body and added mass; nothing moves a fixed one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Inertia {
-    pub(crate) mass_kg: f64,
+    pub(crate) surge_kg: f64,
+    pub(crate) sway_kg: f64,
     pub(crate) yaw_kgm2: f64,
     pub(crate) fixed: bool,
 }
@@ -15,16 +16,23 @@ pub(crate) struct Inertia {
 impl Inertia {
     /// By the paper's method the mass is displacement plus the *smallest* added mass in the plane,
     /// in every direction (§3.1 of the paper), for the limiter and for the motion alike: else the
-    /// limiter's promise of γV⁰ would not be kept.
+    /// limiter's promise of γV⁰ would not be kept. The coupled method takes each as it is.
     pub(crate) fn of(mass: Option<&MassProperties>, method: Method) -> Inertia {
-        let Method::Paper = method;
-        match mass {
-            None => Inertia { mass_kg: 0.0, yaw_kgm2: 0.0, fixed: true },
-            Some(m) => Inertia {
-                mass_kg: m.mass_kg + m.added_surge_kg.min(m.added_sway_kg),
-                yaw_kgm2: m.yaw_inertia_kgm2 + m.added_yaw_kgm2,
-                fixed: false,
-            },
+        let Some(m) = mass else {
+            return Inertia { surge_kg: 0.0, sway_kg: 0.0, yaw_kgm2: 0.0, fixed: true };
+        };
+        let (added_surge_kg, added_sway_kg) = match method {
+            Method::Coupled => (m.added_surge_kg, m.added_sway_kg),
+            Method::Paper => {
+                let smallest_kg = m.added_surge_kg.min(m.added_sway_kg);
+                (smallest_kg, smallest_kg)
+            }
+        };
+        Inertia {
+            surge_kg: m.mass_kg + added_surge_kg,
+            sway_kg: m.mass_kg + added_sway_kg,
+            yaw_kgm2: m.yaw_inertia_kgm2 + m.added_yaw_kgm2,
+            fixed: false,
         }
     }
 
@@ -33,21 +41,59 @@ impl Inertia {
         if self.fixed {
             return Mobility::Fixed;
         }
-        Mobility::Free { mass_kg: self.mass_kg, yaw_inertia_kgm2: self.yaw_kgm2 }
+        if self.surge_kg == self.sway_kg {
+            return Mobility::Free { mass_kg: self.surge_kg, yaw_inertia_kgm2: self.yaw_kgm2 };
+        }
+        let matrix =
+            [[self.surge_kg, 0.0, 0.0], [0.0, self.sway_kg, 0.0], [0.0, 0.0, self.yaw_kgm2]];
+        Mobility::Massive { matrix }
+    }
+
+    /// The wrench that turns with the body's momentum: M v̇ = F + this, in earth-fixed axes, for a
+    /// mass that differs between surge and sway. With Δ = sway − surge, in the body's axes:
+    /// Δ (r v, r u, −u v), the Coriolis and centripetal terms of the added mass (Munk's moment among
+    /// them); nothing where the mass is the same in all directions.
+    pub(crate) fn momentum_wrench(&self, state: &BodyState) -> Wrench {
+        let difference_kg = self.sway_kg - self.surge_kg;
+        if difference_kg == 0.0 {
+            return Wrench::default();
+        }
+        let rotation = state.pose().rotation;
+        let uv = rotation.apply_inverse(state.velocity_mps);
+        let r = state.yaw_rate_radps;
+        Wrench {
+            force_n: rotation.apply(vec2(r * uv.y, r * uv.x) * difference_kg),
+            moment_nm: -difference_kg * uv.x * uv.y,
+        }
     }
 
     /// Earth-fixed acceleration under a wrench about the centre of gravity [m/s², rad/s²].
-    pub(crate) fn acceleration(&self, wrench: &Wrench) -> (Vec2, f64) {
+    pub(crate) fn acceleration(&self, state: &BodyState, wrench: &Wrench) -> (Vec2, f64) {
         if self.fixed {
             return (Vec2::ZERO, 0.0);
         }
-        (wrench.force_n * (1.0 / self.mass_kg), wrench.moment_nm / self.yaw_kgm2)
+        if self.surge_kg == self.sway_kg {
+            let inverse = 1.0 / self.surge_kg;
+            return (wrench.force_n * inverse, wrench.moment_nm / self.yaw_kgm2);
+        }
+        let turning = self.momentum_wrench(state);
+        let rotation = state.pose().rotation;
+        let own = rotation.apply_inverse(wrench.force_n + turning.force_n);
+        (
+            rotation.apply(vec2(own.x / self.surge_kg, own.y / self.sway_kg)),
+            (wrench.moment_nm + turning.moment_nm) / self.yaw_kgm2,
+        )
     }
 
     /// Kinetic energy [J].
     pub(crate) fn kinetic_j(&self, state: &BodyState) -> f64 {
-        0.5 * (self.mass_kg * state.velocity_mps.length_squared()
-            + self.yaw_kgm2 * state.yaw_rate_radps * state.yaw_rate_radps)
+        let translation_j = if self.surge_kg == self.sway_kg {
+            self.surge_kg * state.velocity_mps.length_squared()
+        } else {
+            let uv = state.pose().rotation.apply_inverse(state.velocity_mps);
+            self.surge_kg * uv.x * uv.x + self.sway_kg * uv.y * uv.y
+        };
+        0.5 * (translation_j + self.yaw_kgm2 * state.yaw_rate_radps * state.yaw_rate_radps)
     }
 }
 

@@ -39,6 +39,9 @@ pub enum Integrator {
 /// Which contact method limits the forces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
+    /// One solve for all contacts of a step with the loads in it, in sub-steps where needed; the full
+    /// mass matrix of each body.
+    Coupled,
     /// The paper's: each pair limited by itself (eq. 9–26), masses with the smallest added mass.
     Paper,
 }

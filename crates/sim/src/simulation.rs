@@ -8,10 +8,10 @@ use fenderline_contact::{
 use crate::error::{SetupError, SimError};
 use crate::gather::{gather, gather_loads};
 use crate::integrate::{Rate, euler, semi_implicit};
-use crate::ledger::{Ledger, MeanVelocity, add_contacts};
+use crate::ledger::{Ledger, MeanVelocity, add_contacts, add_means};
 use crate::record::{Energy, PairWork, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
-use crate::setup::{BodySetup, Integrator, Load, Setup};
+use crate::setup::{BodySetup, Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
 
 /// Weights of the four stages of classical Runge–Kutta.
@@ -158,13 +158,15 @@ impl Simulation {
             self.buffers.backup.copy_from(&self.memory);
         }
         // Stages 1–5: the contact engine.
-        contact::step(&self.model, &mut self.memory, &mut self.work, &self.states, step_s)
-            .map_err(|cause| SimError { t_s, cause })?;
-        // Stage 6: everything that acts on each body.
         gather_loads(&self.setup.loads, t_s, step_s, &mut self.buffers.loads);
-        // Stage 7: the next states.
+        self.contact().map_err(|cause| SimError { t_s, cause })?;
+        // Stages 6 and 7: everything that acts on each body, and the next states.
         self.buffers.before.clone_from(&self.states);
         match self.setup.integrator {
+            Integrator::SemiImplicit if self.setup.method == Method::Coupled => {
+                // The engine has moved the bodies itself, in its sub-steps.
+                self.states.clone_from_slice(self.work.states_after());
+            }
             Integrator::Euler => self.one_stage(euler),
             Integrator::SemiImplicit => self.one_stage(semi_implicit),
             Integrator::Rk4 => {
@@ -192,6 +194,27 @@ impl Simulation {
         Ok(record)
     }
 
+    /// Contact forces of this step by the method of the set-up.
+    fn contact(&mut self) -> Result<(), contact::StepError> {
+        let step_s = self.setup.step_s;
+        match self.setup.method {
+            Method::Paper => {
+                let (memory, work) = (&mut self.memory, &mut self.work);
+                contact::step(&self.model, memory, work, &self.states, step_s)
+            }
+            Method::Coupled => {
+                let Buffers { loads, sums, .. } = &mut self.buffers;
+                for (body, sum) in sums.iter_mut().enumerate() {
+                    let turning = self.inertias[body].momentum_wrench(&self.states[body]);
+                    sum.force_n = loads[body].force_n + turning.force_n;
+                    sum.moment_nm = loads[body].moment_nm + turning.moment_nm;
+                }
+                let (memory, work) = (&mut self.memory, &mut self.work);
+                contact::advance(&self.model, memory, work, &self.states, sums, step_s)
+            }
+        }
+    }
+
     /// Forward and semi-implicit Euler.
     fn one_stage(&mut self, advance: fn(&BodyState, &Rate, f64) -> BodyState) {
         let Buffers { loads, sums, .. } = &mut self.buffers;
@@ -217,11 +240,17 @@ impl Simulation {
             for (body, state) in self.states.iter().enumerate() {
                 buffers.trial[body] = euler(state, &buffers.rates[stage - 1][body], elapsed_s);
             }
+            let rates = &mut buffers.rates[stage];
+            if self.setup.method == Method::Coupled {
+                // The mean wrench of the whole step, found with the loads of the step.
+                let contact = self.work.wrenches();
+                rates_of(&self.inertias, &buffers.trial, &buffers.loads, contact, rates);
+                continue;
+            }
             buffers.probe.copy_from(&self.memory);
             buffers.probe.set_elapsed(elapsed_s);
             let (probe, work) = (&mut buffers.probe, &mut buffers.probe_work);
             contact::step(&self.model, probe, work, &buffers.trial, step_s)?;
-            let rates = &mut buffers.rates[stage];
             rates_of(&self.inertias, &buffers.trial, &buffers.loads, work.wrenches(), rates);
             buffers.stage_contacts[stage - 1].clear();
             buffers.stage_contacts[stage - 1].extend_from_slice(work.contacts());
@@ -243,7 +272,16 @@ impl Simulation {
             *mean = MeanVelocity::of(before, after);
         }
         buffers.works.clear();
-        if self.setup.integrator == Integrator::Rk4 {
+        if self.setup.method == Method::Coupled {
+            let engine_moved = self.setup.integrator == Integrator::SemiImplicit;
+            add_means(
+                &mut buffers.works,
+                self.work.contacts(),
+                &buffers.mean,
+                step_s,
+                engine_moved,
+            );
+        } else if self.setup.integrator == Integrator::Rk4 {
             let [one, later @ ..] = RUNGE_KUTTA;
             let contacts = self.work.contacts();
             add_contacts(&mut buffers.works, contacts, &buffers.mean, one * step_s);

@@ -13,7 +13,7 @@ pub struct PairSummary {
     pub first_touch_s: f64,
     /// Start of the last step in which they touched [s].
     pub last_touch_s: f64,
-    /// Largest sum over the patches of N [N].
+    /// Largest sum over the patches of their peak N [N], sub-steps included.
     pub peak_normal_force_n: f64,
     /// When [s].
     pub peak_normal_force_at_s: f64,
@@ -97,14 +97,14 @@ fn same_pair(a: &Contact, b: &Contact) -> bool {
 fn book_touch(pair: &mut PairSummary, own: &[Contact], record: &StepRecord<'_>) {
     pair.last_touch_s = record.t_s;
     pair.touching_at_end = true;
-    let force_n: f64 = own.iter().map(|c| c.normal_force_n).sum();
+    let force_n: f64 = own.iter().map(|c| c.peak_normal_force_n).sum();
     if force_n > pair.peak_normal_force_n {
         pair.peak_normal_force_n = force_n;
         pair.peak_normal_force_at_s = record.t_s;
     }
     for contact in own {
-        if contact.depth_m > pair.peak_depth_m {
-            pair.peak_depth_m = contact.depth_m;
+        if contact.peak_depth_m > pair.peak_depth_m {
+            pair.peak_depth_m = contact.peak_depth_m;
             pair.peak_depth_at_s = record.t_s;
         }
     }

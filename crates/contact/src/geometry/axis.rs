@@ -39,8 +39,7 @@ struct EdgeGap {
 
 /// The edge of `p` with the largest gap to `q`, both closed rings.
 fn best_edge(p: &[Vec2], q: &[Vec2]) -> EdgeGap {
-    let mut best =
-        EdgeGap { gap_m: f64::NEG_INFINITY, edge: 0, support: 0, outward: Vec2::ZERO };
+    let mut best = EdgeGap { gap_m: f64::NEG_INFINITY, edge: 0, support: 0, outward: Vec2::ZERO };
     let mut support = None;
     for edge in 0..p.len() - 1 {
         let along = p[edge + 1] - p[edge];

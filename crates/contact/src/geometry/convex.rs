@@ -116,15 +116,16 @@ fn without_straight_vertices(vertices: &[Vec2]) -> Vec<Vec2> {
 /// Shoelace about the first vertex [m²].
 pub(crate) fn signed_area(vertices: &[Vec2]) -> f64 {
     let origin = vertices[0];
-    let twice: f64 =
-        vertices[1..].windows(2).map(|w| (w[0] - origin).cross(w[1] - origin)).sum();
+    let twice: f64 = vertices[1..].windows(2).map(|w| (w[0] - origin).cross(w[1] - origin)).sum();
     0.5 * twice
 }
 
 fn bounds(vertices: &[Vec2]) -> (Vec2, Vec2) {
     vertices.iter().fold(
         (vec2(f64::INFINITY, f64::INFINITY), vec2(f64::NEG_INFINITY, f64::NEG_INFINITY)),
-        |(low, high), v| (vec2(low.x.min(v.x), low.y.min(v.y)), vec2(high.x.max(v.x), high.y.max(v.y))),
+        |(low, high), v| {
+            (vec2(low.x.min(v.x), low.y.min(v.y)), vec2(high.x.max(v.x), high.y.max(v.y)))
+        },
     )
 }
 

@@ -6,6 +6,7 @@
 pub(crate) mod axis;
 pub(crate) mod clip;
 pub(crate) mod convex;
+pub(crate) mod gap;
 pub(crate) mod halfplanes;
 pub(crate) mod lens;
 pub(crate) mod warm;

@@ -1,0 +1,195 @@
+//! The coupled method: one solve for all contacts of a step, with the external loads in it, in
+//! sub-steps where the step is too long for the contact.
+//!
+//! What it mends in the paper's method: limits of several contacts that add up, loads that the
+//! limiter does not know and that creep through it, and steps longer than the contact itself.
+//!
+//! One sub-step of length h of an island (bodies that may touch each other, however indirectly):
+//!
+//! 1. overlap and kinematics, as in the paper's method ([`rows`]);
+//! 2. v_free = v + h M⁻¹ W, with M the full mass matrix and W all but the contact forces;
+//! 3. N and T of all contacts together ([`solve`]);
+//! 4. positions with the new velocities.
+
+pub(crate) mod island;
+pub(crate) mod pace;
+pub(crate) mod rows;
+pub(crate) mod solve;
+
+use crate::admit;
+use crate::broad;
+use crate::error::StepError;
+use crate::inherit::inherit_all;
+use crate::memory::Memory;
+use crate::model::Model;
+use crate::overlap::overlap;
+use crate::report::Wrench;
+use crate::state::BodyState;
+use crate::vec2::{Rotation, Vec2};
+use crate::workspace::Workspace;
+
+/// Contact forces for the step of `step_s` seconds that begins at `states`, by the coupled method,
+/// and the states at its end. `states` and `loads` are in the order in which bodies were added;
+/// `loads` is all that acts on each body in this step except contact, about its centre of gravity:
+/// hull forces, wind, lines, and the Coriolis and centripetal terms where the host has them.
+///
+/// Results are in `work`: [`Workspace::wrenches`] has the *mean* contact wrench over the step, what
+/// a host that integrates by itself adds to its forces; [`Workspace::states_after`] the states that
+/// the engine came to, for hosts that let it; [`Workspace::contacts`] mean forces and true peaks.
+///
+/// # Errors
+/// As [`crate::step`].
+pub fn advance(
+    model: &Model,
+    memory: &mut Memory,
+    work: &mut Workspace,
+    states: &[BodyState],
+    loads: &[Wrench],
+    step_s: f64,
+) -> Result<(), StepError> {
+    admit::admit(model, memory, states, step_s)?;
+    admit::admit_loads(model, loads)?;
+    work.events.clear();
+    work.contacts.clear();
+    admit::place(model, memory, work, states);
+    take_loads(model, work, loads, step_s);
+    broad::pair(model, work);
+    island::split(model, work);
+    work.all_patches.clear();
+    work.all_hints.clear();
+    for index in 0..work.islands.len() {
+        island::enter(memory, work, index);
+        advance_island(model, work, step_s);
+        island::leave(model, work);
+    }
+    drift_apart(model, work, step_s);
+    report(model, work, step_s);
+    remember(memory, work, step_s, model, states);
+    Ok(())
+}
+
+/// All sub-steps of the island in `work`.
+fn advance_island(model: &Model, work: &mut Workspace, step_s: f64) {
+    let mut memory = core::mem::replace(&mut work.island_memory, Memory::new(model));
+    overlap(model, &memory, work);
+    let sub_steps = pace::sub_steps(model, work, step_s);
+    let h = step_s / f64::from(sub_steps);
+    for sub_step in 0..sub_steps {
+        if sub_step > 0 {
+            overlap(model, &memory, work);
+        }
+        inherit_all(model, &memory, work);
+        rows::collect(model, work, &memory, h);
+        solve::velocities(model, work, h);
+        rows::book(model, work, h);
+        advance_positions(work, h);
+        core::mem::swap(&mut memory.patches, &mut work.next_patches);
+        core::mem::swap(&mut memory.hints, &mut work.next_hints);
+        memory.last_step_s = h;
+    }
+    work.island_memory = memory;
+}
+
+/// Loads by rank, the room each body may need in the step, and no impulse yet.
+fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
+    work.loads.clear();
+    work.impulses.clear();
+    work.room_mps.clear();
+    for (rank, body) in model.ranked.iter().enumerate() {
+        let load = if body.is_fixed() { Wrench::default() } else { loads[body.id.0 as usize] };
+        work.loads.push(load);
+        work.impulses.push(Wrench::default());
+        let inverse = body.inverse.turned(work.poses[rank].rotation);
+        let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
+        let turn_radps = work.states[rank].yaw_rate_radps.abs() + dr.abs();
+        let room_mps = dv.length() + turn_radps * body.radius_m;
+        work.room_mps.push(room_mps);
+        let speed_mps = work.states[rank].velocity_mps.length();
+        work.reach_m[rank] += (speed_mps + room_mps) * step_s;
+    }
+}
+
+/// Positions with the new velocities.
+fn advance_positions(work: &mut Workspace, h: f64) {
+    for &rank in &work.island_bodies {
+        let rank = rank as usize;
+        move_body(&mut work.states[rank], h);
+        let state = work.states[rank];
+        work.poses[rank].position_m = state.position_m;
+        if state.yaw_rate_radps != 0.0 {
+            work.headings_rad[rank] = state.heading_rad;
+            work.poses[rank].rotation = Rotation::from_angle(state.heading_rad);
+        }
+        work.teleported[rank] = false;
+    }
+}
+
+fn move_body(state: &mut BodyState, h: f64) {
+    state.position_m += state.velocity_mps * h;
+    state.heading_rad += state.yaw_rate_radps * h;
+}
+
+/// Bodies that nothing is near: one step by their loads.
+fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
+    for (rank, body) in model.ranked.iter().enumerate() {
+        if body.is_fixed() || work.in_island[rank] {
+            continue;
+        }
+        let load = work.loads[rank];
+        let inverse = body.inverse.turned(work.poses[rank].rotation);
+        let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
+        work.states[rank].velocity_mps += dv;
+        work.states[rank].yaw_rate_radps += dr;
+        move_body(&mut work.states[rank], step_s);
+    }
+}
+
+/// Mean forces and wrenches over the step, in the order of the keys.
+fn report(model: &Model, work: &mut Workspace, step_s: f64) {
+    let share = 1.0 / step_s;
+    let key = |c: &crate::report::Contact| {
+        let [one, two] = [c.body_1, c.body_2].map(|id| model.rank_of[id.0 as usize]);
+        (one.min(two), one.max(two), c.patch)
+    };
+    if !work.contacts.is_sorted_by_key(key) {
+        work.contacts.sort_unstable_by_key(key);
+    }
+    for contact in &mut work.contacts {
+        contact.normal_force_n *= share;
+        contact.tangential_force_n *= share;
+    }
+    work.wrenches.resize(model.bodies().len(), Wrench::default());
+    work.states_after.resize(model.bodies().len(), BodyState::default());
+    for (rank, body) in model.ranked.iter().enumerate() {
+        let impulse = work.impulses[rank];
+        let id = body.id.0 as usize;
+        work.wrenches[id] =
+            Wrench { force_n: impulse.force_n * share, moment_nm: impulse.moment_nm * share };
+        work.states_after[id] = work.states[rank];
+    }
+}
+
+/// The step is done: what it found becomes the memory of the next.
+fn remember(
+    memory: &mut Memory,
+    work: &mut Workspace,
+    step_s: f64,
+    model: &Model,
+    states: &[BodyState],
+) {
+    if !work.all_patches.is_sorted_by_key(crate::memory::PatchMemory::key) {
+        work.all_patches.sort_unstable_by_key(crate::memory::PatchMemory::key);
+        work.all_hints.sort_unstable_by_key(crate::memory::HintMemory::key);
+    }
+    core::mem::swap(&mut memory.patches, &mut work.all_patches);
+    core::mem::swap(&mut memory.hints, &mut work.all_hints);
+    memory.last_states.clear();
+    memory.last_states.extend(model.ranked.iter().map(|body| states[body.id.0 as usize]));
+    memory.last_step_s = step_s;
+}
+
+/// Velocity of a body's point at `arm_m` from its centre of gravity [m/s].
+#[inline]
+pub(crate) fn point_velocity(state: &BodyState, arm_m: Vec2) -> Vec2 {
+    state.velocity_mps + arm_m.spun_by(state.yaw_rate_radps)
+}

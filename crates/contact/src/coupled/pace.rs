@@ -1,0 +1,73 @@
+//! How many sub-steps an island needs in a step.
+
+use crate::geometry::clip::Hint;
+use crate::geometry::gap::gap_m;
+use crate::memory::HintMemory;
+use crate::model::{Model, RankedBody};
+use crate::workspace::{Candidate, Workspace};
+
+/// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
+/// costs at most (ωh)²/2 of the depth: 2 % here, and less as the bounds on ω below are wide.
+const TURN_PER_SUB_STEP: f64 = 0.2;
+
+/// Largest share of the thinner body's half-width that the two may close in a sub-step.
+const TRAVEL_PER_SUB_STEP: f64 = 0.5;
+
+/// Most sub-steps of a step: bounded work, whatever the host asks for.
+pub(crate) const MOST_SUB_STEPS: u32 = 4096;
+
+/// Number of sub-steps for the island in `work`, after the overlap of its first.
+pub(crate) fn sub_steps(model: &Model, work: &Workspace, step_s: f64) -> u32 {
+    let mut rate_squared = 0.0;
+    let mut travel = 0.0_f64;
+    for candidate in &work.candidates {
+        if !may_touch(model, work, candidate, step_s) {
+            continue;
+        }
+        let a = &model.ranked[candidate.a as usize];
+        let b = &model.ranked[candidate.b as usize];
+        let material = &model.materials()[candidate.material.0 as usize];
+        // The chord is at most as long as the smaller body; twice the inverse masses allow for
+        // the rotation of a contact off the centre.
+        let chord_m = 2.0 * a.radius_m.min(b.radius_m);
+        let inverse_mass = 2.0 * (a.inverse.lightest() + b.inverse.lightest());
+        let damping_rate = material.damping_nspm2 * chord_m * inverse_mass;
+        rate_squared +=
+            material.stiffness_npm2 * chord_m * inverse_mass + damping_rate * damping_rate;
+        let closing_m = closing_mps(work, candidate) * step_s;
+        travel =
+            travel.max(closing_m / (TRAVEL_PER_SUB_STEP * half_width_m(a).min(half_width_m(b))));
+    }
+    let needed = (libm::sqrt(rate_squared) * step_s / TURN_PER_SUB_STEP).max(travel);
+    libm::ceil(needed.clamp(1.0, f64::from(MOST_SUB_STEPS))) as u32
+}
+
+/// A convex body's area is about its length times its width.
+fn half_width_m(body: &RankedBody) -> f64 {
+    0.25 * body.area_m2 / body.radius_m
+}
+
+/// Could the pair touch in this step? By the gaps between its pieces.
+fn may_touch(model: &Model, work: &Workspace, candidate: &Candidate, step_s: f64) -> bool {
+    let (a, b) = (candidate.a as usize, candidate.b as usize);
+    let b_in_a = work.poses[a].to(work.poses[b]);
+    let reach_m = closing_mps(work, candidate) * step_s;
+    let (pieces_a, pieces_b) = (&model.ranked[a].pieces, &model.ranked[b].pieces);
+    (0u32..).zip(pieces_a).any(|(piece_a, shape_a)| {
+        (0u32..).zip(pieces_b).any(|(piece_b, shape_b)| {
+            let key = (candidate.a, candidate.b, piece_a, piece_b);
+            let hint = match work.next_hints.binary_search_by_key(&key, HintMemory::key) {
+                Ok(index) => work.next_hints[index].hint,
+                Err(_) => Hint::None,
+            };
+            gap_m(shape_a, shape_b, b_in_a, hint) <= reach_m
+        })
+    })
+}
+
+/// A bound on how fast any two points of the pair approach each other in this step [m/s].
+fn closing_mps(work: &Workspace, candidate: &Candidate) -> f64 {
+    let (a, b) = (candidate.a as usize, candidate.b as usize);
+    let apart = (work.states[a].velocity_mps - work.states[b].velocity_mps).length();
+    apart + work.room_mps[a] + work.room_mps[b]
+}

@@ -1,0 +1,181 @@
+//! The contacts of one sub-step: what the solve needs of each, and what is booked afterwards.
+
+use crate::events::tell_of_patch;
+use crate::inherit::Inherited;
+use crate::law::normal::normal_force_n;
+use crate::memory::{Memory, PatchMemory};
+use crate::model::{Material, Model};
+use crate::overlap::Patch;
+use crate::report::{Contact, Friction};
+use crate::touch::{Touch, touch};
+use crate::vec2::Vec2;
+use crate::workspace::Workspace;
+
+/// One contact of the solve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Row {
+    /// Ranks.
+    pub(crate) a: u32,
+    pub(crate) b: u32,
+    pub(crate) touch: Touch,
+    pub(crate) tangent: Vec2,
+    /// f, the normal law's force: N lies between 0 and it [N].
+    pub(crate) law_n: f64,
+    /// γ v_ref: V_n⁺ may not fall below its negative [m/s].
+    pub(crate) rebound_mps: f64,
+    /// n·K n and t·K t [1/kg].
+    pub(crate) inverse_normal: f64,
+    pub(crate) inverse_tangential: f64,
+    pub(crate) shear_stiffness_npm: f64,
+    pub(crate) friction_static: f64,
+    pub(crate) friction_dynamic: f64,
+    /// N and T, from the last sub-step and then from the solve [N].
+    pub(crate) normal_n: f64,
+    pub(crate) tangential_n: f64,
+    pub(crate) friction: Friction,
+}
+
+/// Laws and effective masses of every patch in `work`, in `work.rows`, and the inverse masses of the
+/// island's bodies as they are turned now.
+pub(crate) fn collect(model: &Model, work: &mut Workspace, memory: &Memory, h: f64) {
+    for &rank in &work.island_bodies {
+        let rank = rank as usize;
+        work.inverses[rank] = model.ranked[rank].inverse.turned(work.poses[rank].rotation);
+    }
+    work.rows.clear();
+    work.next_patches.clear();
+    let elapsed_s = if memory.last_step_s > 0.0 { memory.last_step_s } else { h };
+    for index in 0..work.patches.len() {
+        let (patch, inherited) = (work.patches[index], work.inherited[index]);
+        collect_one(model, work, &patch, &inherited, elapsed_s);
+    }
+}
+
+fn collect_one(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    inherited: &Inherited,
+    elapsed_s: f64,
+) {
+    let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
+    let old = inherited.memory();
+    let touch = touch(model, work, patch, old);
+    let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
+    let law_n = normal_force_n(material, patch.area_m2, area_before_m2, elapsed_s);
+    let (v_ref_mps, approaching) = reference_speed(touch.v_normal_mps, old);
+    let tangent = touch.normal.quarter_turn();
+    let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
+    let inverse_along = |along: Vec2| {
+        [(a, touch.arm_a_m), (b, touch.arm_b_m)]
+            .map(|(rank, arm)| {
+                let lever = arm.cross(along);
+                let (dv, dr) = work.inverses[rank].response(along, lever);
+                dv.dot(along) + dr * lever
+            })
+            .iter()
+            .sum::<f64>()
+    };
+    let row = Row {
+        a: patch.candidate.a,
+        b: patch.candidate.b,
+        tangent,
+        law_n,
+        rebound_mps: material.restitution * v_ref_mps,
+        inverse_normal: inverse_along(touch.normal),
+        inverse_tangential: inverse_along(tangent),
+        shear_stiffness_npm: material.shear_stiffness_npm,
+        friction_static: material.friction_static,
+        friction_dynamic: material.friction_dynamic,
+        normal_n: old.map_or(law_n, |m| m.normal_force_n).min(law_n),
+        tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
+        friction: Friction::Stick,
+        touch,
+    };
+    work.rows.push(row);
+    let flags = tell_of_patch(model, work, patch, inherited)
+        | (u32::from(approaching) * PatchMemory::APPROACHING);
+    work.next_patches.push(PatchMemory { flags, v_normal_0_mps: v_ref_mps, ..touch.memory(patch) });
+}
+
+/// v_ref: the largest speed of approach since V_n last changed sign, and whether it approaches. The
+/// speed at first touch, kept for ever, would not let a ship that starts at rest settle to her
+/// static depth.
+fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) {
+    let approaching = v_normal_mps > 0.0;
+    let before = old.map_or(0.0, |m| m.v_normal_0_mps);
+    let went_on = old.is_some_and(|m| m.flags & PatchMemory::APPROACHING != 0);
+    let v_ref_mps = match (approaching, went_on) {
+        (true, true) => before.max(v_normal_mps),
+        (true, false) => v_normal_mps,
+        (false, _) => before,
+    };
+    (v_ref_mps, approaching)
+}
+
+/// Books impulses, work and peaks of a solved sub-step, and completes its memory.
+pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
+    for index in 0..work.rows.len() {
+        let row = work.rows[index];
+        let (a, b) = (row.a as usize, row.b as usize);
+        let touch = &row.touch;
+        let impulse = (touch.normal * -row.normal_n + row.tangent * row.tangential_n) * h;
+        work.impulses[a].force_n += impulse;
+        work.impulses[a].moment_nm += touch.arm_a_m.cross(impulse);
+        work.impulses[b].force_n -= impulse;
+        work.impulses[b].moment_nm -= touch.arm_b_m.cross(impulse);
+
+        let shear_m = shear_after(&row);
+        let memory = &mut work.next_patches[index];
+        memory.shear_m = shear_m;
+        memory.normal_force_n = row.normal_n;
+        memory.tangential_force_n = row.tangential_n;
+
+        let slip_mps =
+            mean_velocity(work, a, touch.arm_a_m) - mean_velocity(work, b, touch.arm_b_m);
+        let patch = work.patches[index];
+        let fresh = touch.contact(model, work, &patch);
+        let entry = entry_of(work, fresh);
+        let contact = &mut work.contacts[entry];
+        contact.normal_force_n += row.normal_n * h;
+        contact.tangential_force_n += row.tangential_n * h;
+        contact.peak_normal_force_n = contact.peak_normal_force_n.max(row.normal_n);
+        contact.peak_depth_m = contact.peak_depth_m.max(touch.depth_m);
+        contact.normal_work_j -= row.normal_n * touch.normal.dot(slip_mps) * h;
+        contact.tangential_work_j += row.tangential_n * row.tangent.dot(slip_mps) * h;
+        contact.shear_m = shear_m;
+        contact.limited |= row.normal_n < row.law_n;
+        if row.friction == Friction::Slip {
+            contact.friction = Friction::Slip;
+        }
+    }
+}
+
+/// Δs that goes on: as it is while it sticks, what the sliding force shears while it slips.
+fn shear_after(row: &Row) -> f64 {
+    match row.friction {
+        Friction::Stick => row.touch.shear_m,
+        Friction::Slip => -row.tangential_n / row.shear_stiffness_npm,
+    }
+}
+
+/// Mean over the sub-step of the velocity of a body's point [m/s].
+fn mean_velocity(work: &Workspace, rank: usize, arm_m: Vec2) -> Vec2 {
+    let before = super::point_velocity(&work.before[rank], arm_m);
+    let after = super::point_velocity(&work.states[rank], arm_m);
+    (before + after) * 0.5
+}
+
+/// The step's report of this patch: that of an earlier sub-step, or a new one.
+fn entry_of(work: &mut Workspace, fresh: Contact) -> usize {
+    let same =
+        |c: &Contact| (c.body_1, c.body_2, c.patch) == (fresh.body_1, fresh.body_2, fresh.patch);
+    let from = work.first_contact;
+    match work.contacts[from..].iter().position(same) {
+        Some(index) => from + index,
+        None => {
+            work.contacts.push(fresh);
+            work.contacts.len() - 1
+        }
+    }
+}

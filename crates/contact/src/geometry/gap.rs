@@ -1,0 +1,28 @@
+//! How far apart two polygons are at least.
+
+use super::clip::Hint;
+use super::convex::{ConvexPolygon, Placed};
+use crate::vec2::Pose;
+
+/// A bound from below on the gap between two polygons that the last clip found apart, from what it
+/// left as a hint; 0 where they are not known to be apart [m].
+pub(crate) fn gap_m(a: &ConvexPolygon, b: &ConvexPolygon, b_in_a: Pose, hint: Hint) -> f64 {
+    let placed = Placed { polygon: b, pose: b_in_a };
+    match hint {
+        Hint::Lens(_) => 0.0,
+        Hint::None => {
+            let apart = b_in_a.apply(b.center_m()) - a.center_m();
+            (apart.length() - a.radius_m() - b.radius_m()).max(0.0)
+        }
+        Hint::Apart { on_a, edge, support } => {
+            let (edge, support) = (edge as usize, support as usize);
+            let (start, end, nearest) = if on_a {
+                (a.closed()[edge], a.closed()[edge + 1], placed.vertex(support))
+            } else {
+                (placed.vertex(edge), placed.vertex(edge + 1), a.closed()[support])
+            };
+            let along = end - start;
+            (-along.cross(nearest - start) / along.length()).max(0.0)
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! The full mass matrix of a body in the plane, and its inverse.
+
+use crate::vec2::{Rotation, Vec2, vec2};
+
+/// Inverse of a symmetric 3×3 mass matrix over surge, sway and yaw [1/kg, 1/(kg·m), 1/(kg·m²)].
+/// All zero for a fixed body: work with inverses, never with infinities.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct InverseMatrix {
+    xx: f64,
+    xy: f64,
+    yy: f64,
+    xr: f64,
+    yr: f64,
+    rr: f64,
+}
+
+impl InverseMatrix {
+    /// Of the same mass in all directions.
+    pub(crate) fn isotropic(mass_kg: f64, yaw_inertia_kgm2: f64) -> InverseMatrix {
+        let inverse = 1.0 / mass_kg;
+        InverseMatrix { xx: inverse, yy: inverse, rr: 1.0 / yaw_inertia_kgm2, ..Self::default() }
+    }
+
+    /// Of a symmetric matrix; `None` where it is not positive definite.
+    pub(crate) fn of(m: &[[f64; 3]; 3]) -> Option<InverseMatrix> {
+        let [[a, b, c], [_, d, e], [_, _, f]] = *m;
+        let (minor_xx, minor_xy, minor_xr) = (d * f - e * e, c * e - b * f, b * e - c * d);
+        let determinant = a * minor_xx + b * minor_xy + c * minor_xr;
+        // Sylvester's criterion.
+        if !(a > 0.0 && a * d - b * b > 0.0 && determinant > 0.0 && determinant.is_finite()) {
+            return None;
+        }
+        let scale = 1.0 / determinant;
+        Some(InverseMatrix {
+            xx: minor_xx * scale,
+            xy: minor_xy * scale,
+            xr: minor_xr * scale,
+            yy: (a * f - c * c) * scale,
+            yr: (b * c - a * e) * scale,
+            rr: (a * d - b * b) * scale,
+        })
+    }
+
+    /// The same in earth-fixed axes, for a body turned by `rotation`.
+    #[inline]
+    pub(crate) fn turned(&self, rotation: Rotation) -> InverseMatrix {
+        let Rotation { cos, sin } = rotation;
+        let (cc, ss, cs) = (cos * cos, sin * sin, cos * sin);
+        InverseMatrix {
+            xx: cc * self.xx - 2.0 * cs * self.xy + ss * self.yy,
+            yy: ss * self.xx + 2.0 * cs * self.xy + cc * self.yy,
+            xy: cs * (self.xx - self.yy) + (cc - ss) * self.xy,
+            xr: cos * self.xr - sin * self.yr,
+            yr: sin * self.xr + cos * self.yr,
+            rr: self.rr,
+        }
+    }
+
+    /// Change of velocity and yaw rate by an impulse and its moment.
+    #[inline]
+    pub(crate) fn response(&self, impulse: Vec2, moment: f64) -> (Vec2, f64) {
+        (
+            vec2(
+                self.xx * impulse.x + self.xy * impulse.y + self.xr * moment,
+                self.xy * impulse.x + self.yy * impulse.y + self.yr * moment,
+            ),
+            self.xr * impulse.x + self.yr * impulse.y + self.rr * moment,
+        )
+    }
+
+    /// The largest inverse mass in any direction, without rotation [1/kg].
+    pub(crate) fn lightest(&self) -> f64 {
+        // The larger eigenvalue of the translational block.
+        let (mean, half) = (0.5 * (self.xx + self.yy), 0.5 * (self.xx - self.yy));
+        mean + libm::sqrt(half * half + self.xy * self.xy)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_inverse_undoes_the_matrix_in_any_attitude() {
+        let m = [[3.0, 0.4, -0.2], [0.4, 5.0, 0.7], [-0.2, 0.7, 9.0]];
+        let inverse = InverseMatrix::of(&m).expect("positive definite");
+        let rotation = Rotation::from_angle(0.7);
+        let turned = inverse.turned(rotation);
+        let (force, moment) = (vec2(1.0, -2.0), 0.5);
+        let (v, r) = turned.response(force, moment);
+        let own = rotation.apply_inverse(v);
+        let back = |row: [f64; 3]| row[0] * own.x + row[1] * own.y + row[2] * r;
+        let felt = rotation.apply_inverse(force);
+        for (ours, exact) in [(back(m[0]), felt.x), (back(m[1]), felt.y), (back(m[2]), moment)] {
+            assert!((ours - exact).abs() < 1e-14);
+        }
+        assert!(inverse.lightest() >= 1.0 / 3.0 - 1e-3);
+    }
+
+    #[test]
+    fn a_matrix_that_would_make_energy_is_refused() {
+        assert_eq!(InverseMatrix::of(&[[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]]), None);
+    }
+}

@@ -1,0 +1,166 @@
+//! The coupled method against every row of the contact model's §5: what the paper's method gets
+//! wrong, with the right answers.
+
+mod support;
+
+use fenderline_contact::{Material, vec2};
+use fenderline_sim::{
+    BodySetup, Integrator, Load, Method, NamedMaterial, PairSetup, Setup, Simulation,
+};
+use support::{fixed, floating, rectangle, spring};
+
+fn run(setup: Setup) -> Simulation {
+    let mut simulation = Simulation::new(setup).expect("a good set-up");
+    while !simulation.is_done() {
+        simulation.step().expect("a good step");
+    }
+    simulation
+}
+
+/// A ship 200 m × 32 m, sideways against `count` fenders 4 m wide spread along her side, `gap_m` off.
+fn ship_and_fenders(
+    count: usize,
+    gap_m: f64,
+    material: Material,
+    step_s: f64,
+    duration_s: f64,
+) -> Setup {
+    let mut bodies = vec![floating("ship", rectangle(200.0, 32.0), 1e8, 50.0)];
+    for k in 0..count {
+        let mut fender: BodySetup = fixed(&format!("fender {k:02}"), rectangle(4.0, 4.0));
+        let spread = if count == 1 { 0.0 } else { -80.0 + 160.0 * k as f64 / (count - 1) as f64 };
+        fender.position_m = vec2(spread, 18.0 + gap_m);
+        bodies.push(fender);
+    }
+    let pairs = (1..=count).map(|k| PairSetup { bodies: [0, k], material: 0 }).collect();
+    Setup {
+        step_s,
+        duration_s,
+        integrator: Integrator::SemiImplicit,
+        method: Method::Coupled,
+        bodies,
+        materials: vec![NamedMaterial { name: "rubber".into(), material }],
+        pairs,
+        every_other_pair: None,
+        loads: vec![],
+    }
+}
+
+fn steady(body: usize, east_n: f64, north_n: f64) -> Load {
+    Load {
+        body,
+        force_n: vec2(north_n, east_n),
+        moment_nm: 0.0,
+        from_s: 0.0,
+        until_s: f64::INFINITY,
+    }
+}
+
+#[test]
+fn a_ship_pushed_on_a_fender_rests_at_force_over_stiffness() {
+    for step_s in [0.1, 0.5, 1.0, 2.0] {
+        let mut setup = ship_and_fenders(1, 0.0, spring(500e3, 0.1), step_s, 900.0);
+        setup.loads.push(steady(0, 500e3, 0.0));
+        let simulation = run(setup);
+        let depth_m = simulation.states()[0].position_m.y;
+        assert!((depth_m / 0.25 - 1.0).abs() < 0.005, "Δt {step_s}: {depth_m} m, not 0.25 m");
+        assert!(simulation.states()[0].velocity_mps.y.abs() < 1e-6);
+    }
+}
+
+#[test]
+fn a_ship_on_many_fenders_rebounds_at_gamma_whatever_their_number_stiffness_and_time_step() {
+    for count in [1, 2, 8, 20] {
+        for stiffness in [0.5e6, 50e6] {
+            for step_s in [0.1, 1.0] {
+                let mut setup = ship_and_fenders(count, 0.5, spring(stiffness, 0.1), step_s, 120.0);
+                setup.bodies[0].velocity.sway_mps = 0.3;
+                let simulation = run(setup);
+                let rebound = -simulation.states()[0].velocity_mps.y;
+                assert!(
+                    (rebound / 0.03 - 1.0).abs() < 0.03,
+                    "{count} fenders of {stiffness} N/m², Δt {step_s}: {rebound} m/s, not 0.03"
+                );
+                assert!(simulation.states()[0].yaw_rate_radps.abs() < 1e-9);
+            }
+        }
+    }
+}
+
+/// A tug 32 m × 10 m, 1000 t, bow against a wall.
+fn tug_at_a_wall(gap_m: f64, speed_mps: f64, material: Material, step_s: f64) -> Setup {
+    let mut setup = ship_and_fenders(0, 0.0, material, step_s, 120.0);
+    let mut tug = floating("tug", rectangle(32.0, 10.0), 1e6, 8.0);
+    tug.velocity.surge_mps = speed_mps;
+    let mut wall = fixed("wall", rectangle(20.0, 100.0));
+    wall.position_m = vec2(26.0 + gap_m, 0.0);
+    setup.bodies = vec![tug, wall];
+    setup.pairs = vec![PairSetup { bodies: [0, 1], material: 0 }];
+    setup
+}
+
+#[test]
+fn a_tug_that_pushes_on_a_wall_does_not_creep() {
+    for step_s in [0.1, 0.5, 1.0, 2.0] {
+        let mut setup = tug_at_a_wall(0.0, 0.0, spring(400e3, 0.1), step_s);
+        setup.loads.push(steady(0, 0.0, 500e3));
+        let simulation = run(setup);
+        let depth_m = simulation.states()[0].position_m.x;
+        assert!((depth_m / 0.125 - 1.0).abs() < 0.005, "Δt {step_s}: {depth_m} m, not 0.125 m");
+    }
+}
+
+#[test]
+fn a_tug_does_not_leave_faster_than_it_came() {
+    for gamma in [0.0, 0.1, 0.5, 0.9] {
+        for step_s in [0.01, 0.1, 0.5, 1.0, 2.0] {
+            let simulation = run(tug_at_a_wall(2.0, 2.06, spring(500e3, gamma), step_s));
+            let left = -simulation.states()[0].velocity_mps.x;
+            assert!(
+                (left - gamma * 2.06).abs() < 0.03 * 2.06,
+                "γ {gamma}, Δt {step_s}: {left} m/s"
+            );
+            assert!(left <= 2.06);
+        }
+    }
+}
+
+#[test]
+fn two_seconds_a_step_give_the_peak_and_depth_of_a_hundredth() {
+    let result = |step_s| {
+        let simulation = run(tug_at_a_wall(2.0, 2.06, spring(500e3, 0.1), step_s));
+        let pair = simulation.pair_summaries()[0].clone();
+        (pair.peak_normal_force_n, pair.peak_depth_m, -simulation.states()[0].velocity_mps.x)
+    };
+    // ω = √(5) rad/s: depth v/ω, force kw v/ω.
+    let omega = 5.0_f64.sqrt();
+    let (depth_m, force_n) = (2.06 / omega, 5e6 * 2.06 / omega);
+    for step_s in [0.01, 0.1, 0.5, 1.0, 2.0] {
+        let (force, depth, left) = result(step_s);
+        assert!((force / force_n - 1.0).abs() < 0.02, "Δt {step_s}: {force} N, not {force_n}");
+        assert!((depth / depth_m - 1.0).abs() < 0.02, "Δt {step_s}: {depth} m, not {depth_m}");
+        assert!((left / 0.206 - 1.0).abs() < 0.02, "Δt {step_s}: {left} m/s");
+    }
+}
+
+#[test]
+fn a_moored_ship_held_by_friction_does_not_creep_along() {
+    let mut rubber = spring(500e3, 0.1);
+    rubber.shear_stiffness_npm = 3e6;
+    rubber.friction_static = 0.5;
+    rubber.friction_dynamic = 0.4;
+    for step_s in [0.1, 1.0] {
+        let mut setup = ship_and_fenders(8, 0.0, rubber, step_s, 3600.0);
+        setup.loads.push(steady(0, 800e3, 200e3));
+        let mut simulation = Simulation::new(setup).unwrap();
+        let mut after_a_minute = None;
+        while !simulation.is_done() {
+            simulation.step().unwrap();
+            if after_a_minute.is_none() && simulation.time_s() >= 120.0 {
+                after_a_minute = Some(simulation.states()[0].position_m);
+            }
+        }
+        let drift_m = (simulation.states()[0].position_m - after_a_minute.unwrap()).length();
+        assert!(drift_m < 1e-3, "Δt {step_s}: drifted {drift_m} m in an hour");
+    }
+}
