@@ -220,7 +220,10 @@ const CASES: &[Case] = &[
     case("\"-500 kN\"", "1e16", "load.0.force[1]", "must be at most 1e15 N"),
     // broken TOML
     case("step = \"0.1 s\"", "step = ", "time.step", "this is not TOML"),
-    case("step = \"0.1 s\"", "step = 0.1 s", "time.step", "this is not TOML"),
+    case("step = \"0.1 s\"", "step = 0.1 s", "time.step", "number with a unit stands in quotes"),
+    case("step = \"0.1 s\"", "step = 0.1s", "time.step", "number with a unit stands in quotes"),
+    case("step = \"0.1 s\"", "step = 0,1", "time.step", "a fraction has a point"),
+    case("title", "duration", "duration", "`duration` belongs under [time]"),
     case("step = \"0.1 s\"", "step = \"0.1 s", "time.step", "this is not TOML"),
     case("[body.quay]", "[body.quay", "body.quay", "this is not TOML"),
     case("[body.quay]", "body.quay]", "body.tug", "this is not TOML"),

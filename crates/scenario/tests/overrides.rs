@@ -67,7 +67,7 @@ fn check_refused(setting: &str, key: Option<&str>, fragment: &str) {
     assert_eq!(error.line(), None, "{shown}");
     assert_eq!(*error.place(), Place::Option { text: format!("--set {setting}") });
     assert!(shown.contains(fragment), "{shown}");
-    assert!(shown.contains(&format!("\n--> --set {setting}")), "{shown}");
+    assert!(shown.contains(&format!("\n --> --set {setting}")), "{shown}");
 }
 
 #[test]
