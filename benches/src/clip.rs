@@ -121,12 +121,8 @@ fn our_contender<'a>(
     path: &'a Path,
 ) -> Contender<'a> {
     let mut pair = PairClip::default();
-    let round: Box<dyn FnMut() + 'a> = if case.cold {
-        Box::new(move || ours::cold(&mut pair, first, second, path))
-    } else {
-        Box::new(move || ours::warm(&mut pair, first, second, path))
-    };
-    Contender { round, calls: CALLS }
+    let round = move || ours::round(&mut pair, first, second, path, case.cold);
+    Contender { round: Box::new(round), calls: CALLS }
 }
 
 fn parry_contender<'a>(

@@ -6,29 +6,19 @@ use fenderline_contact::{ConvexPolygon, PairClip};
 
 use crate::paths::Path;
 
-/// One round, each call starting from what the last one found.
-pub(crate) fn warm(
+/// One round. Cold: each call forgets what the last one found.
+pub(crate) fn round(
     pair: &mut PairClip,
     first: &ConvexPolygon,
     second: &ConvexPolygon,
     path: &Path,
+    cold: bool,
 ) {
     for poses in path {
         let [one, two] = *black_box(poses);
-        black_box(pair.clip(first, one, second, two));
-    }
-}
-
-/// One round, each call knowing nothing.
-pub(crate) fn cold(
-    pair: &mut PairClip,
-    first: &ConvexPolygon,
-    second: &ConvexPolygon,
-    path: &Path,
-) {
-    for poses in path {
-        let [one, two] = *black_box(poses);
-        pair.forget();
+        if cold {
+            pair.forget();
+        }
         black_box(pair.clip(first, one, second, two));
     }
 }

@@ -1,2 +1,45 @@
-//! x
-fn main() {}
+//! The project's own chores: `cargo xtask test`, `cargo xtask fuzz`, `cargo xtask bench`.
+//!
+//! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
+//! that it is built in seconds on a machine that has only Rust.
+
+mod bench;
+mod command;
+mod compare;
+mod fuzz;
+mod scenarios;
+mod step;
+mod test;
+mod tools;
+
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+usage: cargo xtask test                   everything that a change must pass
+       cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
+       cargo xtask bench [clip|step|callgrind]...
+                                          times against the peers, instructions a step (all three)";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    if let Err(e) = std::env::set_current_dir(command::workspace_root()) {
+        eprintln!("the workspace's folder: {e}");
+        return ExitCode::FAILURE;
+    }
+    match arguments.as_slice() {
+        ["test"] => test::test(),
+        ["fuzz"] => fuzz::fuzz_command(fuzz::SECONDS),
+        ["fuzz", seconds] => match seconds.parse() {
+            Ok(seconds) => fuzz::fuzz_command(seconds),
+            Err(_) => usage(),
+        },
+        ["bench", benches @ ..] => bench::bench(benches),
+        _ => usage(),
+    }
+}
+
+fn usage() -> ExitCode {
+    eprintln!("{USAGE}");
+    ExitCode::from(2)
+}

@@ -21,6 +21,9 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     /// Run a scenario: print a summary, write tables, summary.json and report.html
     Run(RunArgs),
+    /// Reproduce published cases: a table of ours beside theirs; exit code 1 where one is out of
+    /// tolerance
+    Validate(ValidateArgs),
     /// Print the JSON Schema of scenario files
     Schema,
     /// Parse and check a scenario without running it
@@ -40,6 +43,13 @@ pub(crate) struct RunArgs {
     pub(crate) format: Format,
     #[command(flatten)]
     pub(crate) changes: Changes,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ValidateArgs {
+    /// Folder for validation.html, validation.csv and validation.json [default: none is written]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -13,6 +13,7 @@ mod progress;
 mod report;
 mod run;
 mod terminal;
+mod validate;
 
 use std::process::ExitCode;
 
@@ -32,6 +33,7 @@ fn main() -> ExitCode {
     let done = match &cli.command {
         Command::Run(args) => run::run(args),
         Command::Check(args) => check::check(args),
+        Command::Validate(args) => validate::validate(args),
         Command::Schema => check::schema(),
     };
     match done {

@@ -77,14 +77,15 @@ fn inherit(old: &[PatchMemory], patches: &[Patch], patch: &Patch) -> Inherited {
     match old {
         [] => Inherited::Nothing,
         [only] if patches.len() == 1 => Inherited::One(*only),
-        _ => inherit_of_several(old, patch),
+        _ => inherit_of_several(old, patches, patch),
     }
 }
 
-fn inherit_of_several(old: &[PatchMemory], patch: &Patch) -> Inherited {
-    let mut parents = old.iter().filter(|m| continues(m, patch));
+fn inherit_of_several(old: &[PatchMemory], patches: &[Patch], patch: &Patch) -> Inherited {
+    let mut parents =
+        old.iter().filter(|m| continues(m, patch)).map(|m| share_of(m, patches, patch));
     let Some(first) = parents.next() else { return Inherited::Nothing };
-    let mut merged = *first;
+    let mut merged = first;
     let mut several = false;
     for parent in parents {
         several = true;
@@ -102,6 +103,14 @@ fn inherit_of_several(old: &[PatchMemory], patch: &Patch) -> Inherited {
         merged.flags |= parent.flags;
     }
     if several { Inherited::Merged(merged) } else { Inherited::One(merged) }
+}
+
+/// The memory of one parent, with the part of its area that falls to `patch` among all that
+/// continue it: what an overlap loses by parting is no loss of area to the damper.
+fn share_of(parent: &PatchMemory, patches: &[Patch], patch: &Patch) -> PatchMemory {
+    let heirs = patches.iter().filter(|p| continues(parent, p));
+    let heirs_m2: f64 = heirs.map(|p| p.area_m2).sum();
+    PatchMemory { area_m2: parent.area_m2 * (patch.area_m2 / heirs_m2), ..*parent }
 }
 
 /// Does the patch lie where the old one lay, as one of the two bodies sees it? A contact that slides

@@ -161,12 +161,19 @@ fn connect(candidate: Candidate, b_in_a: Pose, first: usize, work: &mut Workspac
     }
 }
 
-/// Two lenses that lie on both sides of a seam share the two ends of their common edge.
+/// Do two lenses lie on both sides of a seam? Then they share the two ends of their common edge.
+///
+/// Where one of the two pieces is the same, one common corner will do, however short the edge: a
+/// convex piece that reaches a common corner of two others lies on the seam that starts there.
+/// Where both differ the seams of both bodies would have to lie on one another, and it takes two
+/// corners to tell that from four lenses that meet where seams cross.
 fn share_a_seam(work: &Workspace, i: usize, j: usize) -> bool {
     let corners = |k: usize| {
         let (start, end) = work.lenses[k].vertices;
         &work.outline_m[start as usize..end as usize]
     };
+    let (one, two) = (&work.lenses[i], &work.lenses[j]);
+    let same_piece = one.piece_a == two.piece_a || one.piece_b == two.piece_b;
     let limit = SAME_CORNER_M * SAME_CORNER_M;
     let mut shared: Option<Vec2> = None;
     for &p in corners(i) {
@@ -174,9 +181,10 @@ fn share_a_seam(work: &Workspace, i: usize, j: usize) -> bool {
             continue;
         }
         match shared {
+            None if same_piece => return true,
+            None => shared = Some(p),
             Some(other) if (other - p).length_squared() > limit => return true,
             Some(_) => {}
-            None => shared = Some(p),
         }
     }
     false

@@ -17,6 +17,7 @@
 
 use alloc::vec::Vec;
 
+use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
 use crate::geometry::clip::Hint;
 use crate::memory::{Extent, HintMemory, Memory, PatchMemory};
@@ -114,8 +115,10 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
 /// What the check sum cannot tell: a snapshot written by somebody else.
 fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
     let bodies = model.ranked.len();
+    // `Memory::set_elapsed` takes parts of a step.
+    let elapsed = 1e-3 * SHORTEST_STEP_S..=LONGEST_STEP_S;
     let ok = (memory.last_states.is_empty() || memory.last_states.len() == bodies)
-        && memory.last_step_s >= 0.0
+        && (memory.last_step_s == 0.0 || elapsed.contains(&memory.last_step_s))
         && memory.patches.windows(2).all(|w| w[0].key() < w[1].key())
         && memory.patches.iter().all(|p| p.a < p.b && (p.b as usize) < bodies && p.area_m2 > 0.0)
         && memory.hints.windows(2).all(|w| w[0].key() < w[1].key())

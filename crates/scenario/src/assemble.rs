@@ -48,7 +48,8 @@ pub(crate) fn setup(
 
 fn method(contact: &Table) -> Method {
     match contact.given("method").choice() {
-        0 => Method::Paper,
+        0 => Method::Coupled,
+        1 => Method::Paper,
         other => unreachable!("the key table has no method {other}"),
     }
 }

@@ -114,7 +114,7 @@ impl fmt::Display for ScenarioError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Content { place, message, help, snippet, .. } = &*self.0;
         let line = self.line().map_or(String::new(), |line| line.to_string());
-        let indent = " ".repeat(line.len());
+        let indent = " ".repeat(line.len().max(1));
         write!(f, "error: {message}\n{indent}--> {place}")?;
         if let Some(Snippet { line: text, before, marked }) = snippet {
             let (space, marks) = (" ".repeat(*before), "^".repeat(*marked));

@@ -105,7 +105,6 @@ static INTEGRATORS: Choices = Choices {
         ("semi_implicit", "velocities first, then positions with the new velocities"),
         ("rk4", "classical fourth-order Runge-Kutta"),
     ],
-    later: &[],
 };
 
 static CONTACT: TableSpec = TableSpec {
@@ -114,17 +113,19 @@ static CONTACT: TableSpec = TableSpec {
     keys: &[KeySpec {
         name: "method",
         kind: Kind::Choice(&METHODS),
-        absent: Is("\"paper\""),
+        absent: Is("\"coupled\""),
         doc: "Which method limits contact forces.",
-        examples: &["\"paper\""],
+        examples: &["\"coupled\""],
     }],
     rules: None,
 };
 
 /// In the order that [`crate::assemble`] relies on.
 static METHODS: Choices = Choices {
-    words: &[("paper", "the paper's impulse-momentum limiter, each pair by itself")],
-    later: &[("coupled", "this version has only the `paper` method")],
+    words: &[
+        ("coupled", "one solve for all contacts of a step with the loads in it, and sub-steps"),
+        ("paper", "the paper's impulse-momentum limiter, each pair by itself"),
+    ],
 };
 
 static MATERIAL: TableSpec = TableSpec {

@@ -16,7 +16,7 @@ use crate::units;
 type Read<T> = Result<T, ScenarioError>;
 type Node<'i> = Spanned<DeValue<'i>>;
 
-/// Longest name or title [bytes].
+/// Longest name or title, in bytes.
 const LONGEST_TEXT: usize = 200;
 
 /// Reads a table and all below it.
@@ -196,11 +196,6 @@ fn choice(sources: &Sources<'_>, choices: &Choices, path: &str, node: &Node<'_>)
     if let Some(index) = words().position(|word| word == text) {
         return Ok(index);
     }
-    if let Some((_, reason)) = choices.later.iter().find(|(word, _)| *word == text) {
-        let message = format!("`{path}` cannot be {}: {reason}", quoted(text));
-        let help = format!("write {path} = {all}");
-        return Err(sources.error(&node.span(), path, message).with_help(help));
-    }
     let message = format!("`{path}` is {all}, not {}", quoted(text));
     let message =
         if choices.words.len() > 1 { message.replacen("is ", "is one of ", 1) } else { message };
@@ -347,9 +342,25 @@ pub(crate) fn unknown_key(
     let path = key_path::join(path, name);
     let names = || spec.keys.iter().map(|key| key.name);
     let error = sources.error(span, &path, format!("`{path}` is not a key of {}", spec.what));
-    error.with_help(match nearest(name, names()) {
-        Some(name) => format!("did you mean `{name}`?"),
-        None => format!("{} has the keys {}", spec.what, names().collect::<Vec<_>>().join(", ")),
+    error.with_help(match (nearest(name, names()), table_with(spec, name)) {
+        (Some(name), _) => format!("did you mean `{name}`?"),
+        (None, Some(table)) => format!("`{name}` belongs under {table}"),
+        (None, None) => {
+            format!("{} has the keys {}", spec.what, names().collect::<Vec<_>>().join(", "))
+        }
+    })
+}
+
+/// The header of a table right below this one that has a key of this name.
+fn table_with(spec: &TableSpec, name: &str) -> Option<String> {
+    spec.keys.iter().find_map(|key| {
+        let (inner, header) = match key.kind {
+            Kind::Table(inner) => (inner, format!("[{}]", key.name)),
+            Kind::Named(inner) => (inner, format!("[{}.NAME]", key.name)),
+            Kind::List(inner) => (inner, format!("[[{}]]", key.name)),
+            _ => return None,
+        };
+        inner.key(name).map(|_| header)
     })
 }
 

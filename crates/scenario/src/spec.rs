@@ -97,6 +97,4 @@ pub(crate) struct Quantity {
 pub(crate) struct Choices {
     /// Word and meaning of each.
     pub(crate) words: &'static [(&'static str, &'static str)],
-    /// Words that the format knows but this version does not build, with what to say of each.
-    pub(crate) later: &'static [(&'static str, &'static str)],
 }

@@ -5,7 +5,7 @@ use toml::de::DeTable;
 use crate::error::ScenarioError;
 use crate::sources::{Sources, quoted};
 
-/// Largest file that is read at all [bytes].
+/// Largest file that is read at all, in bytes.
 const LARGEST_FILE: usize = 16 << 20;
 
 /// Parses the file.
@@ -32,7 +32,22 @@ fn broken(sources: &Sources<'_>, error: &toml::de::Error) -> ScenarioError {
         }
         message => format!("this is not TOML: {message}"),
     };
-    sources.syntax_error(&span, enclosing_key(sources.text, span.start), message)
+    let error = sources.syntax_error(&span, enclosing_key(sources.text, span.start), message);
+    let unquoted = error.message().contains("must be quoted");
+    if unquoted || follows_a_number(&sources.text[..sources.text.floor_char_boundary(span.start)]) {
+        return error.with_help(
+            "a text or a number with a unit stands in quotes, \"0.1 s\"; a fraction has a point, 0.1",
+        );
+    }
+    error
+}
+
+/// True for `step = 0.1 ` or `step = 0`, where a unit or a decimal comma broke the line.
+fn follows_a_number(before: &str) -> bool {
+    let line = before.rsplit('\n').next().unwrap_or_default();
+    line.rsplit_once(['=', '[', ',']).is_some_and(|(_, value)| {
+        value.trim().trim_end_matches(char::is_alphabetic).trim().parse::<f64>().is_ok()
+    })
 }
 
 /// The key that a place in broken text most likely belongs to: what stands before the `=` of its

@@ -122,7 +122,7 @@ const CASES: &[Case] = &[
     case("method", "colour", "contact.colour", "a contact table has the keys method"),
     case_at("[body.quay]", "[body.quay.paint]\n[body.quay]", "[body.quay.paint]", "body.quay.paint", "not a key of a body"),
     // words
-    case("\"paper\"\n\n[mat", "\"coupled\"\n\n[mat", "contact.method", "this version has only the `paper` method"),
+    case("\"paper\"\n\n[mat", "\"couppled\"\n\n[mat", "contact.method", "did you mean \"coupled\"?"),
     case("\"paper\"\n\n[mat", "\"papr\"\n\n[mat", "contact.method", "did you mean \"paper\"?"),
     case_at("\"20 s\"", "\"20 s\"\nintegrator = \"euler2\"", "euler2", "time.integrator", "did you mean \"euler\"?"),
     // kinds of value
@@ -220,7 +220,10 @@ const CASES: &[Case] = &[
     case("\"-500 kN\"", "1e16", "load.0.force[1]", "must be at most 1e15 N"),
     // broken TOML
     case("step = \"0.1 s\"", "step = ", "time.step", "this is not TOML"),
-    case("step = \"0.1 s\"", "step = 0.1 s", "time.step", "this is not TOML"),
+    case("step = \"0.1 s\"", "step = 0.1 s", "time.step", "number with a unit stands in quotes"),
+    case("step = \"0.1 s\"", "step = 0.1s", "time.step", "number with a unit stands in quotes"),
+    case("step = \"0.1 s\"", "step = 0,1", "time.step", "a fraction has a point"),
+    case("title", "duration", "duration", "`duration` belongs under [time]"),
     case("step = \"0.1 s\"", "step = \"0.1 s", "time.step", "this is not TOML"),
     case("[body.quay]", "[body.quay", "body.quay", "this is not TOML"),
     case("[body.quay]", "body.quay]", "body.tug", "this is not TOML"),

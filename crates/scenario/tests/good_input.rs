@@ -51,7 +51,7 @@ fn defaults_and_file_order() {
     assert_eq!(scenario.notices, []);
     let setup = scenario.setup;
     assert_eq!((setup.step_s, setup.duration_s), (0.5, 0.25));
-    assert_eq!((setup.integrator, setup.method), (Integrator::SemiImplicit, Method::Paper));
+    assert_eq!((setup.integrator, setup.method), (Integrator::SemiImplicit, Method::Coupled));
     let names: Vec<_> = setup.bodies.iter().map(|body| body.name.as_str()).collect();
     assert_eq!(names, ["tug", "quay", "barge"]);
     let names: Vec<_> = setup.materials.iter().map(|material| material.name.as_str()).collect();

@@ -26,8 +26,7 @@ fn read(path: &str) -> String {
 /// Rows as text cells, with the header apart.
 fn table(path: &str) -> (Vec<String>, Vec<Vec<String>>) {
     let text = read(path);
-    let mut rows =
-        text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
+    let mut rows = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
     let header = rows.next().expect("a header");
     (header, rows.collect())
 }

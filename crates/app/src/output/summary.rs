@@ -46,6 +46,7 @@ fn event_key(kind: EventKind) -> &'static str {
         EventKind::Contained => "contained",
         EventKind::DeepOverlap => "deep_overlap",
         EventKind::Teleported => "teleported",
+        EventKind::NotConverged => "not_converged",
     }
 }
 
@@ -64,12 +65,16 @@ pub(crate) fn event_text(kind: EventKind) -> &'static str {
              there"
         }
         EventKind::Teleported => "a body moved by more than its velocities explain",
+        EventKind::NotConverged => {
+            "the coupled solve of a contact did not settle within its bounded work"
+        }
     }
 }
 
 /// The word that a scenario file uses.
 pub(crate) fn method_text(method: Method) -> &'static str {
     match method {
+        Method::Coupled => "coupled",
         Method::Paper => "paper",
     }
 }

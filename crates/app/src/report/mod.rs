@@ -7,6 +7,7 @@ mod scene;
 mod tables;
 
 use fenderline_contact::EventKind;
+use fenderline_sim::Method;
 use maud::{Markup, html};
 
 use crate::output::{Outcome, event_text};
@@ -120,27 +121,50 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
                 "area and its rate, friction by a shear spring that sticks and slips, and an "
                 "impulse-momentum limiter that sets the rebound by the coefficient of restitution."
             }
-            li {
-                "Paper method: each pair is limited by itself. Where a body rests on several "
-                "others at once, or is pressed by a steady load, the limits do not know of each "
-                "other nor of the load, and depth and rebound may be off; see ARCHITECTURE."
+            @match outcome.setup.method {
+                Method::Paper => (paper_notes(outcome.setup.step_s)),
+                Method::Coupled => (coupled_notes(outcome.setup.step_s)),
             }
             li {
-                "The limiter sees the mass with the smallest added mass. Bodies are rigid, and move "
-                "in the horizontal plane; the water acts by added mass alone, without damping, wind "
-                "or current."
-            }
-            li {
-                "Forces stand at the start of the time step over which they act ("
-                (outcome.setup.step_s) " s here). The peak rises and the contact shortens with a "
-                "smaller step, while the impulse stays; compare two steps before a peak is used in "
-                "design."
+                "Bodies are rigid, and move in the horizontal plane; the water acts by added mass "
+                "alone, without damping, wind or current."
             }
             li {
                 "Work is force times the mean velocity of the step, so that the ledger closes and "
                 "the residual is rounding. Normal work above zero after a contact is energy that the "
                 "method or the time step made up; below zero, energy that the contact took."
             }
+        }
+    }
+}
+
+fn paper_notes(step_s: f64) -> Markup {
+    html! {
+        li {
+            "Paper method: each pair is limited by itself. Where a body rests on several "
+            "others at once, or is pressed by a steady load, the limits do not know of each "
+            "other nor of the load, and depth and rebound may be off; see ARCHITECTURE. The "
+            "limiter sees the mass with the smallest added mass."
+        }
+        li {
+            "Forces stand at the start of the time step over which they act (" (step_s)
+            " s here). The peak rises and the contact shortens with a smaller step, while the "
+            "impulse stays; compare two steps before a peak is used in design."
+        }
+    }
+}
+
+fn coupled_notes(step_s: f64) -> Markup {
+    html! {
+        li {
+            "Coupled method: the forces of all contacts of a step are found together, with the "
+            "external loads and the full mass matrix of each body, so that several fenders "
+            "share one rebound and a steady load is held at its static depth."
+        }
+        li {
+            "Forces in the charts are means over the time step (" (step_s) " s here); where it is "
+            "too long for the contact the engine takes sub-steps, and the peaks in the tables are "
+            "those of the sub-steps."
         }
     }
 }

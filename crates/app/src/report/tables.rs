@@ -108,6 +108,7 @@ pub(super) fn setup(outcome: &Outcome<'_>) -> Markup {
         dl {
             dt { "Contact method" }
             dd { @match setup.method {
+                Method::Coupled => "coupled: all contacts and loads in one solve, with sub-steps",
                 Method::Paper => "paper: each pair limited by itself",
             } }
             dt { "Integrator" }

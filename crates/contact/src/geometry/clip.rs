@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::axis::{BestAxis, best_axis};
-use super::convex::{ConvexPolygon, Placed, after, before};
+use super::convex::{ConvexPolygon, Placed, after, before, signed_area};
 use super::halfplanes::{self, Buffers, Found};
 use super::lens::{Crossing, Lens, Stretch, assemble, measure};
 use super::warm;
@@ -165,14 +165,9 @@ fn cold(
 ) -> Option<Clip> {
     place(b, &mut buffers.b_m);
     *hint = Hint::None;
-    match halfplanes::intersect(a, buffers) {
-        Found::Nothing => {
-            let BestAxis { gap_m, on_a, edge, support, .. } = best_axis(a, &buffers.b_m);
-            if gap_m > 0.0 {
-                *hint = Hint::Apart { on_a, edge, support };
-            }
-            None
-        }
+    let start = outline_m.len();
+    let found = match halfplanes::intersect(a, buffers) {
+        Found::Nothing => None,
         Found::FirstInside => {
             outline_m.extend_from_slice(a.vertices());
             accept(measure(a.vertices(), Vec2::ZERO, false), true)
@@ -187,10 +182,42 @@ fn cold(
                 *hint = Hint::Lens(*stretch);
             }
             let mut lens = assemble(a, b, &buffers.stretches, outline_m);
+            let swept_m2 = signed_area(buffers.swept_m());
+            if (lens.area_m2 - swept_m2).abs() > rounding_m2(a, b) + 1e-9 * swept_m2 {
+                // Flat edges on one another may seem to cross where they do not: the walk from one
+                // such crossing to the next then goes round a whole polygon. The sweep did not.
+                *hint = Hint::None;
+                outline_m.truncate(start);
+                outline_m.extend_from_slice(buffers.swept_m());
+                lens = measure(buffers.swept_m(), buffers.swept_chord_m(), collinear);
+            }
             lens.collinear = collinear;
             accept(lens, false)
         }
+    };
+    if let Some(clip) = found
+        && lies_in_both(clip.lens.centroid_m, a, &buffers.b_m, rounding_m2(a, b))
+    {
+        return found;
     }
+    outline_m.truncate(start);
+    let BestAxis { gap_m, on_a, edge, support, .. } = best_axis(a, &buffers.b_m);
+    *hint = if gap_m > 0.0 { Hint::Apart { on_a, edge, support } } else { Hint::None };
+    None
+}
+
+/// Bodies that touch without area may deceive the sweep by their rounding: what it found is then
+/// not where both of them are.
+fn lies_in_both(point_m: Vec2, a: &ConvexPolygon, b_m: &[Vec2], slack_m2: f64) -> bool {
+    [a.closed(), b_m].iter().all(|ring| {
+        ring.windows(2).all(|edge| (edge[1] - edge[0]).cross(point_m - edge[0]) >= -slack_m2)
+    })
+}
+
+/// What the rounding of vertices does to the area of an overlap at most [m²].
+fn rounding_m2(a: &ConvexPolygon, b: &Placed<'_>) -> f64 {
+    let reach_m = a.center_m().length() + a.radius_m() + b.polygon.radius_m();
+    256.0 * f64::EPSILON * reach_m * a.radius_m().min(b.polygon.radius_m())
 }
 
 /// Does the cached edge still keep the polygons apart? The support's neighbours certify it: the

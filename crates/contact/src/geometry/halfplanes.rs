@@ -14,6 +14,8 @@ use crate::vec2::Vec2;
 /// Closer than this a chord between them would follow rounding, not shape.
 const SAME_DIRECTION: f64 = 1e-9;
 const SAME_LINE_M: f64 = 1e-9;
+/// Edges of the same direction to this sine have no crossing that could be told from rounding.
+const PARALLEL: f64 = 1e-14;
 
 /// What the cold path found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,11 +54,35 @@ pub(crate) struct Buffers {
     queue: Vec<HalfPlane>,
     /// `corners[k]` is where `queue[k]` meets `queue[k − 1]`.
     corners: Vec<Vec2>,
+    /// Where the bounding half-planes begin in `queue` and their corners in `corners`; the first
+    /// corner is where the last of them meets the first.
+    front: usize,
+}
+
+impl Buffers {
+    /// The corners that the sweep itself found, in the positive sense [m].
+    pub(crate) fn swept_m(&self) -> &[Vec2] {
+        &self.corners[self.front..]
+    }
+
+    /// Sum of those edges between them that are the first polygon's [m].
+    pub(crate) fn swept_chord_m(&self) -> Vec2 {
+        let corners = self.swept_m();
+        let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+        let of_a = ends.zip(&self.queue[self.front..]).filter(|(_, h)| h.of_a);
+        of_a.fold(Vec2::ZERO, |sum, ((&start, &end), _)| sum + (end - start))
+    }
 }
 
 /// Finds all crossings of `a` with the polygon in `buffers.b_m`.
 pub(crate) fn intersect(a: &ConvexPolygon, buffers: &mut Buffers) -> Found {
     let Some(front) = sweep(a, buffers) else { return Found::Nothing };
+    buffers.front = front;
+    let closing = {
+        let (last, first) = (buffers.queue[buffers.queue.len() - 1], buffers.queue[front]);
+        corner(a, &buffers.b_m, last, first, buffers.corners.last().copied())
+    };
+    buffers.corners[front] = closing;
     let boundary = &buffers.queue[front..];
     let collinear = boundary.iter().any(|h| h.doubled);
     buffers.stretches.clear();
@@ -64,7 +90,13 @@ pub(crate) fn intersect(a: &ConvexPolygon, buffers: &mut Buffers) -> Found {
     let count = boundary.len();
     let at = |k: usize| &boundary[k % count];
     let Some(first) = (0..count).find(|&k| at(k).of_a && !at(k + count - 1).of_a) else {
-        return if boundary[0].of_a { Found::FirstInside } else { Found::SecondInside };
+        let (inside, all) = if boundary[0].of_a {
+            (Found::FirstInside, a.count())
+        } else {
+            (Found::SecondInside, buffers.b_m.len() - 1)
+        };
+        // Some of a polygon's edges alone bound nothing but rounding.
+        return if count == all { inside } else { Found::Nothing };
     };
     let mut enter = Crossing::default();
     for k in first..first + count {
@@ -93,7 +125,14 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
             corners.pop();
         }
         while queue.len() > front + 1 && outside(new, corners[front + 1]) {
-            front += 1;
+            if queue[front].along.cross(new.along) < 0.0 {
+                front += 1;
+            } else {
+                // Within half a turn of the front, what cuts off the front's corner cuts off all
+                // corners after it: that the last one seemed to be left is rounding.
+                queue.truncate(front + 1);
+                corners.truncate(front + 1);
+            }
         }
         if queue.len() == front {
             queue.push(new);
@@ -104,33 +143,31 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
         let last = queue[back];
         let turn = last.along.cross(new.along);
         let lengths = last.along.length() * new.along.length();
-        if turn <= SAME_DIRECTION * lengths {
-            if turn < -SAME_DIRECTION * lengths || last.along.dot(new.along) < 0.0 {
-                return None; // a gap of half a turn or more: nothing can close it
+        let ahead = last.along.dot(new.along) > 0.0;
+        if turn < -PARALLEL * lengths || (turn <= 0.0 && !(ahead && last.of_a != new.of_a)) {
+            return None; // a gap of half a turn or more: nothing can close it
+        }
+        let mut new = new;
+        if ahead && turn <= SAME_DIRECTION * lengths && last.of_a != new.of_a {
+            let inward_m = last.along.cross(new.start - last.start) / last.along.length();
+            if inward_m.abs() <= SAME_LINE_M {
+                queue[back].doubled = true;
+                new.doubled = true;
             }
-            if last.of_a == new.of_a {
-                // Neighbours of one polygon turn by more than this; they met again because all
-                // between them was cut away.
-                if turn <= 0.0 {
-                    return None;
-                }
-            } else {
-                let ahead = last.along.cross(new.start - last.start) / last.along.length();
-                let doubled = ahead.abs() <= SAME_LINE_M;
-                if doubled {
-                    queue[back].doubled = true;
-                }
-                if ahead <= 0.0 || doubled {
-                    continue;
-                }
-                queue[back] = new;
-                if back > front {
-                    corners[back] = corner(a, b_m, queue[back - 1], new);
+            if turn <= PARALLEL * lengths {
+                // No corner between the two: the one further in bounds the overlap.
+                if inward_m > 0.0 {
+                    queue[back] = new;
+                    if back > front {
+                        let from = (back > front + 1).then(|| corners[back - 1]);
+                        corners[back] = corner(a, b_m, queue[back - 1], new, from);
+                    }
                 }
                 continue;
             }
         }
-        corners.push(corner(a, b_m, last, new));
+        let from = (back > front).then(|| corners[back]);
+        corners.push(corner(a, b_m, last, new, from));
         queue.push(new);
     }
     while queue.len() > front + 2 && outside(queue[front], corners[corners.len() - 1]) {
@@ -149,8 +186,17 @@ fn outside(h: HalfPlane, point: Vec2) -> bool {
 }
 
 /// Where two half-planes' lines meet. Neighbouring edges of one polygon meet in its own vertex.
+///
+/// `from` is where the first one's part of the boundary begins. The second cuts off what lies ahead
+/// of it: where flat lines seem to meet behind it that is rounding, and they meet there.
 #[inline]
-fn corner(a: &ConvexPolygon, b_m: &[Vec2], first: HalfPlane, second: HalfPlane) -> Vec2 {
+fn corner(
+    a: &ConvexPolygon,
+    b_m: &[Vec2],
+    first: HalfPlane,
+    second: HalfPlane,
+    from: Option<Vec2>,
+) -> Vec2 {
     if first.of_a == second.of_a {
         let count = if first.of_a { a.count() } else { b_m.len() - 1 };
         if after(first.edge as usize, count) == second.edge as usize {
@@ -158,7 +204,12 @@ fn corner(a: &ConvexPolygon, b_m: &[Vec2], first: HalfPlane, second: HalfPlane) 
         }
     }
     let turn = first.along.cross(second.along);
-    first.start + first.along * ((second.start - first.start).cross(second.along) / turn)
+    let meets =
+        first.start + first.along * ((second.start - first.start).cross(second.along) / turn);
+    match from {
+        Some(begin) if first.along.dot(meets - begin) < 0.0 => begin,
+        _ => meets,
+    }
 }
 
 /// The edges of both polygons in one order by direction.

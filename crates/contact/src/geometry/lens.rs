@@ -1,9 +1,8 @@
 //! The overlap of two convex polygons, put together from the places where their boundaries cross.
 
 use alloc::vec::Vec;
-use core::iter::once;
 
-use super::convex::{ConvexPolygon, Placed};
+use super::convex::{ConvexPolygon, Placed, after};
 use crate::vec2::Vec2;
 
 /// A crossing of the two boundaries: the edge of the first and the edge of the second polygon.
@@ -36,7 +35,7 @@ pub(crate) struct Lens {
 
 /// The point a share of the way along an edge [m]: 0 its start, 1 its end. What rounding leaves
 /// outside is brought back to the ends.
-#[inline]
+#[inline(always)]
 pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
     // From the nearer end, so that an end on the line is met exactly.
     if share <= 0.5 {
@@ -76,7 +75,7 @@ pub(crate) fn assemble(
 
 /// Appends the boundary of the overlap from where a stretch enters, along the first polygon to
 /// where it leaves, and along the second up to its edge `until_b`, where the next one enters.
-#[inline]
+#[inline(always)]
 pub(crate) fn trace(
     a: &ConvexPolygon,
     b: &Placed<'_>,
@@ -85,24 +84,25 @@ pub(crate) fn trace(
     outline_m: &mut Vec<Vec2>,
 ) {
     let Stretch { enter, leave } = stretch.at;
-    let (n, m) = (a.count(), b.count());
-    let of_a = (0..ring_distance(enter.a, leave.a, n)).map(|k| a.closed()[ring(enter.a, k, n)]);
-    let of_b = (0..ring_distance(leave.b, until_b, m)).map(|k| b.vertex(ring(leave.b, k, m)));
-    outline_m.extend(once(stretch.enters_m).chain(of_a).chain(once(stretch.leaves_m)).chain(of_b));
+    outline_m.push(stretch.enters_m);
+    let mut i = enter.a as usize;
+    while i != leave.a as usize {
+        i = after(i, a.count());
+        outline_m.push(a.closed()[i]);
+    }
+    outline_m.push(stretch.leaves_m);
+    let mut j = leave.b as usize;
+    while j != until_b as usize {
+        j = after(j, b.count());
+        outline_m.push(b.vertex(j));
+    }
 }
 
 /// Vertices between an edge and a later one of a ring of `count`.
-#[inline]
+#[inline(always)]
 pub(crate) fn ring_distance(from: u32, to: u32, count: usize) -> usize {
     let (from, to) = (from as usize, to as usize);
     if to >= from { to - from } else { to + count - from }
-}
-
-/// The `k`th vertex after the start of edge `from`, counted from 0.
-#[inline]
-fn ring(from: u32, k: usize, count: usize) -> usize {
-    let index = from as usize + k + 1;
-    if index >= count { index - count } else { index }
 }
 
 /// Where the first polygon's boundary crosses the second's, on the two edges of `crossing` [m].
@@ -117,7 +117,7 @@ fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 
 
 /// Area and centroid of a polygon about its own first vertex: what is small is measured against
 /// what is near.
-#[inline]
+#[inline(always)]
 pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Lens {
     let origin = outline_m[0];
     let mut twice_area = 0.0;

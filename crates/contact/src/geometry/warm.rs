@@ -21,11 +21,13 @@ use crate::vec2::Vec2;
 const WALK: usize = 8;
 /// Chains longer than this (in vertices) are left to the cold path.
 const CHAIN: usize = 32;
-/// Far parts of up to this many edges are tested edge by edge.
-const FAR_EXACT: usize = 4;
+/// Far parts of fewer edges than this are tested edge by edge.
+const INSCRIBED: usize = 3;
 /// Crossing edges flatter than this sine are left to the cold path, which knows of edges that lie
 /// on one another.
 const FLAT: f64 = 1e-9;
+/// What rounding may do to the sine of two edges; far below [`FLAT`].
+const ROUNDING: f64 = 1e-13;
 
 /// A crossing with the geometry that found it.
 struct Edges {
@@ -93,7 +95,7 @@ pub(crate) fn find(
 }
 
 /// Walks to the crossing where `a` enters (or leaves) `b`.
-#[inline]
+#[inline(always)]
 fn walk<const ENTER: bool>(a: &ConvexPolygon, b: &Placed<'_>, hint: Crossing) -> Option<Edges> {
     let (n, m) = (a.count(), b.count());
     let (mut i, mut j) = (hint.a as usize, hint.b as usize);
@@ -144,19 +146,27 @@ fn walk<const ENTER: bool>(a: &ConvexPolygon, b: &Placed<'_>, hint: Crossing) ->
 }
 
 /// On one edge of `b`: does the walk back meet P_out before P_in?
-#[inline]
+#[inline(always)]
 fn b_order(enter: &Edges, found: &Located) -> bool {
     enter.b_along.dot(found.enters_m - found.leaves_m) > 0.0
 }
 
-/// At most half a turn from the first edge of a chain to its last; on one edge, in order.
-#[inline]
+/// At most half a turn from the first edge of a chain to its last, to rounding (opposite sides of
+/// a box are half a turn apart); on one edge, in order. The corners at P_in and P_out, which are
+/// not [`FLAT`], leave more room than that rounding takes.
+#[inline(always)]
 fn chain_turns_little(chain: usize, first: Vec2, last: Vec2, in_order: bool) -> bool {
-    if chain == 0 { in_order } else { first.cross(last) >= 0.0 }
+    if chain == 0 {
+        return in_order;
+    }
+    let turn = first.cross(last);
+    turn >= 0.0
+        || (first.dot(last) < 0.0
+            && turn * turn <= ROUNDING * ROUNDING * first.length_squared() * last.length_squared())
 }
 
 /// From the end of the edge where `a` enters round to the start of the edge where it leaves.
-#[inline]
+#[inline(always)]
 fn far_part_of_b(b: &Placed<'_>, enter: &Edges, leave: &Edges) -> FarPart {
     let count = b.count();
     let from = after(enter.at.b as usize, count);
@@ -165,7 +175,7 @@ fn far_part_of_b(b: &Placed<'_>, enter: &Edges, leave: &Edges) -> FarPart {
 }
 
 /// From the end of the edge where `a` leaves round to the start of the edge where it enters.
-#[inline]
+#[inline(always)]
 fn far_part_of_a(a: &ConvexPolygon, enter: &Edges, leave: &Edges) -> FarPart {
     let count = a.count();
     let from = after(leave.at.a as usize, count);
@@ -185,12 +195,12 @@ struct FarPart {
 impl FarPart {
     /// Do all of a chain's vertices lie within the far part? Tests a polygon inscribed in it first
     /// and, for those it does not hold, the far part itself. `vertex` gives the polygon's.
-    #[inline]
+    #[inline(always)]
     fn holds(&self, vertex: impl Fn(usize) -> Vec2, chain: &[Vec2]) -> bool {
         if chain.is_empty() {
             return true;
         }
-        if self.edges <= FAR_EXACT {
+        if self.edges < INSCRIBED {
             return chain.iter().all(|&p| self.holds_exactly(&vertex, p));
         }
         let third = self.edges / 3;
@@ -202,7 +212,8 @@ impl FarPart {
         })
     }
 
-    #[inline]
+    #[cold]
+    #[inline(never)]
     fn holds_exactly(&self, vertex: impl Fn(usize) -> Vec2, p: Vec2) -> bool {
         let mut start = self.start;
         (1..=self.edges).all(|k| {
@@ -214,7 +225,7 @@ impl FarPart {
     }
 
     /// Index of the `k`th vertex of the far part.
-    #[inline]
+    #[inline(always)]
     fn index(&self, k: usize) -> usize {
         let index = self.from + k;
         if index >= self.count { index - self.count } else { index }
@@ -222,7 +233,7 @@ impl FarPart {
 }
 
 /// Does `p` lie to the left of the line from `start` to `end`, or on it?
-#[inline]
+#[inline(always)]
 fn is_left(start: Vec2, end: Vec2, p: Vec2) -> bool {
     (end - start).cross(p - start) >= 0.0
 }

@@ -93,7 +93,7 @@ pub(crate) mod measures {
     macro_rules! measures {
         ($($id:ident = $name:literal, $unit:literal, ($m:literal, $kg:literal, $s:literal, $rad:literal);)*) => {
             $(
-                #[doc = concat!($name, " [", $unit, "]")]
+                #[doc = concat!($name, ", in ", $unit, ".")]
                 pub(crate) static $id: Measure =
                     Measure { name: $name, unit: $unit, dimension: Dimension::new($m, $kg, $s, $rad) };
             )*

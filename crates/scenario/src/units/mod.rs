@@ -40,7 +40,7 @@ impl UnitError {
     }
 }
 
-/// Longest text that may be a quantity [bytes]: bounds the work and the depth of parentheses.
+/// Longest text that may be a quantity, in bytes: bounds the work and the depth of parentheses.
 const LONGEST: usize = 120;
 
 /// Parses a number and its unit.

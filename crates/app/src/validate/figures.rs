@@ -1,0 +1,242 @@
+//! The paper's figures drawn again, and the outlines that they were made with.
+
+use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_sim::{BodySetup, Setup};
+use maud::{Markup, html};
+
+use super::play::{Played, Sample};
+use super::row::Runs;
+use crate::plot::{
+    Axis, Chart, Frame, Label, Outlined, Plan, Point, Reference, Series, Stage, plain,
+};
+
+/// Experiment 1: the time step varies; names of the runs and of the lines.
+const STEPS: [(&str, &str); 4] = [
+    ("paper/experiment_1_step_0.1s", "Δt 0.1 s"),
+    ("paper/experiment_1_step_0.5s", "Δt 0.5 s"),
+    ("paper/experiment_1_step_1s", "Δt 1 s"),
+    ("paper/experiment_1_step_2s", "Δt 2 s"),
+];
+/// Experiment 2: the approach speed varies.
+const SPEEDS: [(&str, &str); 4] = [
+    ("paper/experiment_2_4kn", "4 kn"),
+    ("paper/experiment_2_2kn", "2 kn"),
+    ("paper/experiment_2_1kn", "1 kn"),
+    ("paper/experiment_2_0.5kn", "0.5 kn"),
+];
+/// The charts end when the last push has ended [s].
+const END_OF_EXPERIMENT_1_S: f64 = 10.0;
+const END_OF_EXPERIMENT_2_S: f64 = 12.0;
+/// Steps from this on are so few that each is marked [s].
+const MARKED_STEP_S: f64 = 0.5;
+
+const FORCE: (&str, &str, f64) = ("normal force", "MN", 1e-6);
+
+/// Fig. 9: normal force over time for the four time steps.
+pub(super) fn figure_9(runs: &Runs) -> Markup {
+    let (label, unit, factor) = FORCE;
+    chart(
+        "Fig. 9 – Normal contact force for four time steps, 4 kn",
+        (label, unit),
+        series(&STEPS, runs, END_OF_EXPERIMENT_1_S, |s, _| s.normal_force_n * factor),
+        Vec::new(),
+        "A mark stands at the start of the step over which its force acts; at 2 s the force of two \
+         steps is all there is.",
+    )
+}
+
+/// Fig. 10: relative speed for the four time steps, with the expected final speed.
+pub(super) fn figure_10(runs: &Runs) -> Markup {
+    let run = &runs[STEPS[0].0];
+    chart(
+        "Fig. 10 – Relative speed for four time steps, 4 kn",
+        ("relative speed", "m/s"),
+        series(&STEPS, runs, END_OF_EXPERIMENT_1_S, |s, _| s.closing_mps),
+        vec![Reference { label: "−γV⁰".to_owned(), value: expected_final_mps(run) }],
+        "Positive closing. Dashed: the final speed expected by eq. 9.",
+    )
+}
+
+/// Fig. 11: relative speed for the four approach speeds.
+pub(super) fn figure_11(runs: &Runs) -> Markup {
+    let references = SPEEDS.iter().enumerate().map(|(index, (name, _))| Reference {
+        // The lines of the slow ones stand too close for texts of their own.
+        label: if index == 0 { "−γV⁰ of each".to_owned() } else { String::new() },
+        value: expected_final_mps(&runs[name]),
+    });
+    chart(
+        "Fig. 11 – Relative speed for four approach speeds, Δt 0.1 s",
+        ("relative speed", "m/s"),
+        series(&SPEEDS, runs, END_OF_EXPERIMENT_2_S, |s, _| s.closing_mps),
+        references.collect(),
+        "Positive closing; 2 m apart at the start, so that the slow ones touch late.",
+    )
+}
+
+/// Fig. 11 once more, each speed as a share of its own start.
+pub(super) fn figure_11_scaled(runs: &Runs) -> Markup {
+    let run = &runs[SPEEDS[0].0];
+    let value = expected_final_mps(run) / run.pair.approach_speed_mps;
+    chart(
+        "Fig. 11, each speed over its own initial speed",
+        ("speed over initial speed", ""),
+        series(&SPEEDS, runs, END_OF_EXPERIMENT_2_S, |s, run| {
+            s.closing_mps / run.pair.approach_speed_mps
+        }),
+        vec![Reference { label: "−γ".to_owned(), value }],
+        "Ours, to show that the final speed is the same share of each.",
+    )
+}
+
+/// Fig. 12: normal force over time for the four approach speeds.
+pub(super) fn figure_12(runs: &Runs) -> Markup {
+    let (label, unit, factor) = FORCE;
+    chart(
+        "Fig. 12 – Normal contact force for four approach speeds, Δt 0.1 s",
+        (label, unit),
+        series(&SPEEDS, runs, END_OF_EXPERIMENT_2_S, |s, _| s.normal_force_n * factor),
+        Vec::new(),
+        "",
+    )
+}
+
+fn chart(
+    title: &str,
+    (label, unit): (&str, &str),
+    series: Vec<Series>,
+    references: Vec<Reference>,
+    note: &str,
+) -> Markup {
+    Chart {
+        title: title.to_owned(),
+        x: Axis::new("time", "s").including(0.0).tight(),
+        y: Axis::new(label, unit).including(0.0),
+        series,
+        references,
+        linked: Some("time"),
+        note: note.to_owned(),
+    }
+    .render()
+}
+
+fn series(
+    lines: &[(&str, &str)],
+    runs: &Runs,
+    end_s: f64,
+    value: impl Fn(&Sample, &Played) -> f64,
+) -> Vec<Series> {
+    let drawn = lines.iter().map(|(name, label)| {
+        let run = &runs[name];
+        let samples = run.trace.iter().take_while(|sample| sample.t_s <= end_s);
+        let points = samples.map(|s| Point { x: s.t_s, y: value(s, run) }).collect();
+        let line = Series::line(label, points);
+        if run.setup.step_s >= MARKED_STEP_S { line.with_marks() } else { line }
+    });
+    drawn.collect()
+}
+
+/// −γV⁰, by the material of the run's only pair [m/s].
+fn expected_final_mps(run: &Played) -> f64 {
+    let material = &run.setup.materials[run.setup.pairs[0].material].material;
+    -material.restitution * run.pair.approach_speed_mps
+}
+
+/// Both outlines, each with its dimensions, and how the bodies lie at the start.
+pub(super) fn outlines(runs: &Runs) -> Markup {
+    let setup = &runs[STEPS[0].0].setup;
+    html! {
+        @for (style, body) in setup.bodies.iter().enumerate() { (outline(body, style)) }
+        (start(setup))
+    }
+}
+
+/// One outline by itself, its bow to the right.
+fn outline(body: &BodySetup, style: usize) -> Markup {
+    // Heading east, so that a long ship lies along the page.
+    let pose = BodyState { heading_rad: core::f64::consts::FRAC_PI_2, ..Default::default() }.pose();
+    let vertices_m: Vec<Vec2> = body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
+    let Some(frame) = Frame::around(vertices_m.iter().copied()) else {
+        unreachable!("an outline has vertices");
+    };
+    let (length_m, breadth_m) = size(body);
+    // Room for the scale bar below and the arrow above.
+    let room = vec2(0.25 * breadth_m, 0.0);
+    let frame = Frame { low: frame.low - room, high: frame.high + room };
+    let text = format!("{}, {} m × {} m", body.name, plain(length_m, 4), plain(breadth_m, 4));
+    Plan {
+        title: format!("Outline of the {text}"),
+        frame,
+        outlines: vec![Outlined { vertices_m, stage: Stage::Peak, style }],
+        tracks: Vec::new(),
+        arrows: Vec::new(),
+        labels: vec![Label { at_m: Vec2::ZERO, reach_m: length_m, text }],
+        note: format!("Bow to the right; vertices, m forward and to starboard: {}.", corners(body)),
+    }
+    .render()
+}
+
+/// How both lie at the start of experiment 1, near where they will touch (Fig. 8).
+fn start(setup: &Setup) -> Markup {
+    let (outlines, frames): (Vec<_>, Vec<_>) = setup
+        .bodies
+        .iter()
+        .enumerate()
+        .map(|(style, body)| {
+            let state = BodyState {
+                position_m: body.position_m,
+                heading_rad: body.heading_rad,
+                ..Default::default()
+            };
+            let pose = state.pose();
+            let vertices_m: Vec<Vec2> =
+                body.outline.vertices().iter().map(|v| pose.apply(*v)).collect();
+            let frame = Frame::around(vertices_m.iter().copied());
+            (Outlined { vertices_m, stage: Stage::Peak, style }, frame)
+        })
+        .unzip();
+    let [Some(ship), Some(tug)] = frames[..] else { unreachable!("the paper has two bodies") };
+    let gap_m = ship.low.y - tug.high.y;
+    let bow = vec2(0.0, tug.high.y);
+    let room = vec2(24.0, 6.0);
+    let frame =
+        Frame { low: vec2(-room.x, tug.low.y - room.y), high: vec2(room.x, ship.high.y + room.y) };
+    let labels = vec![
+        Label {
+            at_m: (ship.low + ship.high) * 0.5,
+            reach_m: size(&setup.bodies[0]).1,
+            text: setup.bodies[0].name.clone(),
+        },
+        Label {
+            at_m: (tug.low + tug.high) * 0.5,
+            reach_m: size(&setup.bodies[1]).1,
+            text: setup.bodies[1].name.clone(),
+        },
+        Label {
+            at_m: bow + vec2(9.0, 0.5 * gap_m),
+            reach_m: f64::MAX,
+            text: format!("gap {} m", plain(gap_m, 3)),
+        },
+    ];
+    Plan {
+        title: "Fig. 8 – Start of experiment 1: the tug bow-on to the ship's side amidships"
+            .to_owned(),
+        frame,
+        outlines,
+        tracks: Vec::new(),
+        arrows: Vec::new(),
+        labels,
+        note: "The ship runs on above and below.".to_owned(),
+    }
+    .render()
+}
+
+/// Length and breadth of an outline [m].
+fn size(body: &BodySetup) -> (f64, f64) {
+    let (low, high) = body.outline.bounds();
+    (high.x - low.x, high.y - low.y)
+}
+
+fn corners(body: &BodySetup) -> String {
+    let corner = |v: &Vec2| format!("({}, {})", plain(v.x, 4), plain(v.y, 4));
+    body.outline.vertices().iter().map(corner).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,164 @@
+//! `validation.html`, `.csv` and `.json`.
+
+use std::fs::{self, File};
+use std::io::Write as _;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::published::{Rule, Tolerance};
+use super::row::{Compared, Row, count};
+use crate::failure::Failure;
+
+/// Writes the three files into `folder`, each whole or not at all; returns their names.
+///
+/// # Errors
+/// The file that cannot be written.
+pub(super) fn write(folder: &Path, page: &str, rows: &[Row]) -> Result<[&'static str; 3], Failure> {
+    fs::create_dir_all(folder).map_err(|e| cannot(folder, &e))?;
+    let names = ["validation.csv", "validation.json", "validation.html"];
+    let contents = [csv_text(rows).into_bytes(), json_text(rows).into_bytes(), page.into()];
+    for (name, content) in names.iter().zip(&contents) {
+        let (part, whole) = (folder.join(format!("{name}.part")), folder.join(name));
+        let written = File::create(&part)
+            .and_then(|mut file| file.write_all(content).and_then(|()| file.sync_all()))
+            .and_then(|()| fs::rename(&part, &whole));
+        written.map_err(|e| {
+            // Nothing better can be done with a second error.
+            let _ = fs::remove_file(&part);
+            cannot(&whole, &e)
+        })?;
+    }
+    Ok(names)
+}
+
+fn cannot(path: &Path, error: &dyn core::fmt::Display) -> Failure {
+    Failure::case(format_args!("error: cannot write {}: {error}", path.display()))
+}
+
+/// A number in full, in the shortest form that reads back to the same value.
+fn full(value: f64) -> String {
+    format!("{value:?}")
+}
+
+fn tolerance_parts(tolerance: Tolerance) -> (&'static str, f64) {
+    match tolerance {
+        Tolerance::Relative(share) => ("relative", share),
+        Tolerance::Absolute(bound) => ("absolute", bound),
+    }
+}
+
+fn rule_text(rule: Rule) -> String {
+    match rule {
+        Rule::Rises => "rises".to_owned(),
+        Rule::Falls => "falls".to_owned(),
+        Rule::DoesNotFall => "does_not_fall".to_owned(),
+        Rule::Converges => "converges".to_owned(),
+        Rule::Within { low, high } => format!("within {low} to {high}"),
+    }
+}
+
+fn csv_text(rows: &[Row]) -> String {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    let head = [
+        "kind",
+        "case",
+        "source",
+        "place",
+        "published",
+        "ours",
+        "unit",
+        "error",
+        "tolerance",
+        "tolerance_kind",
+        "ok",
+        "note",
+    ];
+    let records = rows.iter().map(|row| {
+        let (kind, published, ours, error, (tolerance_kind, tolerance)) = match &row.compared {
+            Compared::Number { published, ours, error, tolerance, .. } => {
+                let (kind, bound) = tolerance_parts(*tolerance);
+                ("number", full(*published), full(*ours), full(*error), (kind, full(bound)))
+            }
+            Compared::Statement { rule, ours, .. } => {
+                let ours: Vec<String> = ours.iter().map(|v| full(*v)).collect();
+                ("statement", rule_text(*rule), ours.join(" "), String::new(), ("", String::new()))
+            }
+        };
+        [
+            kind.to_owned(),
+            row.case.clone(),
+            row.source.clone(),
+            row.place.clone(),
+            published,
+            ours,
+            row.unit.to_owned(),
+            error,
+            tolerance,
+            tolerance_kind.to_owned(),
+            row.is_ok.to_string(),
+            row.note.clone(),
+        ]
+    });
+    let written = table.write_record(head);
+    let written =
+        records.fold(written, |so_far, record| so_far.and_then(|()| table.write_record(&record)));
+    written.expect("a table in memory takes every row");
+    let bytes = table.into_inner().expect("a table in memory ends");
+    String::from_utf8(bytes).expect("all cells are text")
+}
+
+fn json_text(rows: &[Row]) -> String {
+    let (within, compared) = count(rows, true);
+    let (hold, said) = count(rows, false);
+    let document = json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "rows_within_tolerance": within,
+        "rows": compared,
+        "statements_that_hold": hold,
+        "statements": said,
+        "numbers": rows.iter().filter_map(number_json).collect::<Vec<_>>(),
+        "said": rows.iter().filter_map(statement_json).collect::<Vec<_>>(),
+    });
+    let text = serde_json::to_string_pretty(&document).expect("plain values become JSON");
+    text + "\n"
+}
+
+fn number_json(row: &Row) -> Option<Value> {
+    let Compared::Number { published, ours, error, tolerance, reason } = &row.compared else {
+        return None;
+    };
+    let (tolerance_kind, tolerance) = tolerance_parts(*tolerance);
+    Some(json!({
+        "case": row.case,
+        "source": row.source,
+        "place": row.place,
+        "published": published,
+        "ours": ours,
+        "unit": row.unit,
+        "error": error,
+        "tolerance": tolerance,
+        "tolerance_kind": tolerance_kind,
+        "reason": reason,
+        "ok": row.is_ok,
+        "note": row.note,
+    }))
+}
+
+fn statement_json(row: &Row) -> Option<Value> {
+    let Compared::Statement { says, rule, ours, known_mismatch } = &row.compared else {
+        return None;
+    };
+    Some(json!({
+        "case": row.case,
+        "source": row.source,
+        "place": row.place,
+        "says": says,
+        "holds_if": rule_text(*rule),
+        "ours": ours,
+        "unit": row.unit,
+        "ok": row.is_ok,
+        "known_mismatch": known_mismatch,
+        "note": row.note,
+    }))
+}

@@ -1,0 +1,328 @@
+//! Published numbers and statements, as the files in `validation/` hold them.
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::quantity::Quantity;
+
+/// A publication, and what is held against it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Source {
+    /// Name in the table.
+    pub(super) short: String,
+    /// In full.
+    pub(super) citation: String,
+    pub(super) numbers: Vec<Number>,
+    pub(super) statements: Vec<Statement>,
+}
+
+/// One published value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Number {
+    pub(super) case: String,
+    /// Where in the source.
+    pub(super) place: String,
+    /// The scenario that reproduces it.
+    pub(super) run: String,
+    pub(super) quantity: Quantity,
+    /// The scenario whose value is the divisor.
+    pub(super) relative_to: Option<String>,
+    /// In the quantity's unit.
+    pub(super) published: f64,
+    pub(super) tolerance: Tolerance,
+    /// Why this tolerance.
+    pub(super) reason: String,
+    pub(super) note: String,
+}
+
+/// How far ours may be from theirs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Tolerance {
+    /// A share of the published value.
+    Relative(f64),
+    /// In the unit of the value.
+    Absolute(f64),
+}
+
+/// Something that a source says without a number of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Statement {
+    pub(super) case: String,
+    pub(super) place: String,
+    /// The source's words.
+    pub(super) says: String,
+    /// The scenarios, in the order in which the rule is meant.
+    pub(super) runs: Vec<String>,
+    pub(super) quantity: Quantity,
+    pub(super) rule: Rule,
+    /// It does not hold, and the note says why.
+    pub(super) known_mismatch: bool,
+    pub(super) note: String,
+}
+
+/// What a statement says of a list of values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Rule {
+    /// Each is larger than the one before.
+    Rises,
+    /// Each is smaller than the one before.
+    Falls,
+    /// None is smaller than the one before, and the last is larger than the first.
+    DoesNotFall,
+    /// Each difference is smaller than the one before.
+    Converges,
+    /// All lie between the two, in the quantity's unit.
+    Within { low: f64, high: f64 },
+}
+
+impl Rule {
+    /// Whether `values` are as the rule says.
+    pub(super) fn holds(self, values: &[f64]) -> bool {
+        let all = |fits: fn(f64, f64) -> bool| values.windows(2).all(|two| fits(two[0], two[1]));
+        match self {
+            Rule::Rises => all(|a, b| a < b),
+            Rule::Falls => all(|a, b| a > b),
+            Rule::DoesNotFall => all(|a, b| a <= b) && values.first() < values.last(),
+            Rule::Converges => values
+                .windows(3)
+                .all(|three| (three[1] - three[2]).abs() < (three[0] - three[1]).abs()),
+            Rule::Within { low, high } => values.iter().all(|v| (low..=high).contains(v)),
+        }
+    }
+}
+
+impl Source {
+    /// Reads the text of a file of published numbers.
+    ///
+    /// # Errors
+    /// What is wrong with it, naming the case and the key.
+    pub(super) fn parse(text: &str) -> Result<Source, String> {
+        let document = DeTable::parse(text).map_err(|e| e.to_string())?.into_inner();
+        let file = Table { name: "file".to_owned(), table: &document };
+        file.allow(&["short", "citation", "number", "statement"])?;
+        Ok(Source {
+            short: file.text("short")?,
+            citation: file.text("citation")?,
+            numbers: file.tables("number")?.iter().map(number).collect::<Result<_, _>>()?,
+            statements: file
+                .tables("statement")?
+                .iter()
+                .map(statement)
+                .collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+fn number(table: &Table<'_, '_>) -> Result<Number, String> {
+    table.allow(&[
+        "case",
+        "place",
+        "run",
+        "quantity",
+        "relative_to",
+        "published",
+        "unit",
+        "tolerance",
+        "tolerance_absolute",
+        "reason",
+        "note",
+    ])?;
+    let quantity = table.quantity()?;
+    let relative_to = table.has("relative_to").then(|| table.text("relative_to")).transpose()?;
+    let (unit, expected) =
+        (table.text("unit")?, if relative_to.is_some() { "" } else { quantity.unit() });
+    if unit != expected {
+        return Err(table.error(&format!("unit: \"{unit}\" where \"{expected}\" is meant")));
+    }
+    let published = table.float("published")?;
+    let tolerance = if table.has("tolerance_absolute") {
+        Tolerance::Absolute(table.float("tolerance_absolute")?)
+    } else if published != 0.0 {
+        Tolerance::Relative(table.float("tolerance")?)
+    } else {
+        return Err(table.error("tolerance: a share of zero is nothing; use tolerance_absolute"));
+    };
+    Ok(Number {
+        case: table.text("case")?,
+        place: table.text("place")?,
+        run: table.text("run")?,
+        quantity,
+        relative_to,
+        published,
+        tolerance,
+        reason: table.text("reason")?,
+        note: table.text_or_empty("note")?,
+    })
+}
+
+fn statement(table: &Table<'_, '_>) -> Result<Statement, String> {
+    table.allow(&[
+        "case",
+        "place",
+        "says",
+        "runs",
+        "quantity",
+        "holds",
+        "low",
+        "high",
+        "known_mismatch",
+        "note",
+    ])?;
+    let rule = match table.text("holds")?.as_str() {
+        "rises" => Rule::Rises,
+        "falls" => Rule::Falls,
+        "does_not_fall" => Rule::DoesNotFall,
+        "converges" => Rule::Converges,
+        "within" => Rule::Within { low: table.float("low")?, high: table.float("high")? },
+        other => return Err(table.error(&format!("holds: \"{other}\" is no rule"))),
+    };
+    let known_mismatch = table.has("known_mismatch") && table.flag("known_mismatch")?;
+    let note = table.text_or_empty("note")?;
+    if known_mismatch && note.is_empty() {
+        return Err(table.error("note: a known mismatch needs its reason"));
+    }
+    Ok(Statement {
+        case: table.text("case")?,
+        place: table.text("place")?,
+        says: table.text("says")?,
+        runs: table.texts("runs")?,
+        quantity: table.quantity()?,
+        rule,
+        known_mismatch,
+        note,
+    })
+}
+
+/// A table of the file, with a name for messages.
+struct Table<'t, 'i> {
+    name: String,
+    table: &'t DeTable<'i>,
+}
+
+impl<'t, 'i> Table<'t, 'i> {
+    fn error(&self, what: &str) -> String {
+        format!("{}: {what}", self.name)
+    }
+
+    fn find(&self, key: &str) -> Option<&'t DeValue<'i>> {
+        let entry = self.table.iter().find(|(name, _)| name.get_ref() == key);
+        entry.map(|(_, value)| value.get_ref())
+    }
+
+    fn has(&self, key: &str) -> bool {
+        self.find(key).is_some()
+    }
+
+    /// Refuses keys that are not in `known`, so that none is silently without effect.
+    fn allow(&self, known: &[&str]) -> Result<(), String> {
+        let unknown = self.table.keys().find(|key| !known.contains(&key.get_ref().as_ref()));
+        unknown.map_or(Ok(()), |key| Err(self.error(&format!("unknown key {}", key.get_ref()))))
+    }
+
+    fn get<T>(
+        &self,
+        key: &str,
+        what: &str,
+        take: impl FnOnce(&'t DeValue<'i>) -> Option<T>,
+    ) -> Result<T, String> {
+        let value = self.find(key).ok_or_else(|| self.error(&format!("{key} is missing")))?;
+        take(value).ok_or_else(|| self.error(&format!("{key} is no {what}")))
+    }
+
+    fn text(&self, key: &str) -> Result<String, String> {
+        self.get(key, "text", |value| value.as_str().map(str::to_owned))
+    }
+
+    fn text_or_empty(&self, key: &str) -> Result<String, String> {
+        if self.has(key) { self.text(key) } else { Ok(String::new()) }
+    }
+
+    fn flag(&self, key: &str) -> Result<bool, String> {
+        self.get(key, "true or false", DeValue::as_bool)
+    }
+
+    fn float(&self, key: &str) -> Result<f64, String> {
+        let number = self.get(key, "number", |value| match value {
+            DeValue::Integer(integer) => integer.as_str().parse::<f64>().ok(),
+            DeValue::Float(float) => float.as_str().parse().ok(),
+            _ => None,
+        })?;
+        if number.is_finite() {
+            Ok(number)
+        } else {
+            Err(self.error(&format!("{key} is not finite")))
+        }
+    }
+
+    fn texts(&self, key: &str) -> Result<Vec<String>, String> {
+        self.get(key, "list of texts", |value| {
+            let items = value.as_array()?.iter();
+            items.map(|item| item.get_ref().as_str().map(str::to_owned)).collect()
+        })
+    }
+
+    fn quantity(&self) -> Result<Quantity, String> {
+        let name = self.text("quantity")?;
+        Quantity::named(&name).ok_or_else(|| self.error(&format!("no quantity is called {name}")))
+    }
+
+    /// The tables of an array of tables, each named by its case; none where the key is missing.
+    fn tables(&self, key: &str) -> Result<Vec<Table<'t, 'i>>, String> {
+        if !self.has(key) {
+            return Ok(Vec::new());
+        }
+        self.get(key, "array of tables", |value| {
+            let tables = value.as_array()?.iter().map(Spanned::get_ref).map(|item| {
+                let table = item.as_table()?;
+                let unnamed = Table { name: key.to_owned(), table };
+                let name = unnamed.text("case").unwrap_or(unnamed.name);
+                Some(Table { name, table })
+            });
+            tables.collect()
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rules_hold_as_they_say() {
+        let table = [
+            (Rule::Rises, &[1.0, 2.0, 3.0][..], true),
+            (Rule::Rises, &[1.0, 1.0, 3.0], false),
+            (Rule::Falls, &[3.0, 2.0, 1.0], true),
+            (Rule::Falls, &[3.0, f64::NAN, 1.0], false),
+            (Rule::DoesNotFall, &[1.0, 1.0, 2.0], true),
+            (Rule::DoesNotFall, &[1.0, 1.0, 1.0], false),
+            (Rule::Converges, &[1.0, 3.0, 4.0], true),
+            (Rule::Converges, &[1.0, 2.0, 4.0], false),
+            (Rule::Within { low: 1.0, high: 2.0 }, &[1.0, 2.0], true),
+            (Rule::Within { low: 1.0, high: 2.0 }, &[0.9, 1.5], false),
+        ];
+        for (rule, values, holds) in table {
+            assert_eq!(rule.holds(values), holds, "{rule:?} of {values:?}");
+        }
+    }
+
+    #[test]
+    fn mistakes_in_a_file_name_case_and_key() {
+        let good = "short = 's'\ncitation = 'c'\n[[number]]\ncase = 'depth'\nplace = 'p'\n\
+                    run = 'r'\nquantity = 'peak_depth'\npublished = 1\nunit = 'm'\n\
+                    tolerance = 0.1\nreason = 'x'\n";
+        assert!(Source::parse(good).is_ok());
+        let table = [
+            ("unit = 'm'", "unit = 'kN'", "depth: unit: \"kN\" where \"m\" is meant"),
+            ("reason", "raeson", "depth: unknown key raeson"),
+            ("published = 1\n", "published = 'one'\n", "depth: published is no number"),
+            ("published = 1\n", "published = 0\n", "depth: tolerance: a share of zero"),
+            ("tolerance = 0.1\n", "", "depth: tolerance is missing"),
+            ("'peak_depth'", "'depth'", "depth: no quantity is called depth"),
+        ];
+        for (from, to, message) in table {
+            let got = Source::parse(&good.replacen(from, to, 1)).expect_err(message);
+            assert!(got.starts_with(message), "{got}");
+        }
+    }
+}

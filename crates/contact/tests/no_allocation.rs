@@ -1,0 +1,129 @@
+//! A warm step allocates nothing: 100,000 steps of a ship that touches eight fenders, slides along
+//! them and leaves again, under an allocator that counts.
+
+#[allow(dead_code, reason = "each test uses its own part of the scene")]
+mod scene;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use fenderline_contact::{BodyState, EventKind, Friction, Memory, Workspace, step, vec2};
+
+const STEP_S: f64 = 0.1;
+const STEPS: usize = 100_000;
+/// Ten cycles of all three motions below.
+const WARM_UP_STEPS: usize = 20_000;
+
+thread_local! {
+    /// Calls to the allocator from this thread: the test harness has others of its own.
+    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+fn count() {
+    // No count where the thread is ending: the test is over by then.
+    let _ = ALLOCATIONS.try_with(|n| n.set(n.get() + 1));
+}
+
+// SAFETY: every call goes to the system's allocator unchanged; counting allocates nothing.
+#[allow(unsafe_code, reason = "an allocator cannot be written without; tests only")]
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count();
+        // SAFETY: as the caller promised.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        count();
+        // SAFETY: as the caller promised.
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn realloc(&self, place: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count();
+        // SAFETY: as the caller promised.
+        unsafe { System.realloc(place, layout, size) }
+    }
+
+    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
+        // SAFETY: as the caller promised.
+        unsafe { System.dealloc(place, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Sways between 0.3 m clear of the fenders and 0.5 m into them, surges so that it slides both
+/// ways, and yaws so that not all fenders are touched alike.
+fn ship_at(step: usize) -> BodyState {
+    let t = step as f64 * STEP_S;
+    let swing = |amplitude: f64, period_s: f64| {
+        let rate = core::f64::consts::TAU / period_s;
+        (amplitude * libm::sin(rate * t), amplitude * rate * libm::cos(rate * t))
+    };
+    let (sway_m, sway_mps) = swing(0.4, 97.0);
+    let (surge_m, surge_mps) = swing(12.0, 181.0);
+    let (heading_rad, yaw_rate_radps) = swing(1e-3, 61.0);
+    BodyState {
+        position_m: vec2(surge_m, scene::TOUCH_EAST_M + 0.1 + sway_m),
+        heading_rad,
+        velocity_mps: vec2(surge_mps, sway_mps),
+        yaw_rate_radps,
+    }
+}
+
+#[derive(Debug, Default)]
+struct Seen {
+    began: usize,
+    ended: usize,
+    sticking: usize,
+    slipping: usize,
+    most_touching: usize,
+    fewest_touching: usize,
+}
+
+impl Seen {
+    fn count(&mut self, work: &Workspace) {
+        for event in work.events() {
+            self.began += usize::from(event.kind == EventKind::ContactBegan);
+            self.ended += usize::from(event.kind == EventKind::ContactEnded);
+        }
+        for contact in work.contacts() {
+            match contact.friction {
+                Friction::Stick => self.sticking += 1,
+                Friction::Slip => self.slipping += 1,
+            }
+        }
+        self.most_touching = self.most_touching.max(work.contacts().len());
+        self.fewest_touching = self.fewest_touching.min(work.contacts().len());
+    }
+}
+
+#[test]
+fn a_hundred_thousand_warm_steps_allocate_nothing() {
+    let model = scene::berth(500e3);
+    let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
+    let mut states = scene::states(ship_at(0));
+    let mut seen = Seen { fewest_touching: usize::MAX, ..Seen::default() };
+    let mut allocations_before = 0;
+    for index in 0..WARM_UP_STEPS + STEPS {
+        if index == WARM_UP_STEPS {
+            allocations_before = ALLOCATIONS.get();
+        }
+        states[scene::SHIP] = ship_at(index);
+        step(&model, &mut memory, &mut work, &states, STEP_S).expect("good states");
+        if index >= WARM_UP_STEPS {
+            seen.count(&work);
+        }
+    }
+    assert_eq!(ALLOCATIONS.get() - allocations_before, 0, "allocations in warm steps");
+    assert!(allocations_before > 0, "the counter counts");
+
+    // The run is what it says.
+    assert_eq!((seen.most_touching, seen.fewest_touching), (scene::FENDERS, 0), "{seen:?}");
+    assert!(seen.began >= 400 && seen.ended >= 400, "{seen:?}");
+    assert!(seen.sticking > 1_000 && seen.slipping > 10_000, "{seen:?}");
+}

@@ -1,0 +1,225 @@
+//! Non-convex bodies through the whole engine: area against an integer-grid clipper, the normal
+//! against the area's own derivative, and patches that part and meet.
+
+mod support;
+
+use fenderline_contact::{BodyState, Contact, EventKind, Material, Pose, Vec2, vec2};
+use geo::{Area, BooleanOps, Coord, LineString, Polygon};
+use proptest::prelude::*;
+use support::harbour::{PAPER, Run, at, body, contacts_of, model};
+use support::shapes::{beside, hull, points, rectangle};
+
+fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
+}
+
+/// A basin: two arms about a slip, open to +x.
+fn basin() -> Vec<Vec2> {
+    points(&[
+        (-10.0, -30.0),
+        (60.0, -30.0),
+        (60.0, -12.0),
+        (0.0, -12.0),
+        (0.0, 12.0),
+        (60.0, 12.0),
+        (60.0, 30.0),
+        (-10.0, 30.0),
+    ])
+}
+
+fn stepped_ship() -> Vec<Vec2> {
+    points(&[
+        (-80.0, -14.0),
+        (60.0, -14.0),
+        (85.0, 0.0),
+        (60.0, 14.0),
+        (20.0, 14.0),
+        (20.0, 12.0),
+        (-30.0, 11.5),
+        (-80.0, 12.5),
+    ])
+}
+
+/// A saw: six teeth of `depth_m`, off the same back.
+fn saw(depth_m: f64) -> Vec<Vec2> {
+    let mut ring = points(&[(0.0, 0.0), (60.0, 0.0)]);
+    for tooth in (0..6).rev() {
+        let x = 10.0 * f64::from(tooth);
+        ring.extend([vec2(x + 7.0, 4.0 + depth_m), vec2(x + 0.5, 4.0)]);
+    }
+    ring.push(vec2(0.0, 4.0));
+    ring
+}
+
+fn placed(ring: &[Vec2], pose: Pose) -> Vec<Vec2> {
+    ring.iter().map(|&v| pose.apply(v)).collect()
+}
+
+/// Area by `geo`: coordinates on an integer grid, so 1e-5 m² at best for bodies of 100 m.
+fn geo_area_m2(a: &[Vec2], b: &[Vec2]) -> f64 {
+    let polygon = |ring: &[Vec2]| {
+        let line: LineString = ring.iter().map(|v| Coord { x: v.x, y: v.y }).collect();
+        Polygon::new(line, vec![])
+    };
+    polygon(a).intersection(&polygon(b)).unsigned_area()
+}
+
+fn area_m2(contacts: &[Contact]) -> f64 {
+    contacts.iter().map(|c| c.area_m2).sum()
+}
+
+fn shape() -> impl Strategy<Value = Vec<Vec2>> {
+    prop_oneof![
+        Just(basin()),
+        Just(stepped_ship()),
+        (1.0..9.0f64).prop_map(saw),
+        (6usize..40).prop_map(|count| hull(120.0, 24.0, count)),
+        (1.0..40.0f64, 1.0..9.0f64).prop_map(|(l, w)| rectangle(l, w)),
+    ]
+}
+
+proptest! {
+    #![proptest_config(config(500))]
+
+    #[test]
+    fn the_area_of_non_convex_bodies_is_that_of_an_independent_clipper(
+        a in shape(),
+        b in shape(),
+        (a_heading, b_heading) in (0.0..6.3f64, 0.0..6.3f64),
+        (bearing, depth_m, share) in (0.0..6.3f64, 0.05..30.0f64, -0.5..0.5f64),
+    ) {
+        let one = at(3.0, -4.0, a_heading);
+        let place = beside(&a, one.pose(), &b, b_heading, (bearing, depth_m, share));
+        let two = at(place.position_m.x, place.position_m.y, b_heading);
+        let contacts = contacts_of(&a, one, &b, two);
+        let right = geo_area_m2(&placed(&a, one.pose()), &placed(&b, two.pose()));
+        let ours = area_m2(&contacts);
+        prop_assert!((ours - right).abs() <= 2e-5 + 1e-7 * right, "{ours} not {right}");
+    }
+
+    /// ∂S/∂x₁ = ℓ n, summed over the patches: the area is piecewise quadratic in the position, so
+    /// that a central difference is off only where a corner crosses an edge within it.
+    #[test]
+    fn the_normal_is_the_gradient_of_the_area(
+        a in shape(),
+        b in shape(),
+        (a_heading, b_heading) in (0.0..6.3f64, 0.0..6.3f64),
+        (bearing, depth_m, share) in (0.0..6.3f64, 0.05..5.0f64, -0.5..0.5f64),
+    ) {
+        let one = at(3.0, -4.0, a_heading);
+        let place = beside(&a, one.pose(), &b, b_heading, (bearing, depth_m, share));
+        let two = at(place.position_m.x, place.position_m.y, b_heading);
+        let contacts = contacts_of(&a, one, &b, two);
+        let [contact] = contacts[..] else { return Ok(()) };
+        let moved = |by: Vec2| {
+            let state = BodyState { position_m: one.position_m + by, ..one };
+            area_m2(&contacts_of(&a, state, &b, two))
+        };
+        let gradient = |h: f64| {
+            let x = moved(vec2(h, 0.0)) - moved(vec2(-h, 0.0));
+            vec2(x, moved(vec2(0.0, h)) - moved(vec2(0.0, -h))) * (0.5 / h)
+        };
+        // Two widths: where they differ a corner crosses an edge in between.
+        let (wide, narrow) = (gradient(1e-4), gradient(0.5e-4));
+        prop_assume!((wide - narrow).length() < 1e-7 * (1.0 + wide.length()));
+        // ℓ may vanish: a body within another.
+        prop_assume!(wide.length() > 0.1);
+        let normal = wide * (1.0 / wide.length());
+        prop_assert!((normal - contact.normal).length() < 1e-6, "{:?} not {normal:?}", contact.normal);
+    }
+}
+
+/// A basin's two arms against a quay: two patches, each with its own centroid.
+#[test]
+fn two_arms_against_a_wall_are_two_patches() {
+    let wall = rectangle(10.0, 200.0);
+    let contacts = contacts_of(&basin(), at(0.0, 0.0, 0.0), &wall, at(64.5, 0.0, 0.0));
+    assert_eq!(contacts.len(), 2);
+    for (contact, side) in contacts.iter().zip([-1.0, 1.0]) {
+        assert!((contact.area_m2 - 18.0 * 0.5).abs() < 1e-11);
+        assert!((contact.point_m - vec2(59.75, side * 21.0)).length() < 1e-11);
+        assert!((contact.normal - vec2(1.0, 0.0)).length() < 1e-14);
+        assert!((contact.depth_m - 0.5).abs() < 1e-12);
+    }
+    assert_eq!([contacts[0].patch, contacts[1].patch], [0, 1]);
+}
+
+const DAMPED: Material = Material { damping_nspm2: 200e3, ..PAPER };
+
+/// A body with two feet is pressed into a quay until its belly touches too, and drawn out again.
+/// The memory (the shear) goes on through the merger and the split.
+#[test]
+fn patches_that_merge_and_split_keep_their_shear() {
+    let feet = points(&[
+        (0.0, -20.0),
+        (6.0, -20.0),
+        (6.0, -10.0),
+        (5.0, -10.0),
+        (5.0, 10.0),
+        (6.0, 10.0),
+        (6.0, 20.0),
+        (0.0, 20.0),
+    ]);
+    let wall = rectangle(10.0, 200.0);
+    let bodies = vec![body(1, &feet, true), body(2, &wall, false)];
+    let mut run = Run::new(model(bodies, Material { friction_static: 1e3, ..PAPER }));
+    let quay = at(11.0, 0.0, 0.0);
+    // Sideways by 1 mm a step, all the while it goes in by 0.1 m a step and out again.
+    let mut seen = Vec::new();
+    for step in 0..20i32 {
+        let depth_m = 0.55 + 0.1 * f64::from(10 - (step - 10).abs());
+        let state = BodyState {
+            velocity_mps: vec2(1.0, 0.01), // pressed on, so that the limiter lets N be
+            ..at(depth_m, 0.001 * f64::from(step), 0.0)
+        };
+        let contacts = run.step(&[state, quay], 0.1);
+        let shears: Vec<f64> = contacts.iter().map(|c| c.shear_m).collect();
+        for shear in &shears {
+            let right = 0.001 * f64::from(step);
+            assert!((shear - right).abs() < 1e-12, "step {step}: {shears:?}");
+        }
+        if step > 0 {
+            assert!(!run.told(EventKind::ContactBegan) && !run.told(EventKind::ContactEnded));
+        }
+        if run.told(EventKind::PatchesMerged) {
+            seen.push("merged");
+        }
+        if run.told(EventKind::PatchSplit) {
+            seen.push("split");
+        }
+    }
+    assert_eq!(seen, ["merged", "split"]);
+}
+
+/// One patch that becomes two is the same overlap: the damper, which sees how fast the area grows,
+/// may not take the half for a loss of the other half.
+#[test]
+fn a_split_does_not_jerk_the_damper() {
+    let notched = points(&[
+        (0.0, -20.0),
+        (6.0, -20.0),
+        (6.0, -0.5),
+        (5.0, -0.5),
+        (5.0, 0.5),
+        (6.0, 0.5),
+        (6.0, 20.0),
+        (0.0, 20.0),
+    ]);
+    let wall = rectangle(10.0, 200.0);
+    let bodies = vec![body(1, &notched, true), body(2, &wall, false)];
+    let mut run = Run::new(model(bodies, Material { restitution: 1.0, ..DAMPED }));
+    let mut forces = Vec::new();
+    let mut patches = Vec::new();
+    for step in 0..6 {
+        // Backs out by 5 mm a step; the notch comes free between the third and the fourth.
+        let depth_m = 1.0125 - 0.005 * f64::from(step);
+        let state = BodyState { velocity_mps: vec2(3.0, 0.0), ..at(depth_m, 0.0, 0.0) };
+        let contacts = run.step(&[state, at(11.0, 0.0, 0.0)], 0.1);
+        forces.push(contacts.iter().map(|c| c.normal_force_n).sum::<f64>());
+        patches.push(contacts.len());
+    }
+    assert_eq!(patches, [1, 1, 1, 2, 2, 2]);
+    for two in forces.windows(2).skip(1) {
+        assert!((two[1] / two[0] - 1.0).abs() < 0.05, "{forces:?}");
+    }
+}

@@ -1,0 +1,202 @@
+//! Seams: a hull in several convex pieces is one hull. Nothing that a contact says may tell where
+//! the cuts lie.
+
+mod support;
+
+use fenderline_contact::{BodyState, Contact, EventKind, Material, Outline, Vec2, vec2};
+use support::harbour::{PAPER, Run, at, body, model};
+use support::shapes::{hull, points, rectangle};
+
+/// A convex hull, and the same with a tiny notch in its far side: the notch forces diagonals
+/// across the hull, and some of them end in the vertices of the near side.
+fn plain_and_notched() -> Vec<(Vec<Vec2>, Vec<Vec2>)> {
+    let ship = hull(298.0, 46.0, 24);
+    // The far side is the last edge but one: from (0.7 · 149, 23) to (−149, 23).
+    let with_notches = |places: &[f64]| {
+        let mut ring = ship[..ship.len() - 1].to_vec();
+        for &x in places {
+            ring.extend([vec2(x + 1e-3, 23.0), vec2(x, 22.999), vec2(x - 1e-3, 23.0)]);
+        }
+        ring.push(ship[ship.len() - 1]);
+        ring
+    };
+    vec![
+        (ship.clone(), with_notches(&[0.0])),
+        (ship.clone(), with_notches(&[60.0, -100.0])),
+        (ship.clone(), with_notches(&[100.0, 40.0, 0.0, -30.0, -120.0])),
+    ]
+}
+
+/// What notches of 1e-6 m² on the far side may do to nothing at all.
+#[track_caller]
+fn equal(what: &str, one: f64, two: f64, scale: f64, context: &str) {
+    let limit = 1e-9 * scale.abs().max(one.abs());
+    assert!((one - two).abs() <= limit, "{what}: {one:e} not {two:e}, {context}");
+}
+
+#[track_caller]
+fn same_contact(one: &Contact, two: &Contact, context: &str) {
+    equal("area", one.area_m2, two.area_m2, 0.0, context);
+    equal("depth", one.depth_m, two.depth_m, 0.0, context);
+    equal("normal force", one.normal_force_n, two.normal_force_n, 0.0, context);
+    equal("friction", one.tangential_force_n, two.tangential_force_n, one.normal_force_n, context);
+    equal("shear", one.shear_m, two.shear_m, 1.0, context);
+    equal("V_n", one.v_normal_mps, two.v_normal_mps, 1.0, context);
+    equal("normal x", one.normal.x, two.normal.x, 1.0, context);
+    equal("normal y", one.normal.y, two.normal.y, 1.0, context);
+    equal("arm x", one.arm_1_m.x, two.arm_1_m.x, 150.0, context);
+    equal("arm y", one.arm_1_m.y, two.arm_1_m.y, 150.0, context);
+    assert_eq!((one.friction, one.limited, one.patch), (two.friction, two.limited, two.patch));
+}
+
+/// Slides both hulls by the same states past a fender and compares every step.
+fn slide(
+    plain: &[Vec2],
+    cut: &[Vec2],
+    fender: &[Vec2],
+    material: Material,
+    track: &dyn Fn(i32) -> [BodyState; 2],
+) {
+    let run = |ring: &[Vec2]| {
+        Run::new(model(vec![body(1, ring, true), body(2, fender, false)], material))
+    };
+    let (mut one, mut two) = (run(plain), run(cut));
+    let mut touching = 0;
+    for step in 0..1000 {
+        let states = track(step);
+        let (first, second) = (one.step(&states, 0.1), two.step(&states, 0.1));
+        let context = format!("step {step}");
+        assert_eq!(first.len(), second.len(), "{context}: {second:?}");
+        first.iter().zip(&second).for_each(|(c, d)| same_contact(c, d, &context));
+        assert_eq!(one.work.events(), two.work.events(), "{context}");
+        touching += first.len();
+    }
+    assert!(touching > 500, "{touching}");
+}
+
+#[test]
+fn a_hull_in_pieces_slides_along_a_fender_as_a_whole_one() {
+    let slippery = Material { friction_static: 0.2, friction_dynamic: 0.15, ..PAPER };
+    let damped = Material { damping_nspm2: 300e3, ..PAPER };
+    let fenders = [rectangle(4.0, 1.5), points(&[(0.0, -1.0), (2.0, 1.0), (-2.0, 1.0)])];
+    for (plain, cut) in plain_and_notched() {
+        let (outline, _) = Outline::new(&cut).expect("a good outline");
+        assert!(outline.pieces().len() > 1);
+        for (fender, top) in fenders.iter().zip([0.75, 1.0]) {
+            for material in [PAPER, slippery, damped] {
+                // Along the near side (y = −23) from astern of midships round the shoulder.
+                slide(&plain, &cut, fender, material, &|step| {
+                    let t = f64::from(step);
+                    let depth_m = 0.2 + 0.1 * libm::sin(0.05 * t);
+                    let ship = BodyState {
+                        velocity_mps: vec2(2.0, -0.3 + 0.05 * libm::cos(0.05 * t)),
+                        ..at(-100.0 + 0.2 * t, 0.0, 0.01 * libm::sin(0.013 * t))
+                    };
+                    let reach =
+                        23.0 + top - depth_m + 0.01 * libm::sin(0.013 * t) * (100.0 - 0.2 * t);
+                    [ship, at(0.0, -reach, if top > 0.9 { 0.0 } else { 0.02 })]
+                });
+            }
+        }
+    }
+}
+
+/// A hull with a knuckle that is really there: the same outline cut along other diagonals by
+/// notches elsewhere.
+#[test]
+fn a_knuckled_hull_does_not_feel_where_it_is_cut() {
+    let knuckled = points(&[
+        (-80.0, -14.0),
+        (-20.0, -12.0), // a hollow in the side
+        (40.0, -14.0),
+        (85.0, 0.0),
+        (40.0, 14.0),
+        (-80.0, 14.0),
+    ]);
+    let mut notched = knuckled[..5].to_vec();
+    for x in [20.0, -20.0, -60.0] {
+        notched.extend([vec2(x + 1e-3, 14.0), vec2(x, 13.999), vec2(x - 1e-3, 14.0)]);
+    }
+    notched.push(knuckled[5]);
+    for fender in [rectangle(30.0, 2.0), rectangle(3.0, 2.0)] {
+        slide(&knuckled, &notched, &fender, PAPER, &|step| {
+            let t = f64::from(step);
+            let ship = BodyState {
+                velocity_mps: vec2(0.5, -0.3),
+                ..at(-20.0 + 0.05 * t, 0.0, 0.002 * libm::sin(0.01 * t))
+            };
+            [ship, at(0.0, -12.2 - 0.1 * libm::sin(0.02 * t), 0.0)]
+        });
+    }
+}
+
+/// Over a seam in ten thousand tiny steps: everything goes on without a jump, and no contact ends
+/// or begins.
+#[test]
+fn a_contact_that_crosses_a_seam_slowly_goes_on() {
+    let mut crossed = 0;
+    for (_, cut) in plain_and_notched() {
+        // Not the corner of the stern, beside which there is nothing to slide to.
+        let seams = seam_ends_on_the_near_side(&cut).into_iter().filter(|s| s.x > -149.0);
+        let fender = points(&[(0.0, -1.0), (2.0, 1.0), (-2.0, 1.0)]); // a flat top, y = 1
+        let corner = points(&[(0.0, 1.0), (-2.0, -1.0), (2.0, -1.0)]); // a corner on top, y = 1
+        for seam in seams {
+            crossed += 1;
+            for (shape, depth_m) in
+                [(&fender, 1e-3), (&corner, 1e-3), (&fender, 1e-6), (&corner, 1e-6)]
+            {
+                let bodies = vec![body(1, &cut, true), body(2, shape, false)];
+                let mut run = Run::new(model(bodies, PAPER));
+                let mut last: Option<Contact> = None;
+                for step in 0..2000 {
+                    // 2 nm a step for the corner's tip in the middle, coarser outside.
+                    let s = f64::from(step - 1000) / 1000.0;
+                    let x = 4.0 * depth_m * s * s * s;
+                    let ship = BodyState { velocity_mps: vec2(0.0, -0.5), ..at(0.0, 0.0, 0.0) };
+                    let states = [ship, at(seam.x + x, seam.y - 1.0 + depth_m, 0.0)];
+                    let contacts = run.step(&states, 0.1);
+                    assert_eq!(contacts.len(), 1, "step {step} at {seam:?}, {depth_m:e} deep");
+                    if let Some(last) = last {
+                        assert!(
+                            run.work.events().is_empty(),
+                            "step {step}: {:?}",
+                            run.work.events()
+                        );
+                        let (a, b) = (last.area_m2, contacts[0].area_m2);
+                        assert!((a - b).abs() <= 0.05 * a, "step {step}: area {a:e} then {b:e}");
+                    } else {
+                        assert!(run.told(EventKind::ContactBegan));
+                    }
+                    last = Some(contacts[0]);
+                }
+            }
+        }
+    }
+    assert!(crossed >= 3, "{crossed}");
+}
+
+/// Ends of seams on y = −23, where two pieces have the same vertex.
+fn seam_ends_on_the_near_side(ring: &[Vec2]) -> Vec<Vec2> {
+    let (outline, _) = Outline::new(ring).expect("a good outline");
+    let near = ring.iter().copied().filter(|v| v.y < 0.0);
+    near.filter(|v| outline.pieces().iter().filter(|p| p.contains(v)).count() > 1).collect()
+}
+
+/// First touch right on a seam's end, however light: one contact, not two.
+#[test]
+fn a_touch_of_a_nanometre_on_a_seam_is_one_contact() {
+    for (_, cut) in plain_and_notched() {
+        for seam in seam_ends_on_the_near_side(&cut) {
+            for power in 1..10 {
+                let depth_m = libm::pow(10.0, f64::from(-power));
+                let wall = rectangle(20.0, 2.0);
+                let bodies = vec![body(1, &cut, true), body(2, &wall, false)];
+                let mut run = Run::new(model(bodies, PAPER));
+                let ship = BodyState { velocity_mps: vec2(0.0, -0.1), ..at(0.0, 0.0, 0.0) };
+                let states = [ship, at(seam.x, seam.y - 1.0 + depth_m, 0.0)];
+                let contacts = run.step(&states, 0.1);
+                assert_eq!(contacts.len(), 1, "{depth_m:e} m at {seam:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! A fuzzer's bytes, read as numbers.
+
+/// Reads bytes from the front; zeros once they are used up, so that any input means something.
+#[derive(Clone, Debug)]
+pub struct Input<'a>(&'a [u8]);
+
+impl<'a> Input<'a> {
+    /// Starts at the first byte.
+    #[must_use]
+    pub fn new(bytes: &'a [u8]) -> Input<'a> {
+        Input(bytes)
+    }
+
+    /// True when all bytes are used up.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The next byte.
+    pub fn byte(&mut self) -> u8 {
+        let Some((&first, rest)) = self.0.split_first() else { return 0 };
+        self.0 = rest;
+        first
+    }
+
+    /// The next two bytes.
+    pub fn word(&mut self) -> u16 {
+        u16::from_le_bytes([self.byte(), self.byte()])
+    }
+
+    /// A coordinate in [−128, 128) on a grid of 1/256: numbers that a sum or product holds exactly,
+    /// so that edges on one another and corners on edges come up often.
+    pub fn coordinate_m(&mut self) -> f64 {
+        f64::from(self.word() as i16) / 256.0
+    }
+
+    /// A heading: often a multiple of a right angle, else any.
+    pub fn heading_rad(&mut self) -> f64 {
+        let choice = self.byte();
+        match choice {
+            0..128 => f64::from(choice % 8) * core::f64::consts::FRAC_PI_2,
+            _ => f64::from(self.word()) * 1e-4,
+        }
+    }
+
+    /// All bytes that are left.
+    #[must_use]
+    pub fn rest(self) -> &'a [u8] {
+        self.0
+    }
+}

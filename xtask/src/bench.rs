@@ -1,0 +1,35 @@
+//! `cargo xtask bench`: the engine against its peers, and its instructions a step. Reported, never
+//! gating: the times of one machine say little about another.
+
+use std::process::ExitCode;
+
+use crate::command::{cargo, run};
+use crate::tools;
+
+const BENCHES: [&str; 3] = ["clip", "step", "callgrind"];
+
+/// Runs the benches that are named; all where none is.
+pub(crate) fn bench(names: &[&str]) -> ExitCode {
+    if let Some(unknown) = names.iter().find(|name| !BENCHES.contains(name)) {
+        eprintln!("`{unknown}` is none of the benches {}", BENCHES.join(", "));
+        return ExitCode::from(2);
+    }
+    let wanted = if names.is_empty() { BENCHES.as_slice() } else { names };
+    let mut code = ExitCode::SUCCESS;
+    for &name in wanted {
+        println!("\n== {name}");
+        if name == "callgrind"
+            && let Err(missing) = tools::valgrind()
+        {
+            println!("== not run: {} is missing; install: {}", missing.tool, missing.install);
+            continue;
+        }
+        let arguments =
+            ["run", "--quiet", "--release", "--package", "fenderline-bench", "--", name];
+        if let Err(message) = run(&mut cargo(arguments)) {
+            eprintln!("{message}");
+            code = ExitCode::FAILURE;
+        }
+    }
+    code
+}

@@ -1,0 +1,60 @@
+//! `cargo xtask fuzz`: every fuzz target for a while, by the same stable toolchain as all else.
+
+use std::path::Path;
+use std::process::{Command, ExitCode};
+
+use crate::command::{cargo, run};
+use crate::step::Done;
+use crate::tools;
+
+/// The fuzz targets' own workspace.
+pub(crate) const MANIFEST: &str = "fuzz/Cargo.toml";
+/// Time for each target where the caller does not say [s].
+pub(crate) const SECONDS: u64 = 20;
+
+/// A target, and folders with inputs to start from besides its seeds.
+const TARGETS: [(&str, &[&str]); 3] =
+    [("clip", &[]), ("scenario", &["scenarios"]), ("snapshot", &[])];
+
+/// `cargo xtask fuzz`.
+pub(crate) fn fuzz_command(seconds: u64) -> ExitCode {
+    match fuzz(seconds) {
+        Ok(Done::Good) => ExitCode::SUCCESS,
+        Ok(Done::NotRun(missing)) => {
+            eprintln!("{} is missing; install: {}", missing.tool, missing.install);
+            ExitCode::FAILURE
+        }
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Runs each target for `seconds`.
+pub(crate) fn fuzz(seconds: u64) -> Result<Done, String> {
+    if let Err(missing) = tools::cargo_fuzz() {
+        return Ok(Done::NotRun(missing));
+    }
+    for (target, more) in TARGETS {
+        let corpus = Path::new("fuzz/corpus").join(target);
+        std::fs::create_dir_all(&corpus).map_err(|e| format!("{}: {e}", corpus.display()))?;
+        println!("-- {target}, {seconds} s");
+        run(&mut fuzz_one(target, &corpus, more, seconds))?;
+    }
+    Ok(Done::Good)
+}
+
+/// No sanitizer: those need a nightly toolchain, and find faults of unsafe code, which there is none
+/// of. Debug assertions and overflow checks are on.
+fn fuzz_one(target: &str, corpus: &Path, more: &[&str], seconds: u64) -> Command {
+    let mut command = cargo(["fuzz", "run", "--fuzz-dir", "fuzz", "--sanitizer", "none", target]);
+    command.arg(corpus).arg(Path::new("fuzz/seeds").join(target)).args(more);
+    command.arg("--").arg(format!("-max_total_time={seconds}"));
+    // A fixed seed: a fresh clone tries the same inputs, as far as it comes in the time.
+    command.args(["-seed=1", "-timeout=20", "-rss_limit_mb=2048", "-max_len=8192"]);
+    if Path::new("fuzz").join(target).with_extension("dict").is_file() {
+        command.arg(format!("-dict=fuzz/{target}.dict"));
+    }
+    command
+}

@@ -1,0 +1,177 @@
+//! `cargo xtask test`: everything that a change must pass.
+
+use std::path::Path;
+use std::process::{Command, ExitCode};
+
+use crate::command::{cargo, run, run_quietly};
+use crate::compare::{same_bytes, same_numbers};
+use crate::fuzz;
+use crate::scenarios;
+use crate::step::{Done, Step, run_all};
+use crate::tools;
+
+/// Runs all steps.
+pub(crate) fn test() -> ExitCode {
+    run_all(&[
+        Step { name: "format", run: format },
+        Step { name: "lints", run: lints },
+        Step { name: "the contact engine is no_std with one dependency", run: no_std },
+        Step { name: "tests", run: tests },
+        Step { name: "examples in the documentation", run: doc_tests },
+        Step { name: "documentation", run: documentation },
+        Step { name: "every scenario is accepted", run: scenarios_accepted },
+        Step { name: "the same bits from debug, release and a second run", run: same_bits },
+        Step { name: "published cases", run: validate },
+        Step { name: "independent implementation", run: independent },
+        Step { name: "licences and sources of dependencies", run: licences },
+        Step { name: "fuzz targets", run: || fuzz::fuzz(fuzz::SECONDS) },
+    ])
+}
+
+fn format() -> Result<Done, String> {
+    run(&mut cargo(["fmt", "--all", "--check"]))?;
+    run(&mut cargo(["fmt", "--manifest-path", fuzz::MANIFEST, "--check"]))?;
+    Ok(Done::Good)
+}
+
+fn lints() -> Result<Done, String> {
+    run(&mut cargo(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))?;
+    Ok(Done::Good)
+}
+
+/// Compiles the engine for a target without `std` where the toolchain has one. Else by argument:
+/// in a crate that declares `no_std` and never names `std` outside tests, no path to `std` resolves.
+fn no_std() -> Result<Done, String> {
+    const ENGINE: &str = "fenderline-contact";
+    const ROOT: &str = "crates/contact/src/lib.rs";
+    let source = std::fs::read_to_string(ROOT).map_err(|e| format!("{ROOT}: {e}"))?;
+    let lines: Vec<&str> = source.lines().map(str::trim).collect();
+    if !lines.contains(&"#![no_std]") {
+        return Err(format!("{ROOT} does not declare `#![no_std]`"));
+    }
+    for (index, _) in lines.iter().enumerate().filter(|(_, l)| **l == "extern crate std;") {
+        if index == 0 || lines[index - 1] != "#[cfg(test)]" {
+            return Err(format!("{ROOT}:{}: `std` outside tests", index + 1));
+        }
+    }
+    let tree = ["tree", "--package", ENGINE, "--edges", "normal,build", "--prefix", "none"];
+    let tree = run_quietly(&mut cargo(tree))?;
+    let names: Vec<&str> = tree.lines().filter_map(|line| line.split(' ').next()).collect();
+    if names != [ENGINE, "libm"] {
+        return Err(format!("{ENGINE} should depend on libm alone:\n{tree}"));
+    }
+    if let Some(target) = tools::bare_target() {
+        run(&mut cargo(["check", "--package", ENGINE, "--target", target]))?;
+        println!("compiled for {target}");
+    } else {
+        println!("by its declaration and its one dependency; no target without std is installed");
+    }
+    Ok(Done::Good)
+}
+
+fn tests() -> Result<Done, String> {
+    run(&mut cargo(["test", "--workspace", "--lib", "--bins", "--tests", "--examples"]))?;
+    Ok(Done::Good)
+}
+
+fn doc_tests() -> Result<Done, String> {
+    run(&mut cargo(["test", "--workspace", "--doc"]))?;
+    Ok(Done::Good)
+}
+
+fn documentation() -> Result<Done, String> {
+    let flags = ("RUSTDOCFLAGS", "-D warnings");
+    run(cargo(["doc", "--workspace", "--no-deps"]).env(flags.0, flags.1))?;
+    Ok(Done::Good)
+}
+
+fn scenarios_accepted() -> Result<Done, String> {
+    let all = scenarios::all()?;
+    for scenario in &all {
+        run_quietly(program("release").arg("check").arg(scenario))?;
+    }
+    println!("{} scenarios", all.len());
+    Ok(Done::Good)
+}
+
+/// All result files of some runs, byte for byte.
+fn same_bits() -> Result<Done, String> {
+    let folder = std::env::temp_dir().join(format!("fenderline-xtask-{}", std::process::id()));
+    let compared = same_bits_in(&folder);
+    let removed =
+        std::fs::remove_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()));
+    compared.and(removed).map(|()| Done::Good)
+}
+
+fn same_bits_in(folder: &Path) -> Result<(), String> {
+    for (scenario, options) in [
+        ("scenarios/oblique_hit.toml", vec![]),
+        ("scenarios/paper/experiment_2_4kn.toml", vec!["--format", "parquet"]),
+        ("scenarios/paper/experiment_1_step_0.1s.toml", vec!["--set", "time.integrator=rk4"]),
+    ] {
+        let results = |name: &str, profile: &str| {
+            let out = folder.join(name);
+            // No results of the scenario before.
+            if out.exists() {
+                std::fs::remove_dir_all(&out).map_err(|e| format!("{}: {e}", out.display()))?;
+            }
+            let mut command = program(profile);
+            command.args(["run", scenario]).args(&options).arg("--out").arg(&out);
+            run_quietly(&mut command).map(|_| out)
+        };
+        let first = results("release", "release")?;
+        for other in [results("again", "release")?, results("debug", "dev")?] {
+            same_bytes(&first, &other).map_err(|e| format!("{scenario}: {e}"))?;
+        }
+        println!("{scenario} {}", options.join(" "));
+    }
+    Ok(())
+}
+
+fn validate() -> Result<Done, String> {
+    run(program("release").arg("validate"))?;
+    Ok(Done::Good)
+}
+
+/// The second implementation meets its identities, and gives the numbers that git holds: those with
+/// which the engine's test compares.
+fn independent() -> Result<Done, String> {
+    const FOLDER: &str = "validation/independent";
+    const RESULTS: &str = "validation/independent/oblique_hit";
+    let python = match tools::python() {
+        Ok(python) => python,
+        Err(missing) => return Ok(Done::NotRun(missing)),
+    };
+    let python = |script: &str| {
+        let mut command = Command::new(python);
+        // No __pycache__ in the source tree.
+        command.arg("-B").arg(Path::new(FOLDER).join(script));
+        command
+    };
+    run(&mut python("check_paper_method.py"))?;
+    let out = std::env::temp_dir().join(format!("fenderline-oracle-{}", std::process::id()));
+    let mut method = python("paper_method.py");
+    run(method.arg("scenarios/oblique_hit.toml").arg("--out").arg(&out))?;
+    let compared = ["contacts.csv", "bodies.csv"]
+        .iter()
+        .try_for_each(|name| same_numbers(&Path::new(RESULTS).join(name), &out.join(name)));
+    std::fs::remove_dir_all(&out).map_err(|e| format!("{}: {e}", out.display()))?;
+    compared.map(|()| Done::Good)
+}
+
+fn licences() -> Result<Done, String> {
+    if let Err(missing) = tools::cargo_deny() {
+        return Ok(Done::NotRun(missing));
+    }
+    for manifest in ["Cargo.toml", fuzz::MANIFEST] {
+        let mut deny = cargo(["deny", "--log-level", "error", "--config", "deny.toml"]);
+        deny.args(["--manifest-path", manifest]);
+        run(deny.args(["check", "--hide-inclusion-graph", "licenses", "bans", "sources"]))?;
+    }
+    Ok(Done::Good)
+}
+
+/// The program, built by `profile` if need be.
+fn program(profile: &str) -> Command {
+    cargo(["run", "--quiet", "--profile", profile, "--package", "fenderline", "--"])
+}

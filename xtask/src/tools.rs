@@ -1,0 +1,65 @@
+//! Programs beyond Rust that some steps need.
+
+use std::process::Command;
+
+use crate::command::{cargo, run_quietly};
+
+/// A tool that is not here.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Missing {
+    /// What it is.
+    pub(crate) tool: &'static str,
+    /// How to get it.
+    pub(crate) install: &'static str,
+}
+
+/// Python new enough to read TOML.
+pub(crate) fn python() -> Result<&'static str, Missing> {
+    let asks = "import sys, tomllib; sys.exit(sys.version_info < (3, 11))";
+    answers(Command::new("python3").args(["-c", asks]))
+        .then_some("python3")
+        .ok_or(Missing { tool: "Python 3.11 or later", install: "from your distribution" })
+}
+
+/// cargo-deny.
+pub(crate) fn cargo_deny() -> Result<(), Missing> {
+    let install = "cargo install --locked cargo-deny";
+    answers(&mut cargo(["deny", "--version"]))
+        .then_some(())
+        .ok_or(Missing { tool: "cargo-deny", install })
+}
+
+/// cargo-fuzz, and the C++ compiler that its library needs.
+pub(crate) fn cargo_fuzz() -> Result<(), Missing> {
+    let install = "cargo install --locked cargo-fuzz";
+    answers(&mut cargo(["fuzz", "--version"]))
+        .then_some(())
+        .ok_or(Missing { tool: "cargo-fuzz", install })?;
+    let compiler = std::env::var("CXX").unwrap_or_else(|_| "c++".into());
+    answers(Command::new(compiler).arg("--version"))
+        .then_some(())
+        .ok_or(Missing { tool: "a C++ compiler", install: "g++ or clang of your distribution" })
+}
+
+/// valgrind, which counts instructions.
+pub(crate) fn valgrind() -> Result<(), Missing> {
+    answers(Command::new("valgrind").arg("--version"))
+        .then_some(())
+        .ok_or(Missing { tool: "valgrind", install: "from your distribution" })
+}
+
+/// A target without an operating system, where the toolchain has one.
+pub(crate) fn bare_target() -> Option<&'static str> {
+    ["wasm32v1-none", "thumbv7em-none-eabi", "thumbv7em-none-eabihf"].into_iter().find(|target| {
+        let asked =
+            Command::new("rustc").args(["--print", "target-libdir", "--target", target]).output();
+        asked.is_ok_and(|output| {
+            output.status.success()
+                && std::path::Path::new(String::from_utf8_lossy(&output.stdout).trim()).is_dir()
+        })
+    })
+}
+
+fn answers(command: &mut Command) -> bool {
+    run_quietly(command).is_ok()
+}
