@@ -85,7 +85,7 @@ fn mistakes_point_at_the_option() {
     check_refused("pair.first.material=paper", Some("pair.first"), "numbered from 0");
     check_refused("pair.0.material=papper", Some("pair.0.material"), "did you mean \"paper\"?");
     check_refused("load.0.moment=1", Some("load"), "the file has no `load`");
-    check_refused("contact.method=papal", Some("contact.method"), "did you mean \"paper\"?");
+    check_refused("contact.method=papr", Some("contact.method"), "did you mean \"paper\"?");
     check_refused("time.step", None, "it has no `=`");
     check_refused("time..step=1", None, "is not a key");
     check_refused("=1", None, "is not a key");
