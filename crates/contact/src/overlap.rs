@@ -254,7 +254,7 @@ fn seen_from_b(extent: &Extent, b_in_a: Pose) -> Extent {
 }
 
 /// A's outward normal in its frame. The chord's where there is one; else the contact's last good
-/// one; else the axis of least penetration of the two pieces that share most.
+/// one; else the axis of least penetration.
 pub(crate) fn normal_in_a(
     model: &Model,
     work: &mut Workspace,
@@ -278,9 +278,67 @@ pub(crate) fn normal_in_a(
     let largest = lenses.iter().fold(lenses[0], |largest, lens| {
         if lens.lens.area_m2 > largest.lens.area_m2 { *lens } else { largest }
     });
-    let a = &model.ranked[patch.candidate.a as usize].pieces[largest.piece_a as usize];
-    let b = &model.ranked[patch.candidate.b as usize].pieces[largest.piece_b as usize];
+    let body_a = &model.ranked[patch.candidate.a as usize];
+    let body_b = &model.ranked[patch.candidate.b as usize];
+    if (body_a.pieces.len() > 1 || body_b.pieces.len() > 1)
+        && let Some(normal) = nearest_side(model, work, patch)
+    {
+        return normal;
+    }
+    let a = &body_a.pieces[largest.piece_a as usize];
+    let b = &body_b.pieces[largest.piece_b as usize];
     clip::least_penetration(a, b, patch.b_in_a, &mut work.clip)
+}
+
+/// The axis of least penetration of whole outlines: a piece's edges will not do, for a body is not
+/// pushed out of another through a seam. `None` where no side faces the patch.
+fn nearest_side(model: &Model, work: &Workspace, patch: &Patch) -> Option<Vec2> {
+    let outline_of = |rank: u32| &model.bodies()[model.ranked[rank as usize].id.0 as usize].outline;
+    let lenses = &work.lenses[patch.lenses.0 as usize..patch.lenses.1 as usize];
+    let corners = || lenses.iter().flat_map(|lens| outline(work, lens)).copied();
+    // A body that lies within the other is pushed out by the other's sides, not by its own.
+    let is_all_of = |rank: u32| patch.area_m2 >= outline_of(rank).area_m2() * (1.0 - 1e-9);
+    let (a, b) = (patch.candidate.a, patch.candidate.b);
+    let by_sides_of = |rank: u32, other: u32| is_all_of(other) || !is_all_of(rank);
+    let of_a = by_sides_of(a, b)
+        .then(|| least_sunk_side(outline_of(a).vertices(), patch.centroid_m, corners()))
+        .flatten();
+    let b_in_a = patch.b_in_a;
+    let seen_from_b = corners().map(|v| b_in_a.apply_inverse(v));
+    let of_b = by_sides_of(b, a)
+        .then(|| {
+            let centroid_m = b_in_a.apply_inverse(patch.centroid_m);
+            least_sunk_side(outline_of(b).vertices(), centroid_m, seen_from_b)
+        })
+        .flatten();
+    match (of_a, of_b) {
+        (Some((depth_m, outward)), Some((other_m, _))) if depth_m <= other_m => Some(outward),
+        (Some((_, outward)), None) => Some(outward),
+        (_, of_b) => of_b.map(|(_, outward)| -b_in_a.rotation.apply(outward)),
+    }
+}
+
+/// Of the sides of an outline that a patch's centroid faces from inside, the one behind which the
+/// patch's corners reach least deep: that depth [m] and the side's outward normal.
+fn least_sunk_side(
+    sides: &[Vec2],
+    centroid_m: Vec2,
+    corners: impl Iterator<Item = Vec2> + Clone,
+) -> Option<(f64, Vec2)> {
+    let mut best: Option<(f64, Vec2)> = None;
+    for (&start, &end) in sides.iter().zip(sides.iter().cycle().skip(1)) {
+        let (along, to) = (end - start, centroid_m - start);
+        let share = to.dot(along);
+        if !(0.0..=along.length_squared()).contains(&share) || along.cross(to) < 0.0 {
+            continue;
+        }
+        let outward = along.quarter_turn_back() * (1.0 / along.length());
+        let depth_m = corners.clone().fold(0.0, |d, v| f64::max(d, -outward.dot(v - start)));
+        if best.is_none_or(|(least_m, _)| depth_m < least_m) {
+            best = Some((depth_m, outward));
+        }
+    }
+    best
 }
 
 /// δ, the extent of the patch along a direction [m].

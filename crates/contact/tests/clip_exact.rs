@@ -161,7 +161,7 @@ fn stars_of_two_polygons_have_the_exact_area_and_chord() {
         }
     }
     // A beam across a beam, a mast through a hull.
-    for (length, width, heading) in [(40.0, 0.5, 1.2), (400.0, 0.01, 0.9), (100.0, 30.0, 1.5707)] {
+    for (length, width, heading) in [(40.0, 0.5, 1.2), (400.0, 0.01, 0.9), (100.0, 30.0, 1.57)] {
         let (ship, beam) = (hull(298.0, 46.0, 24), rectangle(length, width));
         let a_pose = Pose::new(vec2(-650.0, 710.0), 0.4);
         let b_pose = Pose::new(vec2(-640.0, 716.0), heading);

@@ -79,7 +79,7 @@ fn shape() -> impl Strategy<Value = Vec<Vec2>> {
 }
 
 proptest! {
-    #![proptest_config(config(500))]
+    #![proptest_config(config(1000))]
 
     #[test]
     fn the_area_of_non_convex_bodies_is_that_of_an_independent_clipper(

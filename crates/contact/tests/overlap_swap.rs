@@ -65,7 +65,9 @@ fn same_contact(one: &Contact, two: &Contact, back: impl Fn(Vec2) -> Vec2, sign:
     let of_depth = extent / one.depth_m * 0.1;
     close("area", one.area_m2, two.area_m2, one.area_m2 * of_depth);
     close("depth", one.depth_m, two.depth_m, one.depth_m * of_depth);
-    close("normal force", one.normal_force_n, two.normal_force_n, one.normal_force_n * of_depth);
+    // The limiter works on a small difference of speeds: it magnifies the rounding of the normal.
+    let of_force = if one.limited { 1e3 * of_depth } else { of_depth };
+    close("normal force", one.normal_force_n, two.normal_force_n, one.normal_force_n * of_force);
     close("V_n", one.v_normal_mps, two.v_normal_mps, 1.0 * of_depth);
     close("V_t", one.v_tangential_mps, sign * two.v_tangential_mps, of_depth);
     close("shear", one.shear_m, sign * two.shear_m, of_depth);
@@ -105,7 +107,7 @@ fn grid(value: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(config(200))]
+    #![proptest_config(config(300))]
 
     #[test]
     fn swapped_bodies_have_the_same_contact((a, one, b, two) in meeting()) {

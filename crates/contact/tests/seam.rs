@@ -4,8 +4,9 @@
 mod support;
 
 use fenderline_contact::{BodyState, Contact, EventKind, Material, Outline, Vec2, vec2};
+use proptest::prelude::*;
 use support::harbour::{PAPER, Run, at, body, model};
-use support::shapes::{hull, points, rectangle};
+use support::shapes::{any_convex, beside, hull, points, rectangle};
 
 /// A convex hull, and the same with a tiny notch in its far side: the notch forces diagonals
 /// across the hull, and some of them end in the vertices of the near side.
@@ -197,6 +198,65 @@ fn a_touch_of_a_nanometre_on_a_seam_is_one_contact() {
                 let contacts = run.step(&states, 0.1);
                 assert_eq!(contacts.len(), 1, "{depth_m:e} m at {seam:?}");
             }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(1000)
+    })]
+
+    /// Any convex body against the near side, from a millimetre to eight metres deep.
+    #[test]
+    fn a_hull_in_pieces_meets_any_body_as_a_whole_one(
+        which in 0usize..3,
+        other in any_convex(),
+        (ship_heading, heading) in (0.0..6.3f64, 0.0..6.3f64),
+        (bearing, share) in (-2.6..-0.5f64, -0.5..0.5f64),
+        power in -3.0..0.9f64,
+    ) {
+        let (plain, cut) = &plain_and_notched()[which];
+        let ship = at(5.0, 7.0, ship_heading);
+        let depth_m = libm::pow(10.0, power);
+        let off = (bearing + ship_heading, depth_m, share);
+        let place = beside(plain, ship.pose(), &other, heading, off);
+        let states = [ship, at(place.position_m.x, place.position_m.y, heading)];
+        let contacts = |ring: &[Vec2]| {
+            let bodies = vec![body(1, ring, true), body(2, &other, false)];
+            Run::new(model(bodies, PAPER)).step(&states, 0.1)
+        };
+        let (one, two) = (contacts(plain), contacts(cut));
+        let far_side = |c: &Contact| ship.pose().apply_inverse(c.point_m).y + c.depth_m > 22.0;
+        prop_assume!(!one.iter().chain(&two).any(far_side)); // the notches are real
+        // Without crossings the normal at first sight is a choice; its own test is below.
+        let contained = one.iter().any(|c| c.area_m2 > (1.0 - 1e-9) * area_m2(&other));
+        prop_assume!(!contained);
+        prop_assert_eq!(one.len(), two.len(), "{:?} and {:?}", one, two);
+        for (c, d) in one.iter().zip(&two) {
+            same_contact(c, d, &format!("{depth_m:e} m deep"));
+        }
+    }
+}
+
+fn area_m2(ring: &[Vec2]) -> f64 {
+    Outline::new(ring).expect("a good outline").0.area_m2()
+}
+
+/// Found inside a hull at first sight, a body is pushed out by the nearest side of the hull, not
+/// through the nearest seam.
+#[test]
+fn a_body_found_inside_a_hull_is_not_pushed_through_a_seam() {
+    for (plain, cut) in plain_and_notched() {
+        for i in 0..40 {
+            let states = [at(0.0, 0.0, 0.0), at(-140.0 + 6.0 * f64::from(i), -21.0, 0.0)];
+            let normal = |ring: &[Vec2]| {
+                let bodies = vec![body(1, ring, true), body(2, &rectangle(0.5, 0.5), true)];
+                Run::new(model(bodies, PAPER)).step(&states, 0.1)[0].normal
+            };
+            let (one, two) = (normal(&plain), normal(&cut));
+            assert!((one - two).length() < 1e-9, "{one:?} not {two:?} at {:?}", states[1]);
         }
     }
 }
