@@ -142,28 +142,30 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
         let back = queue.len() - 1;
         let last = queue[back];
         let turn = last.along.cross(new.along);
-        let lengths = last.along.length() * new.along.length();
-        let ahead = last.along.dot(new.along) > 0.0;
-        if turn < -PARALLEL * lengths || (turn <= 0.0 && !(ahead && last.of_a != new.of_a)) {
-            return None; // a gap of half a turn or more: nothing can close it
-        }
         let mut new = new;
-        if ahead && turn <= SAME_DIRECTION * lengths && last.of_a != new.of_a {
-            let inward_m = last.along.cross(new.start - last.start) / last.along.length();
-            if inward_m.abs() <= SAME_LINE_M {
-                queue[back].doubled = true;
-                new.doubled = true;
+        if turn <= 0.0 || is_flat(turn, &last, &new) {
+            let lengths = last.along.length() * new.along.length();
+            let ahead = last.along.dot(new.along) > 0.0;
+            if turn < -PARALLEL * lengths || (turn <= 0.0 && !(ahead && last.of_a != new.of_a)) {
+                return None; // a gap of half a turn or more: nothing can close it
             }
-            if turn <= PARALLEL * lengths {
-                // No corner between the two: the one further in bounds the overlap.
-                if inward_m > 0.0 {
-                    queue[back] = new;
-                    if back > front {
-                        let from = (back > front + 1).then(|| corners[back - 1]);
-                        corners[back] = corner(a, b_m, queue[back - 1], new, from);
-                    }
+            if ahead && last.of_a != new.of_a {
+                let inward_m = last.along.cross(new.start - last.start) / last.along.length();
+                if inward_m.abs() <= SAME_LINE_M {
+                    queue[back].doubled = true;
+                    new.doubled = true;
                 }
-                continue;
+                if turn <= PARALLEL * lengths {
+                    // No corner between the two: the one further in bounds the overlap.
+                    if inward_m > 0.0 {
+                        queue[back] = new;
+                        if back > front {
+                            let from = (back > front + 1).then(|| corners[back - 1]);
+                            corners[back] = corner(a, b_m, queue[back - 1], new, from);
+                        }
+                    }
+                    continue;
+                }
             }
         }
         let from = (back > front).then(|| corners[back]);
@@ -178,6 +180,17 @@ fn sweep(a: &ConvexPolygon, buffers: &mut Buffers) -> Option<usize> {
         front += 1;
     }
     if queue.len() < front + 3 { None } else { Some(front) }
+}
+
+/// Is the turn (the cross product of two edges) below [`SAME_DIRECTION`]? Without a square root:
+/// nearly all edges pass here.
+#[inline]
+fn is_flat(turn: f64, last: &HalfPlane, new: &HalfPlane) -> bool {
+    turn * turn
+        <= SAME_DIRECTION
+            * SAME_DIRECTION
+            * last.along.length_squared()
+            * new.along.length_squared()
 }
 
 #[inline]
@@ -218,60 +231,52 @@ struct Merge<'a> {
     b: Ring<'a>,
 }
 
+/// The edges of one polygon by direction; `head` is the next.
 struct Ring<'a> {
     closed: &'a [Vec2],
+    of_a: bool,
     next: usize,
     left: usize,
+    head: Option<HalfPlane>,
 }
 
 impl<'a> Ring<'a> {
-    fn peek(&self, of_a: bool) -> Option<HalfPlane> {
-        (self.left > 0).then(|| HalfPlane {
-            start: self.closed[self.next],
-            along: self.closed[self.next + 1] - self.closed[self.next],
-            edge: self.next as u32,
-            of_a,
-            doubled: false,
-        })
+    fn new(closed: &'a [Vec2], of_a: bool, first: usize) -> Ring<'a> {
+        let mut ring = Ring { closed, of_a, next: first, left: closed.len() - 1, head: None };
+        ring.pop();
+        ring
     }
 
-    fn advance(&mut self) {
-        self.next = after(self.next, self.closed.len() - 1);
-        self.left -= 1;
+    /// Gives the head away and puts the edge after it in its place.
+    #[inline(always)]
+    fn pop(&mut self) -> Option<HalfPlane> {
+        let following = (self.left > 0).then(|| {
+            let edge = self.next;
+            let start = self.closed[edge];
+            let along = self.closed[edge + 1] - start;
+            self.next = after(edge, self.closed.len() - 1);
+            self.left -= 1;
+            HalfPlane { start, along, edge: edge as u32, of_a: self.of_a, doubled: false }
+        });
+        core::mem::replace(&mut self.head, following)
     }
 }
 
 impl<'a> Merge<'a> {
     fn new(a: &'a ConvexPolygon, b_m: &'a [Vec2]) -> Merge<'a> {
         Merge {
-            a: Ring { closed: a.closed(), next: a.first_by_angle(), left: a.count() },
-            b: Ring { closed: b_m, next: first_by_angle(b_m), left: b_m.len() - 1 },
+            a: Ring::new(a.closed(), true, a.first_by_angle()),
+            b: Ring::new(b_m, false, first_by_angle(b_m)),
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn next(&mut self) -> Option<HalfPlane> {
-        let (a, b) = (self.a.peek(true), self.b.peek(false));
-        match (a, b) {
-            (None, None) => None,
-            (Some(h), None) => {
-                self.a.advance();
-                Some(h)
-            }
-            (None, Some(h)) => {
-                self.b.advance();
-                Some(h)
-            }
-            (Some(of_a), Some(of_b)) => {
-                if not_after(of_a.along, of_b.along) {
-                    self.a.advance();
-                    Some(of_a)
-                } else {
-                    self.b.advance();
-                    Some(of_b)
-                }
-            }
-        }
+        let a_is_next = match (&self.a.head, &self.b.head) {
+            (Some(of_a), Some(of_b)) => not_after(of_a.along, of_b.along),
+            (of_a, _) => of_a.is_some(),
+        };
+        if a_is_next { self.a.pop() } else { self.b.pop() }
     }
 }
 
