@@ -164,3 +164,92 @@ fn a_moored_ship_held_by_friction_does_not_creep_along() {
         assert!(drift_m < 1e-3, "Δt {step_s}: drifted {drift_m} m in an hour");
     }
 }
+
+/// Eight fenders, friction, loads and a tug against the other side: several islands and many patches.
+fn busy_berth(step_s: f64) -> Setup {
+    let mut rubber = spring(500e3, 0.1);
+    rubber.shear_stiffness_npm = 3e6;
+    rubber.friction_static = 0.5;
+    rubber.friction_dynamic = 0.4;
+    rubber.damping_nspm2 = 2e4;
+    let mut setup = ship_and_fenders(8, 0.3, rubber, step_s, 100.0);
+    setup.bodies[0].velocity.sway_mps = 0.2;
+    setup.bodies[0].velocity.surge_mps = 0.1;
+    setup.bodies[0].heading_rad = 0.03;
+    let ship = setup.bodies[0].mass.as_mut().expect("she floats");
+    ship.added_sway_kg = 0.6 * ship.mass_kg;
+    ship.added_surge_kg = 0.03 * ship.mass_kg;
+    let mut tug = floating("tug", rectangle(32.0, 10.0), 1e6, 8.0);
+    tug.heading_rad = std::f64::consts::FRAC_PI_2;
+    tug.position_m = vec2(40.0, -34.0);
+    tug.velocity.surge_mps = 0.5;
+    setup.bodies.push(tug);
+    setup.pairs.push(PairSetup { bodies: [0, 9], material: 0 });
+    setup.loads.push(steady(9, 400e3, 0.0));
+    setup
+}
+
+#[test]
+fn the_order_of_bodies_changes_no_bit() {
+    let setup = busy_berth(0.2);
+    let mut turned = setup.clone();
+    turned.bodies.reverse();
+    let last = setup.bodies.len() - 1;
+    turned.pairs.reverse();
+    for pair in &mut turned.pairs {
+        pair.bodies = pair.bodies.map(|body| last - body);
+    }
+    turned.loads[0].body = last - turned.loads[0].body;
+    let (one, two) = (run(setup), run(turned));
+    for (body, state) in one.states().iter().enumerate() {
+        assert_eq!(*state, two.states()[last - body], "body {body}");
+    }
+    assert_eq!(one.memory().snapshot(), two.memory().snapshot());
+}
+
+#[test]
+fn a_restored_snapshot_replays_the_run_bit_for_bit() {
+    let mut simulation = Simulation::new(busy_berth(0.2)).unwrap();
+    for _ in 0..60 {
+        simulation.step().unwrap();
+    }
+    assert!(simulation.memory().touching_patches() > 2, "taken in mid-contact");
+    let bytes = simulation.memory().snapshot();
+    let mut memory = fenderline_contact::Memory::new(simulation.model());
+    memory.restore(simulation.model(), &bytes).unwrap();
+    assert_eq!(memory, *simulation.memory());
+    let model = simulation.model().clone();
+    let mut work = fenderline_contact::Workspace::new(&model);
+    let mut states = simulation.states().to_vec();
+    let mut loads = vec![fenderline_contact::Wrench::default(); states.len()];
+    loads[9].force_n = vec2(0.0, 400e3);
+    // The engine alone, from the restored memory and from the old one, each in its own workspace.
+    let mut other_memory = simulation.memory().clone();
+    let mut other_work = fenderline_contact::Workspace::new(&model);
+    let mut other_states = states.clone();
+    for _ in 0..1000 {
+        fenderline_contact::advance(&model, &mut memory, &mut work, &states, &loads, 0.2).unwrap();
+        fenderline_contact::advance(
+            &model,
+            &mut other_memory,
+            &mut other_work,
+            &other_states,
+            &loads,
+            0.2,
+        )
+        .unwrap();
+        states.copy_from_slice(work.states_after());
+        other_states.copy_from_slice(other_work.states_after());
+        assert_eq!(states, other_states);
+    }
+    assert_eq!(memory.snapshot(), other_memory.snapshot());
+}
+
+#[test]
+fn contact_gives_no_energy_in_a_busy_berth() {
+    for step_s in [0.1, 0.5, 2.0] {
+        let energy = run(busy_berth(step_s)).energy();
+        assert!(energy.normal_work_j + energy.tangential_work_j < 0.0, "Δt {step_s}: {energy:?}");
+        assert!(energy.kinetic_j.is_finite());
+    }
+}
