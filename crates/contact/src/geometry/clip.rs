@@ -236,8 +236,10 @@ fn still_apart(
         if edge >= n || support >= m {
             return None;
         }
-        let (start, end) = (a.closed()[edge], a.closed()[edge + 1]);
-        deepest_outside(start, end, |j| b.vertex(j), support, m)
+        // In the second polygon's frame: two points to place rather than three.
+        let start = b.pose.apply_inverse(a.closed()[edge]);
+        let end = b.pose.apply_inverse(a.closed()[edge + 1]);
+        deepest_outside(start, end, |j| b.polygon.closed()[j], support, m)
     } else {
         let (n, m) = (b.count(), a.count());
         if edge >= n || support >= m {
@@ -260,11 +262,11 @@ fn deepest_outside(
     let mut j = support;
     let mut here = depth(j);
     for _ in 0..count {
+        let (next, previous) = (after(j, count), before(j, count));
+        let (of_next, of_previous) = (depth(next), depth(previous));
         if here >= 0.0 {
             return None;
         }
-        let (next, previous) = (after(j, count), before(j, count));
-        let (of_next, of_previous) = (depth(next), depth(previous));
         if of_next > here {
             (j, here) = (next, of_next);
         } else if of_previous > here {
