@@ -7,7 +7,9 @@ mod scene;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use fenderline_contact::{BodyState, EventKind, Friction, Memory, Workspace, step, vec2};
+use fenderline_contact::{
+    BodyState, EventKind, Friction, Memory, Model, Vec2, Workspace, Wrench, advance, step, vec2,
+};
 
 const STEP_S: f64 = 0.1;
 const STEPS: usize = 100_000;
@@ -102,8 +104,26 @@ impl Seen {
     }
 }
 
+/// One step of a method: model, memory, workspace, states.
+type Method = fn(&Model, &mut Memory, &mut Workspace, &[BodyState]);
+
 #[test]
 fn a_hundred_thousand_warm_steps_allocate_nothing() {
+    allocates_nothing(|model, memory, work, states| {
+        step(model, memory, work, states, STEP_S).expect("good states");
+    });
+}
+
+#[test]
+fn a_hundred_thousand_warm_steps_of_the_coupled_method_allocate_nothing() {
+    const NO_LOADS: [Wrench; scene::FENDERS + 1] =
+        [Wrench { force_n: Vec2::ZERO, moment_nm: 0.0 }; scene::FENDERS + 1];
+    allocates_nothing(|model, memory, work, states| {
+        advance(model, memory, work, states, &NO_LOADS, STEP_S).expect("good states");
+    });
+}
+
+fn allocates_nothing(method: Method) {
     let model = scene::berth(500e3);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
     let mut states = scene::states(ship_at(0));
@@ -114,7 +134,7 @@ fn a_hundred_thousand_warm_steps_allocate_nothing() {
             allocations_before = ALLOCATIONS.get();
         }
         states[scene::SHIP] = ship_at(index);
-        step(&model, &mut memory, &mut work, &states, STEP_S).expect("good states");
+        method(&model, &mut memory, &mut work, &states);
         if index >= WARM_UP_STEPS {
             seen.count(&work);
         }
