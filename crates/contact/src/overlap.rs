@@ -29,7 +29,7 @@ pub(crate) struct Patch {
     pub(crate) collinear: bool,
     /// One piece lies within the other, and there are no other pieces.
     pub(crate) contained: bool,
-    /// Box in A's and in B's frame [m].
+    /// Box in A's and in B's frame [m]; nothing where both bodies are convex.
     pub(crate) extent_in_a: Extent,
     pub(crate) extent_in_b: Extent,
     /// Lenses of this patch in `Workspace::lenses`.
@@ -65,6 +65,10 @@ pub(crate) fn overlap(model: &Model, memory: &Memory, work: &mut Workspace) {
         clip_pieces(&model.ranked[a], &model.ranked[b], candidate, b_in_a, &mut hints, work);
         match work.lenses.len() - first {
             0 => {}
+            // Two convex bodies have one patch: which it was needs no asking.
+            1 if model.ranked[a].pieces.len() == 1 && model.ranked[b].pieces.len() == 1 => {
+                work.patches.push(sum(candidate, b_in_a, 0, first, first + 1, work));
+            }
             1 => work.patches.push(new_patch(candidate, b_in_a, 0, first, first + 1, work)),
             _ => connect(candidate, b_in_a, first, work),
         }
@@ -190,7 +194,30 @@ fn share_a_seam(work: &Workspace, i: usize, j: usize) -> bool {
     false
 }
 
+/// A patch with its place, by which it is known again in the next step.
 fn new_patch(
+    candidate: Candidate,
+    b_in_a: Pose,
+    number: u32,
+    start: usize,
+    stop: usize,
+    work: &Workspace,
+) -> Patch {
+    let mut patch = sum(candidate, b_in_a, number, start, stop, work);
+    let lenses = &work.lenses[start..stop];
+    patch.extent_in_a = extent(outline(work, &lenses[0]));
+    for piece in &lenses[1..] {
+        let more = extent(outline(work, piece));
+        let all = &mut patch.extent_in_a;
+        all.low_m = vec2(all.low_m.x.min(more.low_m.x), all.low_m.y.min(more.low_m.y));
+        all.high_m = vec2(all.high_m.x.max(more.high_m.x), all.high_m.y.max(more.high_m.y));
+    }
+    patch.extent_in_b = seen_from_b(&patch.extent_in_a, b_in_a);
+    patch
+}
+
+/// Area, centroid and chord of a patch: the sums over its lenses.
+fn sum(
     candidate: Candidate,
     b_in_a: Pose,
     number: u32,
@@ -208,7 +235,7 @@ fn new_patch(
         chord_m: lenses[0].lens.chord_m,
         collinear: lenses[0].lens.collinear,
         contained: lenses.len() == 1 && lenses[0].contained,
-        extent_in_a: extent(outline(work, &lenses[0])),
+        extent_in_a: Extent::default(),
         extent_in_b: Extent::default(),
         lenses: (start as u32, stop as u32),
     };
@@ -220,14 +247,9 @@ fn new_patch(
             moment += (piece.lens.centroid_m - origin) * piece.lens.area_m2;
             patch.chord_m += piece.lens.chord_m;
             patch.collinear |= piece.lens.collinear;
-            let more = extent(outline(work, piece));
-            let all = &mut patch.extent_in_a;
-            all.low_m = vec2(all.low_m.x.min(more.low_m.x), all.low_m.y.min(more.low_m.y));
-            all.high_m = vec2(all.high_m.x.max(more.high_m.x), all.high_m.y.max(more.high_m.y));
         }
         patch.centroid_m = origin + moment * (1.0 / patch.area_m2);
     }
-    patch.extent_in_b = seen_from_b(&patch.extent_in_a, b_in_a);
     patch
 }
 
