@@ -3,11 +3,12 @@
 
 mod support;
 
-use fenderline_contact::{Material, vec2};
+use fenderline_contact::{EventKind, Material, vec2};
 use fenderline_sim::{
     BodySetup, Integrator, Load, Method, NamedMaterial, PairSetup, Setup, Simulation,
 };
-use support::{fixed, floating, rectangle, spring};
+use proptest::prelude::*;
+use support::{fixed, floating, rectangle, spring, two};
 
 fn run(setup: Setup) -> Simulation {
     let mut simulation = Simulation::new(setup).expect("a good set-up");
@@ -251,5 +252,52 @@ fn contact_gives_no_energy_in_a_busy_berth() {
         let energy = run(busy_berth(step_s)).energy();
         assert!(energy.normal_work_j + energy.tangential_work_j < 0.0, "Δt {step_s}: {energy:?}");
         assert!(energy.kinetic_j.is_finite());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    /// Oblique hits with friction, at any time step: with chord normals too, nobody left with more
+    /// energy than it came with, and the solve settled within its bounded work. (1e-9: rounding.)
+    #[test]
+    fn a_hit_makes_no_energy_and_the_solve_settles(
+        y in -40.0..40.0_f64,
+        heading in -0.6..0.6_f64,
+        surge in 0.2..3.2_f64,
+        sway in -0.5..0.5_f64,
+        spin in -0.05..0.05_f64,
+        log_stiffness in 5.7..8.3_f64,
+        log_shear in 6.5..8.2_f64,
+        restitution in 0.0..0.9_f64,
+        friction in 0.0..1.0_f64,
+        sliding_share in 0.0..=1.0_f64,
+        anisotropic in any::<bool>(),
+        step_s in prop_oneof![Just(0.05), Just(0.1), Just(0.5), Just(1.0), Just(2.0)],
+    ) {
+        let mut tug = floating("tug", rectangle(32.0, 13.0), 1.01e6, 8.0);
+        tug.velocity.surge_mps = surge;
+        tug.velocity.sway_mps = sway;
+        tug.velocity.yaw_radps = spin;
+        tug.heading_rad = heading;
+        tug.position_m = vec2(-45.0, y);
+        let mut ship = floating("ship", rectangle(46.0, 120.0), 9e7, 30.0);
+        if anisotropic {
+            ship.mass.as_mut().expect("she floats").added_sway_kg = 4e7;
+        }
+        let mut rubber = spring(libm::exp10(log_stiffness), restitution);
+        rubber.shear_stiffness_npm = libm::exp10(log_shear);
+        rubber.friction_static = friction;
+        rubber.friction_dynamic = friction * sliding_share;
+        let mut setup =
+            two(tug, ship, rubber, Integrator::SemiImplicit, step_s, 60.0);
+        setup.method = Method::Coupled;
+        let mut simulation = Simulation::new(setup).unwrap();
+        let before_j = simulation.energy().kinetic_j;
+        while !simulation.is_done() {
+            let record = simulation.step().unwrap();
+            prop_assert!(record.events.iter().all(|e| e.kind != EventKind::NotConverged));
+        }
+        prop_assert!(simulation.energy().kinetic_j <= before_j * (1.0 + 1e-9));
     }
 }

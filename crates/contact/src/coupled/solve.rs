@@ -124,7 +124,13 @@ fn tangential(row: &Row, v_tangential_mps: f64, h: f64) -> (f64, Friction) {
     let without_mps = v_tangential_mps - row.tangential_n * h * row.inverse_tangential;
     let spring_n = -row.shear_stiffness_npm * (row.touch.shear_m + h * without_mps)
         / (1.0 + row.shear_stiffness_npm * h * h * row.inverse_tangential);
-    if spring_n.abs() <= row.friction_static * row.normal_n {
+    // Once it slips in this sub-step it holds again only below the sliding force: else, with μ_k below
+    // μ_s, the sweeps would go to and fro between the two.
+    let holds = match row.friction {
+        Friction::Stick => row.friction_static,
+        Friction::Slip => row.friction_dynamic,
+    };
+    if spring_n.abs() <= holds * row.normal_n {
         (spring_n, Friction::Stick)
     } else {
         ((row.friction_dynamic * row.normal_n).copysign(spring_n), Friction::Slip)
