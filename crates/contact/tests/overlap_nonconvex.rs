@@ -7,7 +7,7 @@ use fenderline_contact::{BodyState, Contact, EventKind, Material, Pose, Vec2, ve
 use geo::{Area, BooleanOps, Coord, LineString, Polygon};
 use proptest::prelude::*;
 use support::harbour::{PAPER, Run, at, body, contacts_of, model};
-use support::shapes::{beside, hull, points, rectangle};
+use support::shapes::{beside, hull, points, rectangle, stepped_ship};
 
 fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
@@ -24,19 +24,6 @@ fn basin() -> Vec<Vec2> {
         (60.0, 12.0),
         (60.0, 30.0),
         (-10.0, 30.0),
-    ])
-}
-
-fn stepped_ship() -> Vec<Vec2> {
-    points(&[
-        (-80.0, -14.0),
-        (60.0, -14.0),
-        (85.0, 0.0),
-        (60.0, 14.0),
-        (20.0, 14.0),
-        (20.0, 12.0),
-        (-30.0, 11.5),
-        (-80.0, 12.5),
     ])
 }
 

@@ -6,24 +6,10 @@ mod support;
 use fenderline_contact::{BodyState, Contact, Memory, Vec2, Wrench, vec2};
 use proptest::prelude::*;
 use support::harbour::{PAPER, Run, body, model};
-use support::shapes::{beside, hull, points, rectangle};
+use support::shapes::{beside, hull, rectangle, stepped_ship};
 
 fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
-}
-
-/// A ship with a step in its side.
-fn stepped_ship() -> Vec<Vec2> {
-    points(&[
-        (-80.0, -14.0),
-        (60.0, -14.0),
-        (85.0, 0.0),
-        (60.0, 14.0),
-        (20.0, 14.0),
-        (20.0, 12.0),
-        (-30.0, 11.5),
-        (-80.0, 12.5),
-    ])
 }
 
 /// Two bodies, five steps with the speeds given; the contacts and wrenches of the last.

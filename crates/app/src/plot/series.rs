@@ -36,7 +36,6 @@ impl Series {
     }
 
     /// Adds a mark at each point to a line.
-    #[cfg_attr(not(test), allow(dead_code, reason = "for the validation report"))]
     pub(crate) fn with_marks(mut self) -> Series {
         self.drawn = Drawn::LineAndMarks;
         self

@@ -10,6 +10,20 @@ pub fn points(coordinates: &[(f64, f64)]) -> Vec<Vec2> {
     coordinates.iter().map(|&(x, y)| vec2(x, y)).collect()
 }
 
+/// A ship with a step in its side.
+pub fn stepped_ship() -> Vec<Vec2> {
+    points(&[
+        (-80.0, -14.0),
+        (60.0, -14.0),
+        (85.0, 0.0),
+        (60.0, 14.0),
+        (20.0, 14.0),
+        (20.0, 12.0),
+        (-30.0, 11.5),
+        (-80.0, 12.5),
+    ])
+}
+
 /// A rectangle about the origin.
 pub fn rectangle(length_m: f64, width_m: f64) -> Vec<Vec2> {
     let (x, y) = (0.5 * length_m, 0.5 * width_m);
