@@ -53,6 +53,8 @@ pub struct Energy {
     pub normal_work_j: f64,
     /// Work done by tangential contact forces on the bodies.
     pub tangential_work_j: f64,
-    /// Kinetic energy now, less that at the start, less all work: rounding.
+    /// Kinetic energy now, less that at the start, less all work. Rounding where a body's mass is the
+    /// same in surge and sway; else also what a step makes of momentum that turns with the body,
+    /// which falls with Δt.
     pub residual_j: f64,
 }

@@ -130,8 +130,9 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
                 "alone, without damping, wind or current."
             }
             li {
-                "Work is force times the mean velocity of the step, so that the ledger closes and "
-                "the residual is rounding. Normal work above zero after a contact is energy that the "
+                "Work is force times the mean velocity of the step, so that the ledger closes. The "
+                "residual is rounding, and where surge and sway have different added mass what the "
+                "time step makes of momentum that turns with the body. Normal work above zero after a contact is energy that the "
                 "method or the time step made up; below zero, energy that the contact took."
             }
         }
