@@ -49,6 +49,8 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod berthing;
+
 mod error;
 mod gather;
 mod integrate;

@@ -3,6 +3,7 @@
 mod support;
 
 use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_sim::berthing::{ContactPoint, frictionless_factor};
 use fenderline_sim::{BodySetup, BodyVelocity, Integrator, Method, Setup, Simulation};
 use proptest::prelude::*;
 use support::{fixed, floating, outline, rectangle, spring, two};
@@ -106,20 +107,31 @@ fn onto_a_point(along_m: f64, velocity: BodyVelocity, half_width_m: f64) -> [Bod
     [ship, fender]
 }
 
+/// Where the ship of [`onto_a_point`] is touched, in metres forward of midships, from end to end.
+const CONTACT_POINTS_M: [f64; 7] = [-48.0, -33.0, -16.0, 0.0, 9.0, 25.0, 47.0];
+
 #[test]
+#[allow(clippy::disallowed_methods, reason = "a test's closed form need not be bit for bit")]
 fn pianc_frictionless_contact_loses_the_fraction_k2_over_k2_plus_a2() {
-    for along_m in [-40.0, -25.0, -5.0, 0.0, 10.0, 33.0] {
-        let velocity = BodyVelocity { sway_mps: 0.2, surge_mps: 0.1, ..Default::default() };
-        let [ship, fender] = onto_a_point(along_m, velocity, 0.05);
-        let setup = two(ship, fender, spring(1e14, 0.0), Integrator::Euler, 1e-4, 0.01);
-        for setup in by_both_methods(setup) {
-            let simulation = run(setup.clone());
-            let before_j = 0.5 * 1e7 * 0.2 * 0.2; // the energy along the normal
-            let all_j = before_j + 0.5 * 1e7 * 0.1 * 0.1;
-            let lost = (all_j - kinetic_j(&setup, simulation.states())) / before_j;
-            let ce = 25.0 * 25.0 / (25.0 * 25.0 + along_m * along_m);
-            let method = setup.method;
-            assert!((lost / ce - 1.0).abs() < 1e-3, "{method:?} at {along_m} m: {lost}, Ce {ce}");
+    for along_m in CONTACT_POINTS_M {
+        for angle_deg in [-60.0, -20.0, 0.0, 5.0, 10.0, 45.0] {
+            // Without friction what runs along the side stays.
+            let surge_mps = 0.2 * f64::to_radians(angle_deg).tan();
+            let velocity = BodyVelocity { sway_mps: 0.2, surge_mps, ..Default::default() };
+            let [ship, fender] = onto_a_point(along_m, velocity, 0.05);
+            let setup = two(ship, fender, spring(1e14, 0.0), Integrator::Euler, 1e-4, 0.01);
+            let factor = frictionless_factor(25.0, along_m).unwrap();
+            for setup in by_both_methods(setup) {
+                let simulation = run(setup.clone());
+                let before_j = 0.5 * 1e7 * 0.2 * 0.2; // the energy along the normal
+                let all_j = before_j + 0.5 * 1e7 * surge_mps * surge_mps;
+                let lost = (all_j - kinetic_j(&setup, simulation.states())) / before_j;
+                let method = setup.method;
+                assert!(
+                    (lost / factor - 1.0).abs() < 1e-3,
+                    "{method:?} at {along_m} m, {angle_deg}°: {lost}, {factor}"
+                );
+            }
         }
     }
 }
@@ -127,34 +139,32 @@ fn pianc_frictionless_contact_loses_the_fraction_k2_over_k2_plus_a2() {
 #[test]
 #[allow(clippy::disallowed_methods, reason = "a test's closed form need not be bit for bit")]
 fn pianc_sticking_contact_loses_the_eccentricity_factor() {
-    for (along_m, angle_deg) in
-        [(25.0, 0.0), (-30.0, 0.0), (25.0, 10.0), (25.0, -20.0), (-35.0, 30.0), (0.0, 15.0)]
-    {
-        let angle = f64::to_radians(angle_deg);
-        let (v_n, v_t) = (0.2 * angle.cos(), 0.2 * angle.sin());
-        let velocity = BodyVelocity { sway_mps: v_n, surge_mps: v_t, ..Default::default() };
-        let [ship, fender] = onto_a_point(along_m, velocity, 0.25);
-        let mut rubber = spring(2e9, 0.0);
-        // So stiff that the tangential motion dies within a step: else its elastic energy would
-        // come back as a rebound along the side, and the contact would not have stuck.
-        rubber.shear_stiffness_npm = 1e17;
-        rubber.friction_static = 1e6;
-        rubber.friction_dynamic = 1e6;
-        let setup = two(ship, fender, rubber, Integrator::Euler, 1e-5, 0.5);
-        // γ: between the arm from the contact to the centre of gravity and the velocity.
-        let arm = vec2(-along_m, -10.0);
-        let r2 = arm.length_squared();
-        let cos2 = (arm.x * v_t + arm.y * v_n).powi(2) / (r2 * 0.04);
-        let ce = (25.0 * 25.0 + r2 * cos2) / (25.0 * 25.0 + r2);
-        for setup in by_both_methods(setup) {
-            let simulation = run(setup.clone());
-            let before_j = 0.5 * 1e7 * 0.2 * 0.2;
-            let lost = 1.0 - kinetic_j(&setup, simulation.states()) / before_j;
-            let method = setup.method;
-            assert!(
-                (lost / ce - 1.0).abs() < 1e-3,
-                "{method:?} at {along_m} m, {angle_deg}°: {lost}, Ce {ce}"
-            );
+    for along_m in CONTACT_POINTS_M {
+        for angle_deg in [-30.0, -20.0, -5.0, 0.0, 5.0, 10.0, 15.0, 30.0] {
+            let angle = f64::to_radians(angle_deg);
+            let (v_n, v_t) = (0.2 * angle.cos(), 0.2 * angle.sin());
+            let velocity = BodyVelocity { sway_mps: v_n, surge_mps: v_t, ..Default::default() };
+            let [ship, fender] = onto_a_point(along_m, velocity, 0.25);
+            let mut rubber = spring(2e9, 0.0);
+            // So stiff that the tangential motion dies within a step: else its elastic energy would
+            // come back as a rebound along the side, and the contact would not have stuck.
+            rubber.shear_stiffness_npm = 1e17;
+            rubber.friction_static = 1e6;
+            rubber.friction_dynamic = 1e6;
+            let setup = two(ship, fender, rubber, Integrator::Euler, 1e-5, 0.5);
+            // In the ship's axes a berthing at α square to the berth is just this velocity.
+            let contact = ContactPoint { along_m, beam_m: 20.0 };
+            let ce = contact.eccentricity(25.0, angle).unwrap();
+            for setup in by_both_methods(setup) {
+                let simulation = run(setup.clone());
+                let before_j = 0.5 * 1e7 * 0.2 * 0.2;
+                let lost = 1.0 - kinetic_j(&setup, simulation.states()) / before_j;
+                let method = setup.method;
+                assert!(
+                    (lost / ce - 1.0).abs() < 1e-3,
+                    "{method:?} at {along_m} m, {angle_deg}°: {lost}, Ce {ce}"
+                );
+            }
         }
     }
 }

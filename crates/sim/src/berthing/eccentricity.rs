@@ -1,0 +1,152 @@
+//! Ce, the part of the ship's energy that a contact away from midships takes; the rest stays with
+//! her as rotation.
+
+use core::f64::consts::FRAC_PI_2;
+
+use super::check::{ANGLE, ARM, BEAM, BERTHING_ANGLE, BLOCK_COEFFICIENT, GYRADIUS, LENGTH};
+use super::error::BerthingError;
+
+/// Radius of gyration about the vertical, K = (0.19·Cb + 0.11)·L_BP [m].
+///
+/// Source: found (public fender design manuals that cite PIANC 2002).
+///
+/// # Errors
+/// A particular that no ship has.
+pub fn gyradius_m(block_coefficient: f64, length_bp_m: f64) -> Result<f64, BerthingError> {
+    let block = BLOCK_COEFFICIENT.check(block_coefficient)?;
+    Ok((0.19 * block + 0.11) * LENGTH.check(length_bp_m)?)
+}
+
+/// Ce = (K² + R² cos²γ)/(K² + R²): K the radius of gyration [m], R the distance of the point of
+/// contact from the centre of mass [m], γ the angle between R and the velocity [rad].
+///
+/// Source: found. It is also what mechanics says of a ship without spin whose point of contact is
+/// stopped dead, neither sliding nor rebounding: `tests/identities.rs` holds the engine against it.
+///
+/// # Errors
+/// A radius or an angle that is no such thing.
+pub fn eccentricity_factor(
+    gyradius_m: f64,
+    radius_m: f64,
+    velocity_angle_rad: f64,
+) -> Result<f64, BerthingError> {
+    let k = GYRADIUS.check(gyradius_m)?;
+    let r = ARM.check(radius_m)?;
+    let cos = libm::cos(ANGLE.check(velocity_angle_rad)?);
+    Ok((k * k + r * r * cos * cos) / (k * k + r * r))
+}
+
+/// K²/(K² + a²): the part of the energy *along the normal* that a frictionless contact without
+/// rebound takes, a the lever arm of the normal force about the centre of mass [m].
+///
+/// Source: mechanics; `tests/identities.rs` holds the engine against it. PIANC's Ce is for a contact
+/// that does not slide; the truth of a fender with a low-friction facing lies between both.
+///
+/// # Errors
+/// A radius or an arm that is no such thing.
+pub fn frictionless_factor(gyradius_m: f64, arm_m: f64) -> Result<f64, BerthingError> {
+    let k = GYRADIUS.check(gyradius_m)?;
+    let a = ARM.check(arm_m)?;
+    Ok(k * k / (k * k + a * a))
+}
+
+/// Where a ship's parallel side touches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactPoint {
+    /// Distance along the hull from the centre of mass, positive forward [m]: L/4 for a quarter-point
+    /// berthing, L/6 for a third-point one.
+    pub along_m: f64,
+    /// The ship's beam [m]; the point lies half of it off the centre line.
+    pub beam_m: f64,
+}
+
+impl ContactPoint {
+    /// R = √(y² + (B/2)²) [m].
+    ///
+    /// # Errors
+    /// A point that no ship has.
+    pub fn radius_m(&self) -> Result<f64, BerthingError> {
+        let (along_m, beam_m) = (ARM.check(self.along_m)?, BEAM.check(self.beam_m)?);
+        Ok(libm::hypot(along_m, 0.5 * beam_m))
+    }
+
+    /// γ = 90° − α − asin(B/2R) [rad] for a ship that moves square to the berth with her bow turned
+    /// in by α. The arc is taken by the quadrant of the point, so that γ holds aft of midships too.
+    ///
+    /// # Errors
+    /// A point that no ship has, or an angle beyond 90°.
+    pub fn velocity_angle_rad(&self, berthing_angle_rad: f64) -> Result<f64, BerthingError> {
+        let (along_m, beam_m) = (ARM.check(self.along_m)?, BEAM.check(self.beam_m)?);
+        let angle_rad = BERTHING_ANGLE.check(berthing_angle_rad)?;
+        Ok(FRAC_PI_2 - angle_rad - libm::atan2(0.5 * beam_m, along_m))
+    }
+
+    /// Ce of a berthing at this point, [`eccentricity_factor`] with the two above.
+    ///
+    /// # Errors
+    /// As they.
+    pub fn eccentricity(
+        &self,
+        gyradius_m: f64,
+        berthing_angle_rad: f64,
+    ) -> Result<f64, BerthingError> {
+        // Aft of midships γ may lie beyond −180°; Ce knows only its cosine squared.
+        let gamma_rad =
+            libm::remainder(self.velocity_angle_rad(berthing_angle_rad)?, core::f64::consts::PI);
+        eccentricity_factor(gyradius_m, self.radius_m()?, gamma_rad)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The check value of the design sheet: Cb 0.796, L 236 m, B 43 m, third-point, 5°.
+    #[test]
+    fn the_published_example() {
+        let contact = ContactPoint { along_m: 236.0 / 6.0, beam_m: 43.0 };
+        let gyradius_m = gyradius_m(0.796, 236.0).unwrap();
+        let ce = contact.eccentricity(gyradius_m, 5.0_f64.to_radians()).unwrap();
+        assert!((ce - 0.760).abs() < 5e-4, "{ce}");
+    }
+
+    /// Closed forms: a hit in line with the centre of mass loses all, and Ce with γ = 90° is the
+    /// frictionless factor with a = R.
+    #[test]
+    fn the_limits_of_ce() {
+        assert_eq!(eccentricity_factor(50.0, 40.0, 0.0), Ok(1.0));
+        assert_eq!(eccentricity_factor(50.0, 0.0, 1.0), Ok(1.0));
+        let square = eccentricity_factor(50.0, 40.0, FRAC_PI_2).unwrap();
+        assert!((square - frictionless_factor(50.0, 40.0).unwrap()).abs() < 1e-15);
+        assert_eq!(frictionless_factor(50.0, 50.0), Ok(0.5));
+    }
+
+    /// cos γ is the share of the velocity along the arm, wherever the point lies.
+    #[test]
+    fn the_angle_is_that_between_arm_and_velocity() {
+        for along_m in [-60.0, -10.0, 0.0, 25.0] {
+            for angle_deg in [-80.0_f64, -10.0, 0.0, 5.0, 30.0, 85.0] {
+                let contact = ContactPoint { along_m, beam_m: 30.0 };
+                let angle_rad = angle_deg.to_radians();
+                let gamma_rad = contact.velocity_angle_rad(angle_rad).unwrap();
+                let along = (along_m * libm::sin(angle_rad) + 15.0 * libm::cos(angle_rad))
+                    / contact.radius_m().unwrap();
+                assert!((libm::cos(gamma_rad) - along).abs() < 1e-14, "{along_m} {angle_deg}");
+                let ce = contact.eccentricity(30.0, angle_rad).unwrap();
+                assert!((0.0..=1.0).contains(&ce));
+            }
+        }
+    }
+
+    #[test]
+    fn impossible_particulars_are_refused_by_name() {
+        let beamless = ContactPoint { along_m: 10.0, beam_m: 0.0 };
+        assert!(beamless.radius_m().unwrap_err().to_string().starts_with("beam [m]"));
+        let contact = ContactPoint { along_m: f64::INFINITY, beam_m: 30.0 };
+        assert!(contact.eccentricity(30.0, 0.1).is_err());
+        let contact = ContactPoint { along_m: 10.0, beam_m: 30.0 };
+        assert!(contact.eccentricity(0.0, 0.1).unwrap_err().to_string().contains("gyration"));
+        assert!(contact.eccentricity(30.0, 2.0).unwrap_err().to_string().contains("angle"));
+        assert!(gyradius_m(1.2, 200.0).is_err());
+    }
+}

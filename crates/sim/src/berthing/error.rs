@@ -1,0 +1,43 @@
+//! Particulars that no ship, berth or fender can have.
+
+use std::fmt;
+
+/// A quantity of a berthing that is impossible or outside the range of a formula.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum BerthingError {
+    /// A quantity is not a number within its range, both ends included.
+    OutOfRange {
+        /// Which, with its unit.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// The least that is possible.
+        low: f64,
+        /// The greatest that is possible.
+        high: f64,
+    },
+    /// With this bow the hull meets the quay between two fenders however close they stand.
+    NoClearance {
+        /// How far the compressed fender stands out [m].
+        projection_m: f64,
+        /// The clearance that is wanted between hull and quay [m].
+        clearance_m: f64,
+    },
+}
+
+impl fmt::Display for BerthingError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BerthingError::OutOfRange { quantity, value, low, high } => {
+                write!(f, "{quantity} must be between {low} and {high}, but is {value}")
+            }
+            BerthingError::NoClearance { projection_m, clearance_m } => write!(
+                f,
+                "a fender that stands out {projection_m} m leaves no clearance of {clearance_m} m"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for BerthingError {}
