@@ -43,6 +43,8 @@ pub(crate) enum Value {
     Vector(Vec2),
     /// In metres.
     Outline(Vec<Vec2>),
+    /// In SI; the first of each row rises.
+    Curve(Vec<(f64, f64)>),
     Name(String),
     TwoNames([String; 2]),
     Table(Table),
@@ -91,6 +93,7 @@ getters! {
     number: Number -> f64;
     vector: Vector -> Vec2;
     outline: Outline -> [Vec2];
+    curve: Curve -> [(f64, f64)];
     name: Name -> str;
     two_names: TwoNames -> [String; 2];
     table: Table -> Table;

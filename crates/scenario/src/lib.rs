@@ -9,6 +9,8 @@
 //! builds the set-up and checks what holds between keys. `schema` makes a JSON Schema of the same
 //! key table.
 //!
+//! `library` reads fender data by the same way and hands out fenders of a catalogue.
+//!
 //! ```
 //! use fenderline_scenario::{Override, Scenario};
 //!
@@ -56,6 +58,7 @@ mod checked;
 mod error;
 mod key_path;
 mod keys;
+mod library;
 mod overrides;
 mod reader;
 mod scenario;
@@ -67,6 +70,10 @@ mod syntax;
 mod units;
 
 pub use error::{Notice, Place, ScenarioError};
+pub use library::{
+    CatalogueFender, FactorTable, Family, FenderLibrary, FenderSize, HullPressureLimit,
+    LookUpError, Standing, Tolerance,
+};
 pub use overrides::Override;
 pub use scenario::Scenario;
-pub use schema::schema;
+pub use schema::{fender_schema, schema};

@@ -9,7 +9,7 @@ use crate::checked::{Item, Table, Value};
 use crate::error::ScenarioError;
 use crate::key_path;
 use crate::sources::{Sources, Span, quoted};
-use crate::spec::{Absent, Choices, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{Absent, Choices, CurveSpec, KeySpec, Kind, Quantity, TableSpec};
 use crate::suggest::nearest;
 use crate::units;
 
@@ -87,6 +87,7 @@ fn read_value(sources: &Sources<'_>, key: &KeySpec, path: &str, node: &Node<'_>)
             vector(sources, quantity, path, node, ["north", "east"]).map(Value::Vector)
         }
         Kind::Outline(quantity) => outline(sources, quantity, path, node).map(Value::Outline),
+        Kind::Curve(spec) => curve(sources, spec, path, node).map(Value::Curve),
         Kind::MaterialName | Kind::BodyName => text(sources, path, node).map(Value::Name),
         Kind::TwoBodyNames => two_names(sources, path, node).map(Value::TwoNames),
         Kind::Table(spec) => {
@@ -213,7 +214,18 @@ fn vector(
     node: &Node<'_>,
     axes: [&str; 2],
 ) -> Read<Vec2> {
-    let wanted = || format!("[{}, {}]", axes[0], axes[1]);
+    let columns = axes.map(|axis| (axis, quantity));
+    two_numbers(sources, columns, path, node).map(|(x, y)| vec2(x, y))
+}
+
+/// A list of two numbers, each with its name and quantity.
+fn two_numbers(
+    sources: &Sources<'_>,
+    columns: [(&str, &Quantity); 2],
+    path: &str,
+    node: &Node<'_>,
+) -> Read<(f64, f64)> {
+    let wanted = || format!("[{}, {}]", columns[0].0, columns[1].0);
     let DeValue::Array(nodes) = node.get_ref() else {
         return Err(wrong_type(sources, &wanted(), path, node));
     };
@@ -221,8 +233,40 @@ fn vector(
         let message = format!("`{path}` is {}, but has {} numbers", wanted(), nodes.len());
         return Err(sources.error(&node.span(), path, message));
     };
-    let component = |index, node| number(sources, quantity, &key_path::item(path, index), node);
-    Ok(vec2(component(0, x)?, component(1, y)?))
+    let component =
+        |index: usize, node| number(sources, columns[index].1, &key_path::item(path, index), node);
+    Ok((component(0, x)?, component(1, y)?))
+}
+
+fn curve(
+    sources: &Sources<'_>,
+    spec: &CurveSpec,
+    path: &str,
+    node: &Node<'_>,
+) -> Read<Vec<(f64, f64)>> {
+    let ((from, from_quantity), (to, to_quantity)) = (&spec.from, &spec.to);
+    let DeValue::Array(nodes) = node.get_ref() else {
+        return Err(wrong_type(sources, &format!("a list of rows [{from}, {to}]"), path, node));
+    };
+    let mut rows: Vec<(f64, f64)> = Vec::with_capacity(nodes.len());
+    for (index, node) in nodes.iter().enumerate() {
+        let path = key_path::item(path, index);
+        let row = two_numbers(sources, [(from, from_quantity), (to, to_quantity)], &path, node)?;
+        if let Some((before, _)) = rows.last().filter(|before| before.0 >= row.0) {
+            let message = format!("`{path}`: the {from} must rise, but {} follows {before}", row.0);
+            return Err(sources.error(&node.span(), &path, message));
+        }
+        rows.push(row);
+    }
+    if rows.len() < spec.fewest {
+        let message = format!(
+            "`{path}` needs at least {} rows [{from}, {to}], but has {}",
+            spec.fewest,
+            rows.len()
+        );
+        return Err(sources.error(&node.span(), path, message));
+    }
+    Ok(rows)
 }
 
 fn outline(

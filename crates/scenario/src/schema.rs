@@ -4,6 +4,7 @@ use serde_json::{Map, Value as Json, json};
 use toml::de::DeValue;
 
 use crate::keys::SCENARIO;
+use crate::library::FENDER_FILE;
 use crate::spec::{Absent, Choices, KeySpec, Kind, Quantity, TableSpec};
 
 /// A number and a unit, roughly: the reader checks the unit itself.
@@ -20,9 +21,25 @@ const QUANTITY_PATTERN: &str = r"^\s*[+\-−]?[0-9]+(\.[0-9]+)?([eE][+\-]?[0-9]+
 /// ```
 #[must_use]
 pub fn schema() -> Json {
-    let mut schema = table(&SCENARIO);
+    whole_file(&SCENARIO, "Fenderline scenario")
+}
+
+/// The JSON Schema (draft 2020-12) of fender files, those that [`crate::FenderLibrary::with_file`]
+/// reads.
+///
+/// ```
+/// let schema = fenderline_scenario::fender_schema();
+/// assert_eq!(schema["title"], "Fenderline fender data");
+/// ```
+#[must_use]
+pub fn fender_schema() -> Json {
+    whole_file(&FENDER_FILE, "Fenderline fender data")
+}
+
+fn whole_file(spec: &TableSpec, title: &str) -> Json {
+    let mut schema = table(spec);
     schema.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
-    schema.insert("title".to_owned(), json!("Fenderline scenario"));
+    schema.insert("title".to_owned(), json!(title));
     Json::Object(schema)
 }
 
@@ -80,6 +97,13 @@ fn kind(kind: &Kind) -> Map<String, Json> {
         Kind::Outline(value) => {
             let point = two(&Json::Object(quantity(value)));
             object(json!({ "type": "array", "items": point, "minItems": 3 }))
+        }
+        Kind::Curve(spec) => {
+            let columns = [&spec.from.1, &spec.to.1].map(|column| Json::Object(quantity(column)));
+            let row = json!({
+                "type": "array", "prefixItems": columns, "items": false, "minItems": 2
+            });
+            object(json!({ "type": "array", "items": row, "minItems": spec.fewest }))
         }
         Kind::TwoBodyNames => object(two(&name())),
         Kind::Table(spec) => table(spec),

@@ -67,6 +67,8 @@ pub(crate) enum Kind {
     Vector(Quantity),
     /// A list of points, forward and to starboard.
     Outline(Quantity),
+    /// A curve in rows of two numbers.
+    Curve(&'static CurveSpec),
     /// The name of a material.
     MaterialName,
     /// The name of a body.
@@ -90,6 +92,18 @@ pub(crate) struct Quantity {
     pub(crate) low: f64,
     /// The greatest value.
     pub(crate) high: f64,
+}
+
+/// A curve: what its two columns are, and how many rows it needs. The first number rises from row to
+/// row.
+#[derive(Debug)]
+pub(crate) struct CurveSpec {
+    /// Name and quantity of the first column.
+    pub(crate) from: (&'static str, Quantity),
+    /// Name and quantity of the second column.
+    pub(crate) to: (&'static str, Quantity),
+    /// The least number of rows.
+    pub(crate) fewest: usize,
 }
 
 /// The words that a key may hold.

@@ -1,0 +1,115 @@
+//! What a fender file says, in SI units.
+
+/// How well a source is known; a fender stands as its weakest part does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Standing {
+    /// Read in a public source.
+    Found,
+    /// Computed from others.
+    Derived,
+    /// To be checked against the document before it is relied on.
+    Recalled,
+}
+
+impl Standing {
+    /// The word of the file: `found`, `derived` or `recalled`.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Standing::Found => "found",
+            Standing::Derived => "derived",
+            Standing::Recalled => "recalled",
+        }
+    }
+}
+
+/// Fenders of one shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Family {
+    /// Unique name.
+    pub name: String,
+    /// Rated deflection over height.
+    pub rated_deflection: f64,
+    /// Deflection over height against reaction over rated reaction, from (0, 0), deflections rising;
+    /// straight between.
+    pub curve: Vec<(f64, f64)>,
+    /// Deflection over height against energy over rated energy as published; empty where none was.
+    /// Nothing is computed from it.
+    pub published_energy: Vec<(f64, f64)>,
+    /// Where the curve comes from.
+    pub source: String,
+    /// How well that is known.
+    pub standing: Standing,
+    /// Temperature [°C] against factor on the reaction.
+    pub temperature: Option<FactorTable>,
+    /// Time to rated deflection [s] against factor on the reaction.
+    pub velocity: Option<FactorTable>,
+    /// Angle [rad] against factor on the energy.
+    pub angle_energy: Option<FactorTable>,
+    /// Angle [rad] against factor on the reaction.
+    pub angle_reaction: Option<FactorTable>,
+    /// Manufacturing tolerance of reaction and energy.
+    pub tolerance: Option<Tolerance>,
+    /// Index into `sizes` of the one from which others are scaled.
+    pub reference: Option<usize>,
+    /// Sizes, in the order of the file.
+    pub sizes: Vec<FenderSize>,
+}
+
+/// A table of factors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FactorTable {
+    /// Rows, the first number rising.
+    pub points: Vec<(f64, f64)>,
+    /// Where the factors hold, where the file says so.
+    pub holds: Option<String>,
+    /// Where they come from.
+    pub source: String,
+    /// How well that is known.
+    pub standing: Standing,
+}
+
+/// A manufacturing tolerance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tolerance {
+    /// To either side, 0.1 for ±10 %.
+    pub value: f64,
+    /// Where it comes from.
+    pub source: String,
+    /// How well that is known.
+    pub standing: Standing,
+}
+
+/// One size of a family.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FenderSize {
+    /// Unique within the family.
+    pub designation: String,
+    /// Extent in the direction of compression [m].
+    pub height_m: f64,
+    /// Length along the berth [m].
+    pub length_m: Option<f64>,
+    /// Rated reaction [N].
+    pub rated_reaction_n: f64,
+    /// Rated energy as published [J]; nothing is computed from it.
+    pub published_energy_j: Option<f64>,
+    /// Pressure on the hull at the rated deflection [N/m²].
+    pub hull_pressure_npm2: Option<f64>,
+    /// Where it comes from.
+    pub source: String,
+    /// How well that is known.
+    pub standing: Standing,
+}
+
+/// What the side of a type of ship bears.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HullPressureLimit {
+    /// Type of ship, unique.
+    pub ship: String,
+    /// Greatest mean pressure under a panel [N/m²].
+    pub limit_npm2: f64,
+    /// Where it comes from.
+    pub source: String,
+    /// How well that is known.
+    pub standing: Standing,
+}

@@ -1,0 +1,94 @@
+//! One fender of a catalogue, ready to be used.
+
+use super::curve;
+use super::family::{FactorTable, Family, FenderSize, Standing};
+
+/// A fender with its performance in SI units, uncorrected: rated conditions, no tolerance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CatalogueFender {
+    /// Family.
+    pub family: String,
+    /// Size within the family, or how it was made where it is none of the catalogue's.
+    pub designation: String,
+    /// Extent in the direction of compression [m].
+    pub height_m: f64,
+    /// Length along the berth [m], where the size has one.
+    pub length_m: Option<f64>,
+    /// Rated deflection [m].
+    pub rated_deflection_m: f64,
+    /// Reaction at the rated deflection [N].
+    pub rated_reaction_n: f64,
+    /// Energy to the rated deflection [J]: the integral of the reaction.
+    pub rated_energy_j: f64,
+    /// Rated energy as published [J], where it was. It differs from the integral by several per cent
+    /// (13 % for the smallest pneumatic fender) and is not used.
+    pub published_energy_j: Option<f64>,
+    /// Deflection [m] against reaction [N], from (0, 0), deflections rising; straight between. It may
+    /// reach beyond the rated deflection.
+    pub curve: Vec<(f64, f64)>,
+    /// Temperature [°C] against factor on the reaction; empty where none is known.
+    pub temperature_factors: Vec<(f64, f64)>,
+    /// Time to rated deflection [s] against factor on the reaction; empty where none is known.
+    pub velocity_factors: Vec<(f64, f64)>,
+    /// Angle of compression [rad] against factor on the energy; empty where none is known.
+    pub angle_energy_factors: Vec<(f64, f64)>,
+    /// Angle of compression [rad] against factor on the reaction; empty where none is known.
+    pub angle_reaction_factors: Vec<(f64, f64)>,
+    /// Manufacturing tolerance of reaction and energy, 0.1 for ±10 %, where it is known.
+    pub tolerance: Option<f64>,
+    /// Pressure on the hull at the rated deflection [N/m²]; `None` where the panel sets it.
+    pub hull_pressure_npm2: Option<f64>,
+    /// Where curve and rating come from.
+    pub source: String,
+    /// The weaker of their standings. Factors and tolerance keep their own in the family.
+    pub standing: Standing,
+}
+
+impl CatalogueFender {
+    /// A size of a family.
+    pub(super) fn new(family: &Family, size: &FenderSize) -> CatalogueFender {
+        let (height_m, reaction_n) = (size.height_m, size.rated_reaction_n);
+        let rows = |table: &Option<FactorTable>| {
+            table.as_ref().map_or_else(Vec::new, |table| table.points.clone())
+        };
+        let energy = curve::integral(&family.curve, family.rated_deflection);
+        CatalogueFender {
+            family: family.name.clone(),
+            designation: size.designation.clone(),
+            height_m,
+            length_m: size.length_m,
+            rated_deflection_m: family.rated_deflection * height_m,
+            rated_reaction_n: reaction_n,
+            rated_energy_j: energy * reaction_n * height_m,
+            published_energy_j: size.published_energy_j,
+            curve: family.curve.iter().map(|(d, r)| (d * height_m, r * reaction_n)).collect(),
+            temperature_factors: rows(&family.temperature),
+            velocity_factors: rows(&family.velocity),
+            angle_energy_factors: rows(&family.angle_energy),
+            angle_reaction_factors: rows(&family.angle_reaction),
+            tolerance: family.tolerance.as_ref().map(|tolerance| tolerance.value),
+            hull_pressure_npm2: size.hull_pressure_npm2,
+            source: format!("curve: {}; rating: {}", family.source, size.source),
+            standing: family.standing.max(size.standing),
+        }
+    }
+}
+
+/// A size of another height, alike in shape and rubber: lengths grow with the height, reaction with
+/// its square and so energy with its cube, pressures stay.
+pub(super) fn scaled(reference: &FenderSize, height_m: f64) -> FenderSize {
+    let ratio = height_m / reference.height_m;
+    FenderSize {
+        designation: format!("{height_m} m, scaled from {}", reference.designation),
+        height_m,
+        length_m: reference.length_m.map(|length_m| ratio * length_m),
+        rated_reaction_n: ratio * ratio * reference.rated_reaction_n,
+        published_energy_j: None,
+        hull_pressure_npm2: reference.hull_pressure_npm2,
+        source: format!(
+            "scaled from {} by height squared ({})",
+            reference.designation, reference.source
+        ),
+        standing: reference.standing.max(Standing::Derived),
+    }
+}

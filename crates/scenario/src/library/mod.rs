@@ -1,0 +1,193 @@
+//! Fender data: families with their curves and sizes, from files of the form that
+//! `fenders/README.md` shows.
+
+mod curve;
+mod family;
+mod fender;
+mod keys;
+mod look_up;
+mod read;
+
+pub use family::{FactorTable, Family, FenderSize, HullPressureLimit, Standing, Tolerance};
+pub use fender::CatalogueFender;
+pub(crate) use keys::FENDER_FILE;
+pub use look_up::LookUpError;
+
+use crate::error::ScenarioError;
+use crate::reader;
+use crate::sources::Sources;
+use crate::syntax;
+
+macro_rules! built_in {
+    ($($name:literal),*) => {
+        [$(($name, include_str!(concat!("../../../../fenders/", $name)))),*]
+    };
+}
+
+/// The files that the program carries in itself: name and text.
+static BUILT_IN: [(&str, &str); 6] = built_in![
+    "cone.toml",
+    "cone_spc.toml",
+    "hull_pressure.toml",
+    "pneumatic.toml",
+    "unit_element.toml",
+    "v_leg.toml"
+];
+
+/// Families of fenders and hull pressure limits.
+///
+/// ```
+/// use fenderline_scenario::FenderLibrary;
+///
+/// let library = FenderLibrary::built_in();
+/// let fender = library.fender("pneumatic", "3300x6500 50kPa")?;
+/// assert_eq!(fender.rated_reaction_n, 3015e3);
+/// // The integral of the reaction, not the published 1814 kJ.
+/// assert!((fender.rated_energy_j - 1980e3).abs() < 1e3);
+///
+/// // No table of cone sizes was found: with your own rating the curve serves.
+/// let cone = library.rated("cone", 1.2, 900e3)?;
+/// assert_eq!(cone.rated_deflection_m, 0.72 * 1.2);
+///
+/// let error = library.fender("pneumatc", "3300x6500 50kPa").unwrap_err();
+/// assert_eq!(error.help(), "did you mean \"pneumatic\"?");
+/// # Ok::<(), fenderline_scenario::LookUpError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct FenderLibrary {
+    families: Vec<Family>,
+    hull_pressures: Vec<HullPressureLimit>,
+}
+
+impl FenderLibrary {
+    /// The files that the program carries in itself.
+    #[must_use]
+    pub fn built_in() -> FenderLibrary {
+        let empty = FenderLibrary { families: Vec::new(), hull_pressures: Vec::new() };
+        BUILT_IN.iter().fold(empty, |library, (name, text)| {
+            library.with_file(text, name).expect("built-in fender files are good")
+        })
+    }
+
+    /// The library with a user's file added: new families, sizes of known ones, hull pressure limits.
+    /// `name` is for messages.
+    ///
+    /// # Errors
+    /// The first mistake found: what is no TOML, then unknown keys and bad values in the order of
+    /// the file, then what does not fit together or is there already.
+    pub fn with_file(mut self, text: &str, name: &str) -> Result<FenderLibrary, ScenarioError> {
+        let sources = Sources { file_name: name, text, overrides: &[] };
+        let document = syntax::parse(&sources)?;
+        let end = text.trim_end().len();
+        let file = reader::table(&sources, &FENDER_FILE, "", end..end, &document)?;
+        let (families, limits) =
+            (file.given("family").named(), file.given("hull_pressure").named());
+        if families.is_empty() && limits.is_empty() {
+            let error =
+                sources.file_error("the file has neither families nor hull pressure limits");
+            return Err(error.with_help("write [family.NAME] with its keys below"));
+        }
+        read::families(&sources, families, &mut self.families)?;
+        read::hull_pressures(&sources, limits, &mut self.hull_pressures)?;
+        Ok(self)
+    }
+
+    /// All families, in the order in which their files came.
+    #[must_use]
+    pub fn families(&self) -> &[Family] {
+        &self.families
+    }
+
+    /// All hull pressure limits, in the order in which their files came.
+    #[must_use]
+    pub fn hull_pressure_limits(&self) -> &[HullPressureLimit] {
+        &self.hull_pressures
+    }
+
+    /// The family of this name.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn family(&self, name: &str) -> Result<&Family, LookUpError> {
+        self.families.iter().find(|family| family.name == name).ok_or_else(|| {
+            let known = self.families.iter().map(|family| family.name.as_str());
+            LookUpError::unknown("family of fenders".to_owned(), name, known)
+        })
+    }
+
+    /// A size of a family.
+    ///
+    /// # Errors
+    /// There is none of that name.
+    pub fn fender(&self, family: &str, designation: &str) -> Result<CatalogueFender, LookUpError> {
+        let family = self.family(family)?;
+        let size = family.sizes.iter().find(|size| size.designation == designation);
+        let size = size.ok_or_else(|| {
+            let known = family.sizes.iter().map(|size| size.designation.as_str());
+            LookUpError::unknown(format!("size of {} fenders", family.name), designation, known)
+        })?;
+        Ok(CatalogueFender::new(family, size))
+    }
+
+    /// A fender of another height than the catalogue's, scaled from the family's reference size:
+    /// lengths by height, reaction by its square, energy so by its cube. Its standing is `Derived` at
+    /// best.
+    ///
+    /// # Errors
+    /// No such family, a family without a reference size, or a height that no fender has.
+    pub fn scaled(&self, family: &str, height_m: f64) -> Result<CatalogueFender, LookUpError> {
+        let family = self.family(family)?;
+        let Some(reference) = family.reference else {
+            return Err(LookUpError::NoReference { family: family.name.clone() });
+        };
+        let size = fender::scaled(&family.sizes[reference], checked_height_m(height_m)?);
+        checked_reaction_n(size.rated_reaction_n)?;
+        Ok(CatalogueFender::new(family, &size))
+    }
+
+    /// A fender with a rating of the user's own on the curve of a family.
+    ///
+    /// # Errors
+    /// No such family, or a height [m] or rated reaction [N] that no fender has.
+    pub fn rated(
+        &self,
+        family: &str,
+        height_m: f64,
+        rated_reaction_n: f64,
+    ) -> Result<CatalogueFender, LookUpError> {
+        let family = self.family(family)?;
+        let size = FenderSize {
+            designation: format!("{height_m} m, {} kN", rated_reaction_n / 1e3),
+            height_m: checked_height_m(height_m)?,
+            length_m: None,
+            rated_reaction_n: checked_reaction_n(rated_reaction_n)?,
+            published_energy_j: None,
+            hull_pressure_npm2: None,
+            source: "the user".to_owned(),
+            standing: Standing::Found,
+        };
+        Ok(CatalogueFender::new(family, &size))
+    }
+
+    /// What the side of a type of ship bears.
+    ///
+    /// # Errors
+    /// There is no such type.
+    pub fn hull_pressure_limit(&self, ship: &str) -> Result<&HullPressureLimit, LookUpError> {
+        self.hull_pressures.iter().find(|limit| limit.ship == ship).ok_or_else(|| {
+            let known = self.hull_pressures.iter().map(|limit| limit.ship.as_str());
+            LookUpError::unknown("type of ship".to_owned(), ship, known)
+        })
+    }
+}
+
+/// The bounds are those of a size in a file; NaN fails them.
+fn checked_height_m(value: f64) -> Result<f64, LookUpError> {
+    let good = (1e-3..=100.0).contains(&value);
+    good.then_some(value).ok_or(LookUpError::OutOfRange { quantity: "height [m]", value })
+}
+
+fn checked_reaction_n(value: f64) -> Result<f64, LookUpError> {
+    let good = (1.0..=1e9).contains(&value);
+    good.then_some(value).ok_or(LookUpError::OutOfRange { quantity: "rated reaction [N]", value })
+}

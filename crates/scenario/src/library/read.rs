@@ -1,0 +1,206 @@
+//! From a checked fender file to families: what the key table cannot say, because it holds between
+//! keys.
+
+use crate::checked::{Item, Table};
+use crate::error::ScenarioError;
+use crate::sources::{Sources, quoted};
+use crate::suggest::nearest;
+
+use super::curve;
+use super::family::{FactorTable, Family, FenderSize, HullPressureLimit, Standing, Tolerance};
+
+type Read<T> = Result<T, ScenarioError>;
+
+/// How far the curve may be from 1 at the rated deflection: half a unit of the second decimal, to
+/// which catalogues print.
+const ROUNDING: f64 = 0.005;
+
+/// Adds the families of a file to those that are known.
+pub(super) fn families(
+    sources: &Sources<'_>,
+    tables: &[(String, Table)],
+    known: &mut Vec<Family>,
+) -> Read<()> {
+    for (name, table) in tables {
+        let there = known.iter().position(|family| family.name == *name);
+        match (there, table.item("curve")) {
+            (Some(there), None) => more_sizes(sources, table, &mut known[there])?,
+            (Some(_), Some(curve)) => {
+                let message = format!("there is a family named {} already", quoted(name));
+                let error = sources.error(&curve.key_span, &table.path, message);
+                return Err(error.with_help("take another name, or give sizes alone to add them"));
+            }
+            (None, Some(curve)) => {
+                let family = new_family(sources, name, table, curve)?;
+                known.push(family);
+            }
+            (None, None) => return Err(without_curve(sources, name, table, known)),
+        }
+    }
+    Ok(())
+}
+
+/// Adds the hull pressure limits of a file to those that are known.
+pub(super) fn hull_pressures(
+    sources: &Sources<'_>,
+    tables: &[(String, Table)],
+    known: &mut Vec<HullPressureLimit>,
+) -> Read<()> {
+    for (name, table) in tables {
+        if known.iter().any(|limit| limit.ship == *name) {
+            let message = format!("there is a limit for {} already", quoted(name));
+            return Err(sources.error(&table.span, &table.path, message));
+        }
+        let (source, standing) = origin(table);
+        let limit_npm2 = *table.given("limit").number();
+        known.push(HullPressureLimit { ship: name.clone(), limit_npm2, source, standing });
+    }
+    Ok(())
+}
+
+/// A name that may be a slip for a family that is there, or a family that lacks its curve.
+fn without_curve(
+    sources: &Sources<'_>,
+    name: &str,
+    table: &Table,
+    known: &[Family],
+) -> ScenarioError {
+    let path = table.path_of("curve");
+    let message = format!("`{path}` is missing, and no family named {} is known", quoted(name));
+    let error = sources.error(&table.span, &path, message);
+    error.with_help(match nearest(name, known.iter().map(|family| family.name.as_str())) {
+        Some(name) => format!("did you mean \"{name}\"?"),
+        None => format!("write [{path}] with its keys below"),
+    })
+}
+
+fn more_sizes(sources: &Sources<'_>, table: &Table, family: &mut Family) -> Read<()> {
+    // A default stands at its table's place: only what the file gives is looked at.
+    let given = table.items.iter().find(|item| item.name != "size");
+    if let Some(item) = given {
+        let path = table.path_of(item.name);
+        let message =
+            format!("`{path}` is for a new family, but {} is known", quoted(&family.name));
+        let error = sources.error(&item.key_span, &path, message);
+        return Err(error.with_help("give sizes alone, or a new family with its own curve"));
+    }
+    sizes(sources, table, &mut family.sizes)
+}
+
+fn new_family(sources: &Sources<'_>, name: &str, table: &Table, item: &Item) -> Read<Family> {
+    let inner = item.table();
+    let points = inner.given("points");
+    let curve = points.curve().to_vec();
+    if curve[0] != (0.0, 0.0) {
+        let path = inner.path_of("points");
+        let message = format!("`{path}` must start with [0, 0]");
+        return Err(sources.error(&points.span, &path, message));
+    }
+    let rated_deflection = rated_deflection(sources, table, &curve)?;
+    let mut all_sizes = Vec::new();
+    sizes(sources, table, &mut all_sizes)?;
+    let factors = |key| table.item(key).map(|item| factor_table(item.table()));
+    let (source, standing) = origin(inner);
+    Ok(Family {
+        name: name.to_owned(),
+        rated_deflection,
+        published_energy: inner
+            .item("published_energy")
+            .map_or_else(Vec::new, |item| item.curve().to_vec()),
+        curve,
+        source,
+        standing,
+        temperature: factors("temperature"),
+        velocity: factors("velocity"),
+        angle_energy: factors("angle_energy"),
+        angle_reaction: factors("angle_reaction"),
+        tolerance: table.item("tolerance").map(|item| tolerance(item.table())),
+        reference: reference(sources, table, &all_sizes)?,
+        sizes: all_sizes,
+    })
+}
+
+/// The rated deflection, where the curve reaches it with the rated reaction.
+fn rated_deflection(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) -> Read<f64> {
+    let path = table.path_of("rated_deflection");
+    let Some(item) = table.item("rated_deflection") else {
+        return Err(sources.error(&table.span, &path, format!("`{path}` is missing")));
+    };
+    let rated = *item.number();
+    let complain = |message| Err(sources.error(&item.span, &path, message));
+    let Some(reaction) = curve::value(curve, rated) else {
+        let end = curve.last().map_or(0.0, |point| point.0);
+        return complain(format!("`{path}` is {rated}, but the curve ends at {end}"));
+    };
+    if (reaction - 1.0).abs() > ROUNDING {
+        return complain(format!(
+            "at `{path}` = {rated} the curve's reaction is {reaction}, not 1 as it must be there"
+        ));
+    }
+    Ok(rated)
+}
+
+fn reference(sources: &Sources<'_>, table: &Table, sizes: &[FenderSize]) -> Read<Option<usize>> {
+    let Some(item) = table.item("reference") else { return Ok(None) };
+    let name = item.text();
+    if let Some(index) = sizes.iter().position(|size| size.designation == name) {
+        return Ok(Some(index));
+    }
+    let path = table.path_of("reference");
+    let message = format!("`{path}`: the family has no size {}", quoted(name));
+    let error = sources.error(&item.span, &path, message);
+    Err(match nearest(name, sizes.iter().map(|size| size.designation.as_str())) {
+        Some(near) => error.with_help(format!("did you mean \"{near}\"?")),
+        None => error,
+    })
+}
+
+fn sizes(sources: &Sources<'_>, family: &Table, sizes: &mut Vec<FenderSize>) -> Read<()> {
+    for table in family.given("size").list() {
+        let item = table.given("designation");
+        let designation = item.text();
+        if sizes.iter().any(|size| size.designation == designation) {
+            let path = table.path_of("designation");
+            let message = format!("`{path}`: there is a size {} already", quoted(designation));
+            return Err(sources.error(&item.span, &path, message));
+        }
+        let number = |key| table.item(key).map(|item| *item.number());
+        let (source, standing) = origin(table);
+        sizes.push(FenderSize {
+            designation: designation.to_owned(),
+            height_m: *table.given("height").number(),
+            length_m: number("length"),
+            rated_reaction_n: *table.given("reaction").number(),
+            published_energy_j: number("published_energy"),
+            hull_pressure_npm2: number("hull_pressure"),
+            source,
+            standing,
+        });
+    }
+    Ok(())
+}
+
+fn factor_table(table: &Table) -> FactorTable {
+    let (source, standing) = origin(table);
+    FactorTable {
+        points: table.given("points").curve().to_vec(),
+        holds: table.item("holds").map(|item| item.text().to_owned()),
+        source,
+        standing,
+    }
+}
+
+fn tolerance(table: &Table) -> Tolerance {
+    let (source, standing) = origin(table);
+    Tolerance { value: *table.given("value").number(), source, standing }
+}
+
+fn origin(table: &Table) -> (String, Standing) {
+    let standing = match table.given("standing").choice() {
+        0 => Standing::Found,
+        1 => Standing::Derived,
+        2 => Standing::Recalled,
+        other => unreachable!("the key table has no standing {other}"),
+    };
+    (table.given("source").text().to_owned(), standing)
+}
