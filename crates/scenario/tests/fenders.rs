@@ -136,10 +136,13 @@ fn published_energy_of_sizes_differs_from_the_integral_of_the_reaction() {
     assert_eq!(sizes, stated.len(), "every size is held against what was published");
     for (family, designation, difference) in stated {
         let fender = library.fender(family, designation).unwrap();
-        let published_j = fender.published_energy_j.unwrap();
-        let ours = fender.rated_energy_j / published_j - 1.0;
+        let ours = fender.energy_difference().unwrap();
         println!("{family} {designation}: {:+.2} %", 100.0 * ours);
         assert!((ours - difference).abs() < 1e-4, "{family} {designation}: {ours}");
+        assert!(fender.source.contains("energy: the curve's integral"), "{}", fender.source);
+        let outside = difference.abs() > 0.1;
+        let standing = if outside { Standing::Derived } else { Standing::Found };
+        assert_eq!(fender.standing, standing, "{family} {designation}");
     }
 }
 

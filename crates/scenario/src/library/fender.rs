@@ -40,11 +40,22 @@ pub struct CatalogueFender {
     pub hull_pressure_npm2: Option<f64>,
     /// Where curve and rating come from.
     pub source: String,
-    /// The weaker of their standings. Factors and tolerance keep their own in the family.
+    /// The weaker of their standings, and at best `Derived` where the published energy and the
+    /// integral differ by more than [`CatalogueFender::TOLERANCE`]: such a curve is not this size's own.
+    /// Factors and tolerance keep their own standings in the family.
     pub standing: Standing,
 }
 
 impl CatalogueFender {
+    /// The manufacturing tolerance that fenders commonly have, ±10 %.
+    pub const TOLERANCE: f64 = 0.1;
+
+    /// Energy as computed over energy as published, less 1; `None` where none was published.
+    #[must_use]
+    pub fn energy_difference(&self) -> Option<f64> {
+        self.published_energy_j.map(|published_j| self.rated_energy_j / published_j - 1.0)
+    }
+
     /// A size of a family.
     pub(super) fn new(family: &Family, size: &FenderSize) -> CatalogueFender {
         let (height_m, reaction_n) = (size.height_m, size.rated_reaction_n);
@@ -52,7 +63,7 @@ impl CatalogueFender {
             table.as_ref().map_or_else(Vec::new, |table| table.points.clone())
         };
         let energy = curve::integral(&family.curve, family.rated_deflection);
-        CatalogueFender {
+        let mut fender = CatalogueFender {
             family: family.name.clone(),
             designation: size.designation.clone(),
             height_m,
@@ -70,7 +81,16 @@ impl CatalogueFender {
             hull_pressure_npm2: size.hull_pressure_npm2,
             source: format!("curve: {}; rating: {}", family.source, size.source),
             standing: family.standing.max(size.standing),
+        };
+        if let Some(difference) = fender.energy_difference() {
+            let percent = 100.0 * difference;
+            fender.source +=
+                &format!("; energy: the curve's integral, {percent:+.1} % of published");
+            if difference.abs() > CatalogueFender::TOLERANCE {
+                fender.standing = fender.standing.max(Standing::Derived);
+            }
         }
+        fender
     }
 }
 

@@ -296,7 +296,7 @@ static SIZE: TableSpec = TableSpec {
         },
         KeySpec {
             name: "published_energy",
-            kind: Kind::Quantity(Quantity { measure: &unit::MOMENT, low: 0.0, high: 1e10 }),
+            kind: Kind::Quantity(Quantity { measure: &unit::MOMENT, low: 1.0, high: 1e10 }),
             absent: Means("none was published"),
             doc: "Rated energy as published: for comparison only.",
             examples: &["\"32 kJ\""],
