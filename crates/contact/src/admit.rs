@@ -99,7 +99,7 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
             .get(rank)
             .is_some_and(|last| jumped(last, &state, memory.last_step_s, body.radius_m));
         work.teleported.push(jumped);
-        work.reach_m.push(body.radius_m);
+        work.reach_m.push(body.reach_m);
         if jumped {
             let bodies = [body.id, body.id];
             work.events.push(Event { bodies, kind: EventKind::Teleported });

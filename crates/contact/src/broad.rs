@@ -1,7 +1,8 @@
 //! Stage 2, pair: which bodies are near enough to touch, in a fixed order (by the ranks of the
 //! first and then the second body).
 
-use crate::model::Model;
+use crate::fender::RankedFender;
+use crate::model::{MaterialId, Model};
 use crate::workspace::{Candidate, Workspace};
 
 /// Leaves the candidates of this step in `work.candidates`.
@@ -9,14 +10,37 @@ pub(crate) fn pair(model: &Model, work: &mut Workspace) {
     work.candidates.clear();
     for pair in &model.pairs {
         if near(work, pair.a, pair.b) {
-            let (a, b, material) = (pair.a, pair.b, pair.material);
-            work.candidates.push(Candidate { a, b, material });
+            push(model, work, pair.a, pair.b, pair.material);
         }
     }
     if model.every_other_pair.is_some() {
         sweep_and_prune(model, work);
-        work.candidates.sort_unstable_by_key(|c| (c.a, c.b));
+        work.candidates.sort_unstable_by_key(Candidate::key);
     }
+}
+
+/// The candidates of a pair, in their order: outline against outline, and each body's fenders that are
+/// near against the other's outline (faces are numbered by the rank of their bodies).
+fn push(model: &Model, work: &mut Workspace, a: u32, b: u32, material: MaterialId) {
+    work.candidates.push(Candidate { a, b, face: 0, material });
+    for (host, other) in [(a, b), (b, a)] {
+        let (from, to) = model.ranked[host as usize].faces;
+        for index in from..to {
+            let face = &model.faces[index as usize];
+            if face_near(model, work, face, other) {
+                work.candidates.push(Candidate { a, b, face: index + 1, material: face.material });
+            }
+        }
+    }
+}
+
+/// Does a fender's circle meet that of the other body, or may it in this step?
+fn face_near(model: &Model, work: &Workspace, face: &RankedFender, other: u32) -> bool {
+    let (host, other) = (face.host as usize, other as usize);
+    let travel_m = work.reach_m[host] - model.ranked[host].reach_m;
+    let reach_m = face.zone.radius_m() + travel_m + work.reach_m[other];
+    let center_m = work.poses[host].apply(face.zone.center_m());
+    (center_m - work.poses[other].position_m).length_squared() <= reach_m * reach_m
 }
 
 /// Do the circles about the centres of gravity meet, or may they in this step?
@@ -46,14 +70,15 @@ fn sweep_and_prune(model: &Model, work: &mut Workspace) {
         let (_, one) = work.by_x[i];
         let body = &model.ranked[one as usize];
         let high = work.poses[one as usize].position_m.x + work.reach_m[one as usize];
-        for &(low, two) in &work.by_x[i + 1..] {
+        for j in i + 1..count {
+            let (low, two) = work.by_x[j];
             if low > high {
                 break;
             }
             let (a, b) = (one.min(two), one.max(two));
             let both_fixed = body.is_fixed() && model.ranked[two as usize].is_fixed();
             if !both_fixed && near(work, a, b) && !named(model, a, b) {
-                work.candidates.push(Candidate { a, b, material });
+                push(model, work, a, b, material);
             }
         }
     }

@@ -1,10 +1,12 @@
 //! Events: what a user should know of, told when it begins and not again while it lasts.
 
+use crate::fender::FenderId;
 use crate::inherit::{Inherited, continues};
 use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::overlap::Patch;
 use crate::report::{Event, EventKind};
+use crate::touch::Touch;
 use crate::workspace::Workspace;
 
 /// Events for the old patches of a pair that no new one continues, or more than one does.
@@ -33,6 +35,7 @@ pub(crate) fn tell_of_patch(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
+    touch: &Touch,
     inherited: &Inherited,
 ) -> u32 {
     let (a, b) = (patch.candidate.a, patch.candidate.b);
@@ -41,17 +44,46 @@ pub(crate) fn tell_of_patch(
         Inherited::Merged(_) => note(model, work, a, b, EventKind::PatchesMerged),
         Inherited::One(_) => {}
     }
+    let told = inherited.memory().map_or(0, |m| m.flags);
+    if let Some(face) = patch.candidate.fender(model) {
+        return tell_of_fender(model, work, patch, face.id, touch.depth_m, told);
+    }
     let smaller_m2 = model.ranked[a as usize].area_m2.min(model.ranked[b as usize].area_m2);
     // To a billionth: a body that lies in several pieces of another is summed from them.
     let contained = patch.contained || patch.area_m2 >= smaller_m2 * (1.0 - 1e-9);
     let deep = patch.area_m2 > 0.5 * smaller_m2;
     let flags = u32::from(contained) * PatchMemory::CONTAINED + u32::from(deep) * PatchMemory::DEEP;
-    let told = inherited.memory().map_or(0, |m| m.flags);
     if flags & !told & PatchMemory::CONTAINED != 0 {
         note(model, work, a, b, EventKind::Contained);
     }
     if flags & !told & PatchMemory::DEEP != 0 {
         note(model, work, a, b, EventKind::DeepOverlap);
+    }
+    flags
+}
+
+/// A fender beyond its rated deflection, and one in its stop.
+fn tell_of_fender(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    id: FenderId,
+    deflection_m: f64,
+    told: u32,
+) -> u32 {
+    let fender = &model.fenders()[id.0 as usize];
+    let travel_m = fender.stop.map_or(fender.projection_m, |stop| stop.from_m);
+    let over = deflection_m > fender.rated_deflection_m;
+    let failed = deflection_m > travel_m;
+    let (a, b) = (patch.candidate.a, patch.candidate.b);
+    // Once a contact: a fender that has failed is not told again when it comes back.
+    let now = u32::from(over) * PatchMemory::CONTAINED + u32::from(failed) * PatchMemory::DEEP;
+    let flags = now | (told & (PatchMemory::CONTAINED | PatchMemory::DEEP));
+    if flags & !told & PatchMemory::CONTAINED != 0 {
+        note(model, work, a, b, EventKind::FenderOverRated(id));
+    }
+    if flags & !told & PatchMemory::DEEP != 0 {
+        note(model, work, a, b, EventKind::FenderFailed(id));
     }
     flags
 }

@@ -37,9 +37,10 @@ pub(crate) fn inherit_all(model: &Model, memory: &Memory, work: &mut Workspace) 
     let mut from = 0;
     while from < work.patches.len() {
         let Candidate { a, b, .. } = work.patches[from].candidate;
-        let of_pair = |p: &&Patch| (p.candidate.a, p.candidate.b) == (a, b);
+        let key = work.patches[from].candidate.key();
+        let of_pair = |p: &&Patch| p.candidate.key() == key;
         let to = from + work.patches[from..].iter().take_while(of_pair).count();
-        let (ended, mut own) = patches_of(&mut old, a, b);
+        let (ended, mut own) = patches_of(&mut old, key);
         ended.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
         if work.teleported[a as usize] || work.teleported[b as usize] {
             own.iter().for_each(|_| note(model, work, a, b, EventKind::ContactEnded));
@@ -55,17 +56,16 @@ pub(crate) fn inherit_all(model: &Model, memory: &Memory, work: &mut Workspace) 
     old.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
 }
 
-/// The last step's patches of pairs before `(a, b)`, and those of the pair itself; `memory` is sorted,
+/// The last step's patches of candidates before `key`, and those of the candidate itself; `memory` is sorted,
 /// and moves on to what comes after.
 #[inline]
 fn patches_of<'a>(
     memory: &mut &'a [PatchMemory],
-    a: u32,
-    b: u32,
+    key: (u32, u32, u32),
 ) -> (&'a [PatchMemory], &'a [PatchMemory]) {
-    let skipped = memory.iter().take_while(|m| (m.a, m.b) < (a, b)).count();
+    let skipped = memory.iter().take_while(|m| m.candidate() < key).count();
     let (before, rest) = memory.split_at(skipped);
-    let own = rest.iter().take_while(|m| (m.a, m.b) == (a, b)).count();
+    let own = rest.iter().take_while(|m| m.candidate() == key).count();
     let (own, rest) = rest.split_at(own);
     *memory = rest;
     (before, own)

@@ -44,6 +44,8 @@ mod broad;
 mod coupled;
 mod error;
 mod events;
+mod face;
+mod fender;
 mod geometry;
 mod inherit;
 mod law;
@@ -63,6 +65,7 @@ mod workspace;
 
 pub use coupled::advance;
 pub use error::{ModelError, RestoreError, StepError};
+pub use fender::{Fender, FenderId, FenderLaw, ReactionFactors, Stop};
 pub use geometry::clip::{Clip, PairClip};
 pub use geometry::convex::ConvexPolygon;
 pub use memory::Memory;

@@ -68,6 +68,11 @@ impl InverseMatrix {
         )
     }
 
+    /// Inverse of the inertia in yaw [1/(kg·m²)].
+    pub(crate) fn of_turning(&self) -> f64 {
+        self.rr
+    }
+
     /// The largest inverse mass in any direction, without rotation [1/kg].
     pub(crate) fn lightest(&self) -> f64 {
         // The larger eigenvalue of the translational block.

@@ -26,9 +26,10 @@ pub struct Memory {
 /// What a patch of contact remembers (§3.3 and §3.4 of the paper).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PatchMemory {
-    /// Ranks of the two bodies and number of the patch.
+    /// Ranks of the two bodies, number of the face (0: none) and of the patch.
     pub(crate) a: u32,
     pub(crate) b: u32,
+    pub(crate) face: u32,
     pub(crate) patch: u32,
     /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is told once, and
     /// [`PatchMemory::APPROACHING`].
@@ -50,19 +51,28 @@ pub(crate) struct PatchMemory {
     /// N and T of the last (sub-)step, where the coupled solve begins [N].
     pub(crate) normal_force_n: f64,
     pub(crate) tangential_force_n: f64,
+    /// Factor on the law, as it was when the contact began.
+    pub(crate) factor: f64,
     /// Extent of the patch in each body's frame [m]: which patch is which when there are several.
     pub(crate) extent_in_a: Extent,
     pub(crate) extent_in_b: Extent,
 }
 
 impl PatchMemory {
+    /// One body within the other; on a face, beyond the rated deflection.
     pub(crate) const CONTAINED: u32 = 1;
+    /// Half of a body within the other; on a face, into the stop.
     pub(crate) const DEEP: u32 = 2;
     /// V_n was positive at the last (sub-)step's start.
     pub(crate) const APPROACHING: u32 = 4;
 
-    pub(crate) fn key(&self) -> (u32, u32, u32) {
-        (self.a, self.b, self.patch)
+    pub(crate) fn key(&self) -> (u32, u32, u32, u32) {
+        (self.a, self.b, self.face, self.patch)
+    }
+
+    /// Which candidate it belongs to.
+    pub(crate) fn candidate(&self) -> (u32, u32, u32) {
+        (self.a, self.b, self.face)
     }
 }
 
@@ -88,14 +98,19 @@ impl Extent {
 pub(crate) struct HintMemory {
     pub(crate) a: u32,
     pub(crate) b: u32,
+    pub(crate) face: u32,
     pub(crate) piece_a: u32,
     pub(crate) piece_b: u32,
     pub(crate) hint: Hint,
 }
 
 impl HintMemory {
-    pub(crate) fn key(&self) -> (u32, u32, u32, u32) {
-        (self.a, self.b, self.piece_a, self.piece_b)
+    pub(crate) fn key(&self) -> (u32, u32, u32, u32, u32) {
+        (self.a, self.b, self.face, self.piece_a, self.piece_b)
+    }
+
+    pub(crate) fn candidate(&self) -> (u32, u32, u32) {
+        (self.a, self.b, self.face)
     }
 }
 

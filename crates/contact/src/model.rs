@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use alloc::{format, vec};
 
 use crate::error::ModelError;
+use crate::fender::{self, Fender, FenderId, FenderLaw, RankedFender};
 use crate::geometry::convex::ConvexPolygon;
 use crate::mass::InverseMatrix;
 use crate::outline::Outline;
@@ -110,6 +111,11 @@ pub struct Pair {
 pub struct Model {
     bodies: Vec<Body>,
     materials: Vec<Material>,
+    fenders: Vec<Fender>,
+    /// Fenders by the rank of their bodies, then by key: a face's number is its place here plus 1.
+    pub(crate) faces: Vec<RankedFender>,
+    /// Number of each fender's face.
+    face_of_fender: Vec<u32>,
     /// Bodies in the order of their keys.
     pub(crate) ranked: Vec<RankedBody>,
     /// Rank of each body.
@@ -129,6 +135,10 @@ pub(crate) struct RankedBody {
     pub(crate) pieces: Vec<ConvexPolygon>,
     /// Largest distance of a vertex from the centre of gravity [m].
     pub(crate) radius_m: f64,
+    /// The same with the body's fenders [m].
+    pub(crate) reach_m: f64,
+    /// Its fenders, from and to, in `Model::faces`.
+    pub(crate) faces: (u32, u32),
     pub(crate) area_m2: f64,
     /// 1/m [1/kg].
     pub(crate) inverse_mass: f64,
@@ -151,6 +161,7 @@ pub(crate) struct RankedPair {
 pub struct ModelBuilder {
     bodies: Vec<Body>,
     materials: Vec<Material>,
+    fenders: Vec<Fender>,
     pairs: Vec<Pair>,
     every_other_pair: Option<MaterialId>,
 }
@@ -173,6 +184,17 @@ impl Model {
     pub fn materials(&self) -> &[Material] {
         &self.materials
     }
+
+    /// Number of a fender's face; 0 for none.
+    pub(crate) fn face_of(&self, fender: Option<FenderId>) -> u32 {
+        fender.map_or(0, |FenderId(id)| self.face_of_fender[id as usize])
+    }
+
+    /// The fenders, in the order in which they were added.
+    #[must_use]
+    pub fn fenders(&self) -> &[Fender] {
+        &self.fenders
+    }
 }
 
 impl ModelBuilder {
@@ -186,6 +208,12 @@ impl ModelBuilder {
     pub fn material(&mut self, material: Material) -> MaterialId {
         self.materials.push(material);
         MaterialId(self.materials.len() as u32 - 1)
+    }
+
+    /// Adds a fender. It touches the outlines of all bodies that its own body makes a pair with.
+    pub fn fender(&mut self, fender: Fender) -> FenderId {
+        self.fenders.push(fender);
+        FenderId(self.fenders.len() as u32 - 1)
     }
 
     /// Lets two bodies touch.
@@ -203,22 +231,33 @@ impl ModelBuilder {
     /// Checks everything.
     ///
     /// # Errors
-    /// [`ModelError`], naming the body or pair.
+    /// [`ModelError`], naming the body, the fender or the pair.
     pub fn build(self) -> Result<Model, ModelError> {
-        let ModelBuilder { bodies, materials, pairs, every_other_pair } = self;
+        let ModelBuilder { bodies, materials, fenders, pairs, every_other_pair } = self;
         bodies.iter().try_for_each(check_body)?;
         for (index, material) in materials.iter().enumerate() {
             check_material(index, material)?;
         }
-        let (ranked, rank_of) = rank(&bodies)?;
+        let (mut ranked, rank_of) = rank(&bodies)?;
+        let faces = rank_fenders(&fenders, &materials, &mut ranked, &rank_of)?;
         let pairs = rank_pairs(&bodies, &materials, &pairs, &rank_of)?;
         if let Some(MaterialId(index)) = every_other_pair
             && index as usize >= materials.len()
         {
             return Err(ModelError::UnknownId { what: "material", index });
         }
-        let mut model =
-            Model { bodies, materials, ranked, rank_of, pairs, every_other_pair, fingerprint: 0 };
+        let mut model = Model {
+            bodies,
+            materials,
+            fenders,
+            face_of_fender: numbers_of(&faces),
+            faces,
+            ranked,
+            rank_of,
+            pairs,
+            every_other_pair,
+            fingerprint: 0,
+        };
         model.fingerprint = fingerprint(&model);
         Ok(model)
     }
@@ -309,6 +348,8 @@ impl RankedBody {
             id,
             pieces: body.outline.pieces().iter().map(|p| ConvexPolygon::new(p)).collect(),
             radius_m: body.outline.radius_m(),
+            reach_m: body.outline.radius_m(),
+            faces: (0, 0),
             area_m2: body.outline.area_m2(),
             inverse_mass: 1.0 / mass_kg,
             inverse_inertia: 1.0 / yaw_inertia_kgm2,
@@ -320,6 +361,50 @@ impl RankedBody {
     pub(crate) fn is_fixed(&self) -> bool {
         self.inverse_mass == 0.0
     }
+}
+
+/// Checks the fenders, puts them in their order and tells the bodies of theirs.
+fn rank_fenders(
+    fenders: &[Fender],
+    materials: &[Material],
+    ranked: &mut [RankedBody],
+    rank_of: &[u32],
+) -> Result<Vec<RankedFender>, ModelError> {
+    let mut faces = Vec::with_capacity(fenders.len());
+    for (index, one) in fenders.iter().enumerate() {
+        fender::check(one)?;
+        if one.material.0 as usize >= materials.len() {
+            return Err(ModelError::UnknownId { what: "material", index: one.material.0 });
+        }
+        let Some(&host) = rank_of.get(one.body.0 as usize) else {
+            return Err(ModelError::UnknownId { what: "body", index: one.body.0 });
+        };
+        faces.push(RankedFender::new(FenderId(index as u32), host, one));
+    }
+    faces.sort_by_key(|face| (face.host, face.key));
+    for two in faces.windows(2) {
+        if (two[0].host, two[0].key) == (two[1].host, two[1].key) {
+            let second = &fenders[two[1].id.0 as usize];
+            return Err(ModelError::DuplicateKey { body: second.name.clone(), key: second.key });
+        }
+    }
+    for (rank, body) in ranked.iter_mut().enumerate() {
+        let from = faces.partition_point(|face| (face.host as usize) < rank);
+        let to = faces.partition_point(|face| face.host as usize <= rank);
+        body.faces = (from as u32, to as u32);
+        let farthest = faces[from..to].iter().map(RankedFender::reach_m).fold(0.0, f64::max);
+        body.reach_m = body.reach_m.max(farthest);
+    }
+    Ok(faces)
+}
+
+/// The number of each fender's face.
+fn numbers_of(faces: &[RankedFender]) -> Vec<u32> {
+    let mut numbers = vec![0; faces.len()];
+    for (number, face) in (1..).zip(faces) {
+        numbers[face.id.0 as usize] = number;
+    }
+    numbers
 }
 
 fn rank_pairs(
@@ -403,7 +488,39 @@ fn fingerprint(model: &Model) -> u64 {
     if let Some(id) = model.every_other_pair {
         material(&mut hash, id);
     }
+    hash.word(model.faces.len() as u64);
+    for face in &model.faces {
+        hash.word(u64::from(face.host));
+        hash.word(face.key);
+        material(&mut hash, face.material);
+        hash_fender(&mut hash, &model.fenders[face.id.0 as usize]);
+    }
     hash.0
+}
+
+fn hash_fender(hash: &mut Fnv, fender: &Fender) {
+    let factors = &fender.factors;
+    for value in [
+        fender.position_m.x,
+        fender.position_m.y,
+        fender.facing_rad,
+        fender.width_m,
+        fender.projection_m,
+        fender.rated_deflection_m,
+        fender.stop.map_or(-1.0, |stop| stop.from_m),
+        fender.stop.map_or(-1.0, |stop| stop.stiffness_npm),
+        factors.constant,
+    ] {
+        hash.word(value.to_bits());
+    }
+    let curve: &[[f64; 2]] = match &fender.law {
+        FenderLaw::Area => &[],
+        FenderLaw::Curve(points) => points,
+    };
+    for points in [curve, &factors.by_compression_time, &factors.by_angle] {
+        hash.word(points.len() as u64);
+        points.iter().flatten().for_each(|value| hash.word(value.to_bits()));
+    }
 }
 
 /// The 64-bit FNV-1a hash.

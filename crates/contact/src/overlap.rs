@@ -1,9 +1,12 @@
 //! Stage 3, overlap: area, centroid, normal and depth of every patch of contact.
 
+use crate::face::{self, Press};
+use crate::fender::RankedFender;
 use crate::geometry::clip::{self, Hint};
+use crate::geometry::convex::ConvexPolygon;
 use crate::geometry::lens::Lens;
 use crate::memory::{Extent, HintMemory, Memory};
-use crate::model::{Model, RankedBody};
+use crate::model::Model;
 use crate::vec2::{Pose, Vec2, vec2};
 use crate::workspace::{Candidate, Workspace};
 
@@ -62,11 +65,12 @@ pub(crate) fn overlap(model: &Model, memory: &Memory, work: &mut Workspace) {
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let b_in_a = work.poses[a].to(work.poses[b]);
         let first = work.lenses.len();
-        clip_pieces(&model.ranked[a], &model.ranked[b], candidate, b_in_a, &mut hints, work);
+        let (pieces_a, pieces_b) = pieces_of(model, &candidate);
+        clip_pieces(pieces_a, pieces_b, candidate, b_in_a, &mut hints, work);
         match work.lenses.len() - first {
             0 => {}
             // Two convex bodies have one patch: which it was needs no asking.
-            1 if model.ranked[a].pieces.len() == 1 && model.ranked[b].pieces.len() == 1 => {
+            1 if pieces_a.len() == 1 && pieces_b.len() == 1 => {
                 work.patches.push(sum(candidate, b_in_a, 0, first, first + 1, work));
             }
             1 => work.patches.push(new_patch(candidate, b_in_a, 0, first, first + 1, work)),
@@ -75,20 +79,34 @@ pub(crate) fn overlap(model: &Model, memory: &Memory, work: &mut Workspace) {
     }
 }
 
+/// The convex pieces of both sides of a candidate: of an outline, or the one of a fender.
+pub(crate) fn pieces_of<'m>(
+    model: &'m Model,
+    candidate: &Candidate,
+) -> (&'m [ConvexPolygon], &'m [ConvexPolygon]) {
+    let of_body = |rank: u32| model.ranked[rank as usize].pieces.as_slice();
+    let of_side = |rank: u32| match candidate.fender(model) {
+        Some(face) if face.host == rank => core::slice::from_ref(&face.zone),
+        _ => of_body(rank),
+    };
+    (of_side(candidate.a), of_side(candidate.b))
+}
+
 /// Clips every piece of A against every piece of B that is near it.
 fn clip_pieces(
-    body_a: &RankedBody,
-    body_b: &RankedBody,
+    pieces_a: &[ConvexPolygon],
+    pieces_b: &[ConvexPolygon],
     candidate: Candidate,
     b_in_a: Pose,
     hints: &mut &[HintMemory],
     work: &mut Workspace,
 ) {
-    for (piece_a, a) in body_a.pieces.iter().enumerate() {
-        for (piece_b, b) in body_b.pieces.iter().enumerate() {
+    for (piece_a, a) in pieces_a.iter().enumerate() {
+        for (piece_b, b) in pieces_b.iter().enumerate() {
             let mut entry = HintMemory {
                 a: candidate.a,
                 b: candidate.b,
+                face: candidate.face,
                 piece_a: piece_a as u32,
                 piece_b: piece_b as u32,
                 hint: Hint::None,
@@ -361,6 +379,15 @@ fn least_sunk_side(
         }
     }
     best
+}
+
+/// What a patch does to the fender that it lies on, in A's frame.
+pub(crate) fn press(model: &Model, work: &Workspace, patch: &Patch, face: &RankedFender) -> Press {
+    let host = if face.host == patch.candidate.a { Pose::IDENTITY } else { patch.b_in_a };
+    let lenses = &work.lenses[patch.lenses.0 as usize..patch.lenses.1 as usize];
+    let fender = &model.fenders()[face.id.0 as usize];
+    let stiffness_npm2 = model.materials()[face.material.0 as usize].stiffness_npm2;
+    face::press(face, fender, stiffness_npm2, host, lenses.iter().map(|lens| outline(work, lens)))
 }
 
 /// δ, the extent of the patch along a direction [m].

@@ -1,5 +1,6 @@
 //! What a step reports: contacts, wrenches and events.
 
+use crate::fender::FenderId;
 use crate::model::BodyId;
 use crate::vec2::Vec2;
 
@@ -20,19 +21,23 @@ pub struct Contact {
     pub body_1: BodyId,
     /// The body added later.
     pub body_2: BodyId,
+    /// The fender of one of the two that the other's outline presses on; `None`: outline on outline.
+    pub fender: Option<FenderId>,
     /// Number of the patch within the pair: 0 unless non-convex outlines touch in several places.
     pub patch: u32,
     /// S, the overlap area [m²].
     pub area_m2: f64,
-    /// δ, the extent of the overlap along the normal [m].
+    /// δ, the extent of the overlap along the normal, or the deflection of the fender [m].
     pub depth_m: f64,
-    /// C, the centroid of the overlap, earth-fixed [m].
+    /// Where the force acts, earth-fixed [m]: C, the centroid of the overlap, or near it a point of the
+    /// line of a fender's force.
     pub point_m: Vec2,
-    /// From body 1's centre of gravity to C, earth-fixed [m]; exact far from the chart's origin.
+    /// From body 1's centre of gravity to that point, earth-fixed [m]; exact far from the chart's
+    /// origin.
     pub arm_1_m: Vec2,
-    /// From body 2's centre of gravity to C, earth-fixed [m].
+    /// From body 2's centre of gravity to it, earth-fixed [m].
     pub arm_2_m: Vec2,
-    /// n, body 1's outward normal, earth-fixed.
+    /// n, body 1's outward normal, earth-fixed: that of the chord, or against a fender's force.
     pub normal: Vec2,
     /// V_n [m/s], positive while approaching.
     pub v_normal_mps: f64,
@@ -52,10 +57,75 @@ pub struct Contact {
     pub peak_normal_force_n: f64,
     /// Largest δ within the step, sub-steps included [m]; `depth_m` by the paper's method.
     pub peak_depth_m: f64,
-    /// Work of N on the two bodies within the step [J], where the engine moved them; else 0.
-    pub normal_work_j: f64,
-    /// Work of T on the two bodies within the step [J], where the engine moved them; else 0.
-    pub tangential_work_j: f64,
+    /// What N is made of.
+    pub parts: ForceParts,
+    /// Work on the two bodies within the step, where the engine moved them; else 0.
+    pub work: ContactWork,
+    /// The factor on a fender's reaction, taken when the contact began; 1 for outline on outline.
+    pub factor: f64,
+    /// Angle between a fender's face and the hull [rad]; 0 for outline on outline.
+    pub tilt_rad: f64,
+    /// Energy that a fender's spring and stop store at the start of the step [J]; 0 for outline on
+    /// outline, whose law has no potential (§2 of the sheet).
+    pub stored_j: f64,
+    /// The largest of it within the step, sub-steps included [J].
+    pub peak_stored_j: f64,
+    /// ½ T²/k_s at the end of the step: what the shear spring stores [J].
+    pub shear_stored_j: f64,
+}
+
+/// What a normal force is made of [N]: N = spring + stop + damper − limiter.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ForceParts {
+    /// Area spring or reaction curve, with all factors.
+    pub spring_n: f64,
+    /// The stop past a fender's travel.
+    pub stop_n: f64,
+    /// c Ṡ; negative while the overlap shrinks, and never more than the springs.
+    pub damper_n: f64,
+    /// What the limit from momentum (eq. 26, or the coupled solve) took off.
+    pub limiter_n: f64,
+}
+
+impl ForceParts {
+    /// N [N].
+    #[must_use]
+    #[inline]
+    pub fn total_n(&self) -> f64 {
+        ((self.spring_n + self.stop_n) + self.damper_n) - self.limiter_n
+    }
+
+    /// All parts times a factor.
+    #[inline]
+    pub(crate) fn scale(&mut self, by: f64) {
+        self.spring_n *= by;
+        self.stop_n *= by;
+        self.damper_n *= by;
+        self.limiter_n *= by;
+    }
+
+    /// Adds parts over a sub-step.
+    #[inline]
+    pub(crate) fn add(&mut self, parts: &ForceParts, seconds: f64) {
+        self.spring_n += parts.spring_n * seconds;
+        self.stop_n += parts.stop_n * seconds;
+        self.damper_n += parts.damper_n * seconds;
+        self.limiter_n += parts.limiter_n * seconds;
+    }
+}
+
+/// Work of a contact on its two bodies in one step [J]: negative where it takes energy from them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ContactWork {
+    /// Of N.
+    pub normal_j: f64,
+    /// Of T.
+    pub tangential_j: f64,
+    /// Of N's damper alone.
+    pub damper_j: f64,
+    /// Of what the limiter took off N, with the sign of a force along N: what the springs gave back and
+    /// the bodies did not get is restitution's loss.
+    pub limiter_j: f64,
 }
 
 impl Contact {
@@ -109,6 +179,11 @@ pub enum EventKind {
     DeepOverlap,
     /// A body moved by more than its velocities explain: its contacts start afresh.
     Teleported,
+    /// A fender is deflected beyond what it is rated for.
+    FenderOverRated(FenderId),
+    /// A fender is in its stop, or as deep as it projects: it has failed, and the stop or the structure
+    /// behind holds the hull.
+    FenderFailed(FenderId),
     /// The coupled solve of these bodies' contact did not settle within its bounded work.
     NotConverged,
 }

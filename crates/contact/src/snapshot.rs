@@ -8,8 +8,8 @@
 //! | 8 | Δt of the last step |
 //! | 4, 4, 4 | numbers of states, patches and hints |
 //! | 48 each | states, by rank |
-//! | 192 each | patches |
-//! | 36 each | hints |
+//! | 204 each | patches |
+//! | 40 each | hints |
 //! | 8 | FNV-1a of all before |
 //!
 //! Everything is in the order of the bodies' keys: the bytes do not depend on the order in which
@@ -26,12 +26,12 @@ use crate::state::BodyState;
 use crate::vec2::{Vec2, vec2};
 
 /// The version that [`Memory::snapshot`] writes and [`Memory::restore`] reads.
-pub const SNAPSHOT_VERSION: u32 = 1;
+pub const SNAPSHOT_VERSION: u32 = 2;
 
 const MAGIC: &[u8; 8] = b"fndrline";
 const STATE_BYTES: usize = 48;
-const PATCH_BYTES: usize = 192;
-const HINT_BYTES: usize = 36;
+const PATCH_BYTES: usize = 204;
+const HINT_BYTES: usize = 40;
 
 impl Memory {
     /// All of this memory as bytes.
@@ -115,14 +115,21 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
 /// What the check sum cannot tell: a snapshot written by somebody else.
 fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
     let bodies = model.ranked.len();
+    let known = |(a, b, face): (u32, u32, u32)| {
+        a < b
+            && (b as usize) < bodies
+            && face.checked_sub(1).is_none_or(|index| {
+                model.faces.get(index as usize).is_some_and(|f| f.host == a || f.host == b)
+            })
+    };
     // `Memory::set_elapsed` takes parts of a step.
     let elapsed = 1e-3 * SHORTEST_STEP_S..=LONGEST_STEP_S;
     let ok = (memory.last_states.is_empty() || memory.last_states.len() == bodies)
         && (memory.last_step_s == 0.0 || elapsed.contains(&memory.last_step_s))
         && memory.patches.windows(2).all(|w| w[0].key() < w[1].key())
-        && memory.patches.iter().all(|p| p.a < p.b && (p.b as usize) < bodies && p.area_m2 > 0.0)
+        && memory.patches.iter().all(|p| known(p.candidate()) && p.area_m2 > 0.0)
         && memory.hints.windows(2).all(|w| w[0].key() < w[1].key())
-        && memory.hints.iter().all(|h| h.a < h.b && (h.b as usize) < bodies);
+        && memory.hints.iter().all(|h| known(h.candidate()));
     if ok { Ok(()) } else { Err(RestoreError::Content) }
 }
 
@@ -159,11 +166,11 @@ impl Writer {
     }
 
     fn patch(&mut self, p: &PatchMemory) {
-        [p.a, p.b, p.patch, p.flags].into_iter().for_each(|w| self.word32(w));
+        [p.a, p.b, p.face, p.patch, p.flags].into_iter().for_each(|w| self.word32(w));
         [p.area_m2, p.shear_m, p.v_normal_0_mps, p.v_tangential_0_mps]
             .into_iter()
             .for_each(|v| self.number(v));
-        [p.normal_force_n, p.tangential_force_n].into_iter().for_each(|v| self.number(v));
+        [p.normal_force_n, p.tangential_force_n, p.factor].into_iter().for_each(|v| self.number(v));
         [p.point_in_a_m, p.point_in_b_m, p.normal_in_a, p.normal_in_b]
             .into_iter()
             .for_each(|v| self.vector(v));
@@ -172,7 +179,7 @@ impl Writer {
     }
 
     fn hint(&mut self, h: &HintMemory) {
-        [h.a, h.b, h.piece_a, h.piece_b].into_iter().for_each(|w| self.word32(w));
+        [h.a, h.b, h.face, h.piece_a, h.piece_b].into_iter().for_each(|w| self.word32(w));
         h.hint.to_words().into_iter().for_each(|w| self.word32(w));
     }
 }
@@ -223,6 +230,7 @@ impl<'a> Reader<'a> {
         Ok(PatchMemory {
             a: self.word32()?,
             b: self.word32()?,
+            face: self.word32()?,
             patch: self.word32()?,
             flags: self.word32()?,
             area_m2: self.number()?,
@@ -231,6 +239,7 @@ impl<'a> Reader<'a> {
             v_tangential_0_mps: self.number()?,
             normal_force_n: self.number()?,
             tangential_force_n: self.number()?,
+            factor: self.number()?,
             point_in_a_m: self.vector()?,
             point_in_b_m: self.vector()?,
             normal_in_a: self.vector()?,
@@ -241,13 +250,13 @@ impl<'a> Reader<'a> {
     }
 
     fn hint(&mut self) -> Result<HintMemory, RestoreError> {
-        let [a, b, piece_a, piece_b] =
-            [self.word32()?, self.word32()?, self.word32()?, self.word32()?];
+        let [a, b, face] = [self.word32()?, self.word32()?, self.word32()?];
+        let [piece_a, piece_b] = [self.word32()?, self.word32()?];
         let mut words = [0; 5];
         for word in &mut words {
             *word = self.word32()?;
         }
         let hint = Hint::from_words(words).ok_or(RestoreError::Content)?;
-        Ok(HintMemory { a, b, piece_a, piece_b, hint })
+        Ok(HintMemory { a, b, face, piece_a, piece_b, hint })
     }
 }

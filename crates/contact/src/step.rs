@@ -5,7 +5,7 @@ use crate::broad;
 use crate::error::StepError;
 use crate::events::tell_of_patch;
 use crate::inherit::{Inherited, inherit_all};
-use crate::law::normal::normal_force_n;
+use crate::law::normal::{factor, normal_force};
 use crate::law::shear;
 use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
@@ -83,9 +83,13 @@ fn contact(
     let body_b = &model.ranked[patch.candidate.b as usize];
     let mass = inverse_mass(body_a, touch.arm_a_m, body_b, touch.arm_b_m, touch.normal);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
-    let trial_n = normal_force_n(material, patch.area_m2, area_before_m2, elapsed_s);
+    let factor = factor(model, patch.candidate.fender(model), &touch, old);
+    let mut parts =
+        normal_force(material, &touch, factor, patch.area_m2, area_before_m2, elapsed_s);
+    let trial_n = parts.total_n();
     let largest_n = paper::largest_normal_n(&v, &mass, material.restitution, step_s);
     let normal_force_n = trial_n.min(largest_n);
+    parts.limiter_n = trial_n - normal_force_n;
 
     // §3.3 and §3.4: the shear spring and its limits.
     let shear = shear::friction(material, touch.shear_m, normal_force_n);
@@ -98,7 +102,7 @@ fn contact(
         step_s,
     );
 
-    let flags = tell_of_patch(model, work, patch, &inherited);
+    let flags = tell_of_patch(model, work, patch, &touch, &inherited);
     let report = Contact {
         shear_m: shear.shear_m,
         normal_force_n,
@@ -106,12 +110,18 @@ fn contact(
         friction: shear.friction,
         limited: normal_force_n < trial_n || tangential_force_n != shear.force_n,
         peak_normal_force_n: normal_force_n,
+        parts,
+        factor,
+        stored_j: touch.stored_j * factor,
+        peak_stored_j: touch.stored_j * factor,
+        shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
         ..touch.contact(model, work, patch)
     };
     work.contacts.push(report);
     work.next_patches.push(PatchMemory {
         flags,
         shear_m: shear.shear_m,
+        factor,
         v_normal_0_mps: v.normal_0_mps,
         v_tangential_0_mps: v.tangential_0_mps,
         ..touch.memory(patch)

@@ -1,24 +1,35 @@
 //! The kinematics of one patch: normal, arms, velocities and shear, in earth-fixed axes.
 
+use crate::fender::RankedFender;
 use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::overlap::{self, Patch};
-use crate::report::{Contact, Friction};
+use crate::report::{Contact, ContactWork, ForceParts, Friction};
 use crate::vec2::Vec2;
 use crate::workspace::Workspace;
 
 /// One patch as the laws see it; body A is the one with the lower rank.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Touch {
     /// n in A's frame.
     pub(crate) normal_in_a: Vec2,
     /// n, A's outward normal, earth-fixed.
     pub(crate) normal: Vec2,
-    /// r of each body: from its centre of gravity to C, earth-fixed [m].
+    /// Where the force acts, in A's frame [m]: C, or a point of the line of a fender's force.
+    pub(crate) point_in_a_m: Vec2,
+    /// r of each body: from its centre of gravity to that point, earth-fixed [m].
     pub(crate) arm_a_m: Vec2,
     pub(crate) arm_b_m: Vec2,
     /// δ [m].
     pub(crate) depth_m: f64,
+    /// Spring and stop, before factors [N].
+    pub(crate) spring_n: f64,
+    pub(crate) stop_n: f64,
+    /// What a fender stores, before factors [J]; an area spring between two hulls stores no energy that
+    /// its depth alone would tell.
+    pub(crate) stored_j: f64,
+    /// Angle between a fender's face and the hull [rad].
+    pub(crate) tilt_rad: f64,
     /// V_n, V_t [m/s] (eq. 10).
     pub(crate) v_normal_mps: f64,
     pub(crate) v_tangential_mps: f64,
@@ -34,13 +45,15 @@ pub(crate) fn touch(
     old: Option<&PatchMemory>,
 ) -> Touch {
     let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
-    let remembered = old.map(|m| (m.normal_in_a, m.normal_in_b));
-    let normal_in_a = overlap::normal_in_a(model, work, patch, remembered);
-    let depth_m = overlap::depth_m(work, patch, normal_in_a);
+    let pressed = match patch.candidate.fender(model) {
+        None => by_area(model, work, patch, old),
+        Some(face) => by_face(model, work, patch, face),
+    };
+    let Touch { normal_in_a, point_in_a_m, .. } = pressed;
     let rotation = work.poses[a].rotation;
     let normal = rotation.apply(normal_in_a);
-    let arm_a_m = rotation.apply(patch.centroid_m);
-    let arm_b_m = rotation.apply(patch.centroid_m - patch.b_in_a.position_m);
+    let arm_a_m = rotation.apply(point_in_a_m);
+    let arm_b_m = rotation.apply(point_in_a_m - patch.b_in_a.position_m);
     let (state_a, state_b) = (&work.states[a], &work.states[b]);
     let slip_mps = (state_a.velocity_mps - state_b.velocity_mps)
         + (arm_a_m.spun_by(state_a.yaw_rate_radps) - arm_b_m.spun_by(state_b.yaw_rate_radps));
@@ -51,14 +64,44 @@ pub(crate) fn touch(
         m.shear_m + apart.dot(normal_in_a.quarter_turn())
     });
     Touch {
-        normal_in_a,
         normal,
         arm_a_m,
         arm_b_m,
-        depth_m,
         v_normal_mps: slip_mps.dot(normal),
         v_tangential_mps: slip_mps.dot(normal.quarter_turn()),
         shear_m,
+        ..pressed
+    }
+}
+
+/// Outline against outline: kS along the chord's normal, at the centroid (§1, §2 of the sheet).
+fn by_area(model: &Model, work: &mut Workspace, patch: &Patch, old: Option<&PatchMemory>) -> Touch {
+    let remembered = old.map(|m| (m.normal_in_a, m.normal_in_b));
+    let normal_in_a = overlap::normal_in_a(model, work, patch, remembered);
+    let material = &model.materials()[patch.candidate.material.0 as usize];
+    Touch {
+        normal_in_a,
+        point_in_a_m: patch.centroid_m,
+        depth_m: overlap::depth_m(work, patch, normal_in_a),
+        spring_n: material.stiffness_npm2 * patch.area_m2,
+        ..Touch::default()
+    }
+}
+
+/// An outline against a fender: by the fender's law.
+fn by_face(model: &Model, work: &Workspace, patch: &Patch, face: &RankedFender) -> Touch {
+    let press = overlap::press(model, work, patch, face);
+    // The hull pushes towards the fender: that is A's outward normal where the hull is A's.
+    let hull_is_a = face.host != patch.candidate.a;
+    Touch {
+        normal_in_a: if hull_is_a { press.push } else { -press.push },
+        point_in_a_m: press.point_m,
+        depth_m: press.deflection_m,
+        spring_n: press.spring_n,
+        stop_n: press.stop_n,
+        stored_j: press.stored_j,
+        tilt_rad: press.tilt_rad,
+        ..Touch::default()
     }
 }
 
@@ -72,6 +115,7 @@ impl Touch {
         Contact {
             body_1: id_a.min(id_b),
             body_2: id_a.max(id_b),
+            fender: patch.candidate.fender(model).map(|face| face.id),
             patch: patch.number,
             area_m2: patch.area_m2,
             depth_m: self.depth_m,
@@ -88,8 +132,13 @@ impl Touch {
             limited: false,
             peak_normal_force_n: 0.0,
             peak_depth_m: self.depth_m,
-            normal_work_j: 0.0,
-            tangential_work_j: 0.0,
+            parts: ForceParts::default(),
+            work: ContactWork::default(),
+            factor: 1.0,
+            tilt_rad: self.tilt_rad,
+            stored_j: 0.0,
+            peak_stored_j: 0.0,
+            shear_stored_j: 0.0,
         }
     }
 
@@ -98,10 +147,11 @@ impl Touch {
         PatchMemory {
             a: patch.candidate.a,
             b: patch.candidate.b,
+            face: patch.candidate.face,
             patch: patch.number,
             area_m2: patch.area_m2,
-            point_in_a_m: patch.centroid_m,
-            point_in_b_m: patch.b_in_a.apply_inverse(patch.centroid_m),
+            point_in_a_m: self.point_in_a_m,
+            point_in_b_m: patch.b_in_a.apply_inverse(self.point_in_a_m),
             normal_in_a: self.normal_in_a,
             normal_in_b: patch.b_in_a.rotation.apply_inverse(self.normal_in_a),
             extent_in_a: patch.extent_in_a,

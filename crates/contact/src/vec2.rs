@@ -192,6 +192,10 @@ pub struct Pose {
 }
 
 impl Pose {
+    /// A frame in itself.
+    pub(crate) const IDENTITY: Pose =
+        Pose { position_m: Vec2::ZERO, rotation: Rotation { cos: 1.0, sin: 0.0 } };
+
     /// A pose from position and heading.
     #[must_use]
     #[inline]

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use crate::coupled::island::Island;
 use crate::coupled::rows::Row;
+use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
 use crate::mass::InverseMatrix;
@@ -73,7 +74,22 @@ pub struct Workspace {
 pub(crate) struct Candidate {
     pub(crate) a: u32,
     pub(crate) b: u32,
+    /// 0: outline against outline. Else 1 + the place in `Model::faces` of a fender of one of the two
+    /// against the other's outline.
+    pub(crate) face: u32,
     pub(crate) material: MaterialId,
+}
+
+impl Candidate {
+    pub(crate) fn key(&self) -> (u32, u32, u32) {
+        (self.a, self.b, self.face)
+    }
+
+    /// The fender, where there is one.
+    #[inline]
+    pub(crate) fn fender<'m>(&self, model: &'m Model) -> Option<&'m RankedFender> {
+        self.face.checked_sub(1).map(|index| &model.faces[index as usize])
+    }
 }
 
 impl Workspace {

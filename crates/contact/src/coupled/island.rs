@@ -35,10 +35,10 @@ pub(crate) fn split(model: &Model, work: &mut Workspace) {
     let key = |candidate: &Candidate, root: &mut [u32]| {
         let free =
             if model.ranked[candidate.a as usize].is_fixed() { candidate.b } else { candidate.a };
-        (find(root, free), candidate.a, candidate.b)
+        (find(root, free), candidate.a, candidate.b, candidate.face)
     };
     let sorted = {
-        let mut last = (0, 0, 0);
+        let mut last = (0, 0, 0, 0);
         work.all_candidates.iter().all(|c| {
             let this = key(c, root);
             let in_order = last <= this;
@@ -97,11 +97,11 @@ pub(crate) fn enter(memory: &Memory, work: &mut Workspace, index: usize) {
         return;
     }
     for candidate in candidates {
-        let pair = (candidate.a, candidate.b);
-        let at = memory.patches.partition_point(|m| (m.a, m.b) < pair);
-        own.patches.extend(memory.patches[at..].iter().take_while(|m| (m.a, m.b) == pair));
-        let at = memory.hints.partition_point(|m| (m.a, m.b) < pair);
-        own.hints.extend(memory.hints[at..].iter().take_while(|m| (m.a, m.b) == pair));
+        let key = candidate.key();
+        let at = memory.patches.partition_point(|m| m.candidate() < key);
+        own.patches.extend(memory.patches[at..].iter().take_while(|m| m.candidate() == key));
+        let at = memory.hints.partition_point(|m| m.candidate() < key);
+        own.hints.extend(memory.hints[at..].iter().take_while(|m| m.candidate() == key));
     }
 }
 

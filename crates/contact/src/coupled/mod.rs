@@ -102,7 +102,7 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
         let inverse = body.inverse.turned(work.poses[rank].rotation);
         let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
         let turn_radps = work.states[rank].yaw_rate_radps.abs() + dr.abs();
-        let room_mps = dv.length() + turn_radps * body.radius_m;
+        let room_mps = dv.length() + turn_radps * body.reach_m;
         work.room_mps.push(room_mps);
         let speed_mps = work.states[rank].velocity_mps.length();
         work.reach_m[rank] += (speed_mps + room_mps) * step_s;
@@ -149,7 +149,7 @@ fn report(model: &Model, work: &mut Workspace, step_s: f64) {
     let share = 1.0 / step_s;
     let key = |c: &crate::report::Contact| {
         let [one, two] = [c.body_1, c.body_2].map(|id| model.rank_of[id.0 as usize]);
-        (one.min(two), one.max(two), c.patch)
+        (one.min(two), one.max(two), model.face_of(c.fender), c.patch)
     };
     if !work.contacts.is_sorted_by_key(key) {
         work.contacts.sort_unstable_by_key(key);
@@ -157,6 +157,7 @@ fn report(model: &Model, work: &mut Workspace, step_s: f64) {
     for contact in &mut work.contacts {
         contact.normal_force_n *= share;
         contact.tangential_force_n *= share;
+        contact.parts.scale(share);
     }
     work.wrenches.resize(model.bodies().len(), Wrench::default());
     work.states_after.resize(model.bodies().len(), BodyState::default());

@@ -1,9 +1,11 @@
 //! How many sub-steps an island needs in a step.
 
+use crate::fender::{FenderLaw, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::memory::HintMemory;
 use crate::model::{Model, RankedBody};
+use crate::overlap::{Patch, pieces_of};
 use crate::workspace::{Candidate, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
@@ -26,6 +28,13 @@ pub(crate) fn sub_steps(model: &Model, work: &Workspace, step_s: f64) -> u32 {
         }
         let a = &model.ranked[candidate.a as usize];
         let b = &model.ranked[candidate.b as usize];
+        let closing_m = closing_mps(work, candidate) * step_s;
+        if let Some(face) = candidate.fender(model) {
+            let fender = &model.fenders()[face.id.0 as usize];
+            rate_squared += rate_squared_of_face(model, work, candidate, face, closing_m);
+            travel = travel.max(closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m));
+            continue;
+        }
         let material = &model.materials()[candidate.material.0 as usize];
         // The chord is at most as long as the smaller body; twice the inverse masses allow for
         // the rotation of a contact off the centre.
@@ -34,12 +43,46 @@ pub(crate) fn sub_steps(model: &Model, work: &Workspace, step_s: f64) -> u32 {
         let damping_rate = material.damping_nspm2 * chord_m * inverse_mass;
         rate_squared +=
             material.stiffness_npm2 * chord_m * inverse_mass + damping_rate * damping_rate;
-        let closing_m = closing_mps(work, candidate) * step_s;
         travel =
             travel.max(closing_m / (TRAVEL_PER_SUB_STEP * half_width_m(a).min(half_width_m(b))));
     }
     let needed = (libm::sqrt(rate_squared) * step_s / TURN_PER_SUB_STEP).max(travel);
     libm::ceil(needed.clamp(1.0, f64::from(MOST_SUB_STEPS))) as u32
+}
+
+/// A bound on the square of the rate of a fender and its hull, for all deflections that this step can
+/// reach [1/s²].
+fn rate_squared_of_face(
+    model: &Model,
+    work: &Workspace,
+    candidate: &Candidate,
+    face: &RankedFender,
+    closing_m: f64,
+) -> f64 {
+    let fender = &model.fenders()[face.id.0 as usize];
+    let material = &model.materials()[face.material.0 as usize];
+    let of_face = |patch: &&Patch| patch.candidate.key() == candidate.key();
+    let area_m2: f64 = work.patches.iter().filter(of_face).map(|patch| patch.area_m2).sum();
+    let deflection_m = area_m2 / face.width_m + closing_m;
+    let spring_npm = match fender.law {
+        FenderLaw::Area => material.stiffness_npm2 * face.width_m,
+        FenderLaw::Curve(_) => fender.law.steepest_npm(deflection_m),
+    };
+    let stop_npm = match fender.stop {
+        Some(stop) if deflection_m > stop.from_m => stop.stiffness_npm,
+        _ => 0.0,
+    };
+    let face_m = work.poses[face.host as usize].apply(face.face_m);
+    let inverse_mass: f64 = [candidate.a, candidate.b]
+        .map(|rank| {
+            let arm_m = face_m - work.poses[rank as usize].position_m;
+            let inverse = &model.ranked[rank as usize].inverse;
+            inverse.lightest() + inverse.of_turning() * arm_m.length_squared()
+        })
+        .iter()
+        .sum();
+    let damping_rate = material.damping_nspm2 * face.width_m * inverse_mass;
+    (spring_npm + stop_npm) * face.largest_factor * inverse_mass + damping_rate * damping_rate
 }
 
 /// A convex body's area is about its length times its width.
@@ -52,10 +95,10 @@ fn may_touch(model: &Model, work: &Workspace, candidate: &Candidate, step_s: f64
     let (a, b) = (candidate.a as usize, candidate.b as usize);
     let b_in_a = work.poses[a].to(work.poses[b]);
     let reach_m = closing_mps(work, candidate) * step_s;
-    let (pieces_a, pieces_b) = (&model.ranked[a].pieces, &model.ranked[b].pieces);
+    let (pieces_a, pieces_b) = pieces_of(model, candidate);
     (0u32..).zip(pieces_a).any(|(piece_a, shape_a)| {
         (0u32..).zip(pieces_b).any(|(piece_b, shape_b)| {
-            let key = (candidate.a, candidate.b, piece_a, piece_b);
+            let key = (candidate.a, candidate.b, candidate.face, piece_a, piece_b);
             let hint = match work.next_hints.binary_search_by_key(&key, HintMemory::key) {
                 Ok(index) => work.next_hints[index].hint,
                 Err(_) => Hint::None,

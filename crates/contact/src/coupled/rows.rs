@@ -2,11 +2,11 @@
 
 use crate::events::tell_of_patch;
 use crate::inherit::Inherited;
-use crate::law::normal::normal_force_n;
+use crate::law::normal::{factor, normal_force};
 use crate::memory::{Memory, PatchMemory};
 use crate::model::{Material, Model};
 use crate::overlap::Patch;
-use crate::report::{Contact, Friction};
+use crate::report::{Contact, ForceParts, Friction};
 use crate::touch::{Touch, touch};
 use crate::vec2::Vec2;
 use crate::workspace::Workspace;
@@ -21,6 +21,10 @@ pub(crate) struct Row {
     pub(crate) tangent: Vec2,
     /// f, the normal law's force: N lies between 0 and it [N].
     pub(crate) law_n: f64,
+    /// What f is made of.
+    pub(crate) parts: ForceParts,
+    /// Factor on spring and stop.
+    pub(crate) factor: f64,
     /// γ v_ref: V_n⁺ may not fall below its negative [m/s].
     pub(crate) rebound_mps: f64,
     /// n·K n and t·K t [1/kg].
@@ -62,7 +66,9 @@ fn collect_one(
     let old = inherited.memory();
     let touch = touch(model, work, patch, old);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
-    let law_n = normal_force_n(material, patch.area_m2, area_before_m2, elapsed_s);
+    let factor = factor(model, patch.candidate.fender(model), &touch, old);
+    let parts = normal_force(material, &touch, factor, patch.area_m2, area_before_m2, elapsed_s);
+    let law_n = parts.total_n();
     let (v_ref_mps, approaching) = reference_speed(touch.v_normal_mps, old);
     let tangent = touch.normal.quarter_turn();
     let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
@@ -81,6 +87,8 @@ fn collect_one(
         b: patch.candidate.b,
         tangent,
         law_n,
+        parts,
+        factor,
         rebound_mps: material.restitution * v_ref_mps,
         inverse_normal: inverse_along(touch.normal),
         inverse_tangential: inverse_along(tangent),
@@ -93,9 +101,10 @@ fn collect_one(
         touch,
     };
     work.rows.push(row);
-    let flags = tell_of_patch(model, work, patch, inherited)
+    let flags = tell_of_patch(model, work, patch, &touch, inherited)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
-    work.next_patches.push(PatchMemory { flags, v_normal_0_mps: v_ref_mps, ..touch.memory(patch) });
+    let memory = touch.memory(patch);
+    work.next_patches.push(PatchMemory { flags, factor, v_normal_0_mps: v_ref_mps, ..memory });
 }
 
 /// v_ref: the largest speed of approach since V_n last changed sign, and whether it approaches. The
@@ -134,15 +143,21 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         let slip_mps =
             mean_velocity(work, a, touch.arm_a_m) - mean_velocity(work, b, touch.arm_b_m);
         let patch = work.patches[index];
-        let fresh = touch.contact(model, work, &patch);
-        let entry = entry_of(work, fresh);
+        let entry = entry_of(model, work, &patch, &row);
         let contact = &mut work.contacts[entry];
         contact.normal_force_n += row.normal_n * h;
         contact.tangential_force_n += row.tangential_n * h;
         contact.peak_normal_force_n = contact.peak_normal_force_n.max(row.normal_n);
         contact.peak_depth_m = contact.peak_depth_m.max(touch.depth_m);
-        contact.normal_work_j -= row.normal_n * touch.normal.dot(slip_mps) * h;
-        contact.tangential_work_j += row.tangential_n * row.tangent.dot(slip_mps) * h;
+        let closing_m = touch.normal.dot(slip_mps) * h;
+        let limiter_n = row.law_n - row.normal_n;
+        contact.work.normal_j -= row.normal_n * closing_m;
+        contact.work.tangential_j += row.tangential_n * row.tangent.dot(slip_mps) * h;
+        contact.work.damper_j -= row.parts.damper_n * closing_m;
+        contact.work.limiter_j -= limiter_n * closing_m;
+        contact.parts.add(&ForceParts { limiter_n, ..row.parts }, h);
+        contact.peak_stored_j = contact.peak_stored_j.max(touch.stored_j * row.factor);
+        contact.shear_stored_j = 0.5 * row.shear_stiffness_npm * shear_m * shear_m;
         contact.shear_m = shear_m;
         contact.limited |= row.normal_n < row.law_n;
         if row.friction == Friction::Slip {
@@ -167,9 +182,16 @@ fn mean_velocity(work: &Workspace, rank: usize, arm_m: Vec2) -> Vec2 {
 }
 
 /// The step's report of this patch: that of an earlier sub-step, or a new one.
-fn entry_of(work: &mut Workspace, fresh: Contact) -> usize {
-    let same =
-        |c: &Contact| (c.body_1, c.body_2, c.patch) == (fresh.body_1, fresh.body_2, fresh.patch);
+fn entry_of(model: &Model, work: &mut Workspace, patch: &Patch, row: &Row) -> usize {
+    let fresh = Contact {
+        factor: row.factor,
+        stored_j: row.touch.stored_j * row.factor,
+        ..row.touch.contact(model, work, patch)
+    };
+    let same = |c: &Contact| {
+        (c.body_1, c.body_2, c.fender, c.patch)
+            == (fresh.body_1, fresh.body_2, fresh.fender, fresh.patch)
+    };
     let from = work.first_contact;
     match work.contacts[from..].iter().position(same) {
         Some(index) => from + index,

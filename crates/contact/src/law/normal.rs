@@ -1,42 +1,73 @@
-//! The normal law (§3.2 of the paper, eq. 2–3).
+//! The normal law (§3.2 of the paper, eq. 2–3): spring, stop and damper.
 
-use crate::model::Material;
+use crate::fender::RankedFender;
+use crate::memory::PatchMemory;
+use crate::model::{Material, Model};
+use crate::report::ForceParts;
+use crate::touch::Touch;
 
-/// N = max(0, kS + cṠ) [N], with Ṡ = (S − S_before)/(time since then); for a new contact S_before
-/// is 0.
+/// What a contact would push with, were nothing to limit it: N = max(0, spring + stop + damper) [N],
+/// with the damper cṠ from the growth of the overlap, Ṡ = (S − S_before)/(time since then); for a
+/// new contact S_before is 0.
 ///
 /// Eq. 2–3 print −(kS − c dS/dt): with c > 0 that damper pulls the bodies together and makes a
 /// bounce leave faster than it came. A contact does not pull either, hence the maximum.
 #[inline]
-pub(crate) fn normal_force_n(
+pub(crate) fn normal_force(
     material: &Material,
+    touch: &Touch,
+    factor: f64,
     area_m2: f64,
     area_before_m2: f64,
     elapsed_s: f64,
-) -> f64 {
+) -> ForceParts {
     let growth_m2ps = (area_m2 - area_before_m2) / elapsed_s;
-    (material.stiffness_npm2 * area_m2 + material.damping_nspm2 * growth_m2ps).max(0.0)
+    let (spring_n, stop_n) = (touch.spring_n * factor, touch.stop_n * factor);
+    let damper_n = (material.damping_nspm2 * growth_m2ps).max(-(spring_n + stop_n));
+    ForceParts { spring_n, stop_n, damper_n, limiter_n: 0.0 }
+}
+
+/// The factor on a contact's spring and stop: that of its fender at the speed and angle at which it
+/// began, kept since.
+pub(crate) fn factor(
+    model: &Model,
+    face: Option<&RankedFender>,
+    touch: &Touch,
+    old: Option<&PatchMemory>,
+) -> f64 {
+    match (face, old) {
+        (None, _) => 1.0,
+        (Some(_), Some(memory)) => memory.factor,
+        (Some(face), None) => {
+            let fender = &model.fenders()[face.id.0 as usize];
+            let speed_mps = touch.v_normal_mps.max(0.0);
+            fender.factors.at(speed_mps, touch.tilt_rad, fender.rated_deflection_m)
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn damped() -> Material {
-        Material {
+    fn force_n(area_m2: f64, area_before_m2: f64, factor: f64) -> f64 {
+        let material = Material {
             stiffness_npm2: 100.0,
             damping_nspm2: 10.0,
             shear_stiffness_npm: 0.0,
             friction_static: 0.0,
             friction_dynamic: 0.0,
             restitution: 0.0,
-        }
+        };
+        let touch = Touch { spring_n: 100.0 * area_m2, ..Touch::default() };
+        normal_force(&material, &touch, factor, area_m2, area_before_m2, 0.5).total_n()
     }
 
     #[test]
     fn the_damper_pushes_apart_while_the_overlap_grows_and_never_pulls() {
-        assert_eq!(normal_force_n(&damped(), 2.0, 1.0, 0.5), 220.0);
-        assert_eq!(normal_force_n(&damped(), 1.0, 2.0, 0.5), 80.0);
-        assert_eq!(normal_force_n(&damped(), 0.1, 2.0, 0.5), 0.0);
+        assert_eq!(force_n(2.0, 1.0, 1.0), 220.0);
+        assert_eq!(force_n(1.0, 2.0, 1.0), 80.0);
+        assert_eq!(force_n(0.1, 2.0, 1.0), 0.0);
+        assert_eq!(force_n(2.0, 2.0, 1.5), 300.0);
     }
 }

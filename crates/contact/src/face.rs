@@ -1,0 +1,157 @@
+//! What a hull does to a fender's face: the gradient of the stored energy.
+//!
+//! In the face's frame x runs from the face inwards and s along it; d(s) is the depth of the hull behind
+//! the face at s, and A the overlap of hull and fender. Two energies, and what they need of A:
+//!
+//! - U = E(S/w), of a reaction curve R = E': S is the area of A. For a displacement of the hull
+//!   ∂S = ∮ n·∂r over the hull's part of A's boundary. As ∮ n over all of it is 0, that is minus the
+//!   integral over the fender's own sides, which are straight lines along the axes: closed forms.
+//! - U = ½ k ∫ d² ds = k ∬ x dA, of an elastic foundation: in the same way from ∮ x n = (S, 0).
+//!
+//! So the hull's shape is never asked for, only the overlap's outline, and the force is exactly
+//! conservative for any hull. The sheet's form (N = kS along the face's normal, through the centroid) is
+//! this without the lateral part ½k[d²] at the ends of the face, which sliding along a tilted hull
+//! would turn into work out of nothing.
+
+use crate::fender::{Fender, FenderLaw, RankedFender};
+use crate::vec2::{Pose, Vec2, vec2};
+
+/// Corners nearer than this to a side of the fender's zone lie on it [m]: crossings are computed
+/// to about 1e-12 m.
+const ON_SIDE_M: f64 = 1e-9;
+
+/// A hull pressed on a fender, before factors.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Press {
+    /// Direction in which the hull pushes the fender, and a point of the force's line, both in the frame
+    /// that the outline was given in.
+    pub(crate) push: Vec2,
+    pub(crate) point_m: Vec2,
+    /// The two parts of the force along `push` [N].
+    pub(crate) spring_n: f64,
+    pub(crate) stop_n: f64,
+    /// δ [m].
+    pub(crate) deflection_m: f64,
+    /// Energy stored in spring and stop [J].
+    pub(crate) stored_j: f64,
+    /// Angle between hull and face [rad].
+    pub(crate) tilt_rad: f64,
+}
+
+/// Integrals over the overlap and over the fender's own sides of it, in the face's frame.
+#[derive(Clone, Copy, Debug, Default)]
+struct Integrals {
+    area: f64,
+    /// ∬ x dA, ∬ s dA.
+    moment_x: f64,
+    moment_s: f64,
+    /// Largest x.
+    depth: f64,
+    /// ∂S and ∂∬x dA by the hull's displacement along x and s and its rotation about the face's middle.
+    of_area: [f64; 3],
+    of_moment: [f64; 3],
+}
+
+/// The press of a patch with lenses `outlines`, given in a frame in which the fender's body has the
+/// pose `host`.
+pub(crate) fn press<'a>(
+    ranked: &RankedFender,
+    fender: &Fender,
+    stiffness_npm2: f64,
+    host: Pose,
+    outlines: impl Iterator<Item = &'a [Vec2]>,
+) -> Press {
+    let inward = host.rotation.apply(ranked.inward);
+    let along = inward.quarter_turn();
+    let face_m = host.apply(ranked.face_m);
+    let mut sums = Integrals::default();
+    for outline in outlines {
+        let seen = |v: Vec2| vec2((v - face_m).dot(inward), (v - face_m).dot(along));
+        let mut from = seen(outline[outline.len() - 1]);
+        for &vertex in outline {
+            let to = seen(vertex);
+            sums.add(from, to, 0.5 * ranked.width_m);
+            from = to;
+        }
+    }
+    sums.complete();
+
+    let mean_m = sums.area / ranked.width_m;
+    let (spring, spring_j, deflection_m) = match fender.law {
+        FenderLaw::Area => {
+            let g = sums.of_moment.map(|d| stiffness_npm2 * d);
+            (g, stiffness_npm2 * sums.moment_x, sums.depth)
+        }
+        FenderLaw::Curve(_) => {
+            let per_area = fender.law.reaction_n(mean_m) / ranked.width_m;
+            (sums.of_area.map(|d| per_area * d), fender.law.energy_j(mean_m), mean_m)
+        }
+    };
+    let past_m = fender.stop.map_or(0.0, |stop| (mean_m - stop.from_m).max(0.0));
+    let stop_npm = fender.stop.map_or(0.0, |stop| stop.stiffness_npm);
+    let per_area = stop_npm * past_m / ranked.width_m;
+    let stop = sums.of_area.map(|d| per_area * d);
+    let pushed = vec2(spring[0] + stop[0], spring[1] + stop[1]);
+    let moment = spring[2] + stop[2];
+    let size_n = pushed.length();
+    let centroid = vec2(sums.moment_x, sums.moment_s) * (1.0 / sums.area);
+
+    // A hull wholly within the zone stores the same wherever it is: out along the axis.
+    let (push, point) = if size_n > 0.0 {
+        let off = (centroid.cross(pushed) - moment) / (size_n * size_n);
+        (pushed * (1.0 / size_n), centroid + pushed.quarter_turn() * off)
+    } else {
+        (vec2(1.0, 0.0), centroid)
+    };
+    let stop_n = vec2(stop[0], stop[1]).dot(push);
+    let turned = |v: Vec2| inward * v.x + along * v.y;
+    Press {
+        push: turned(push),
+        point_m: face_m + turned(point),
+        spring_n: size_n - stop_n,
+        stop_n,
+        deflection_m,
+        stored_j: spring_j + 0.5 * stop_npm * past_m * past_m,
+        tilt_rad: libm::atan2(sums.of_area[1].abs(), sums.of_area[0].max(0.0)),
+    }
+}
+
+impl Integrals {
+    /// Adds one edge of an outline that is walked in the positive sense.
+    fn add(&mut self, from: Vec2, to: Vec2, half_width: f64) {
+        let cross = from.cross(to);
+        self.area += 0.5 * cross;
+        self.moment_x += cross * (from.x + to.x) * (1.0 / 6.0);
+        self.moment_s += cross * (from.y + to.y) * (1.0 / 6.0);
+        self.depth = self.depth.max(to.x);
+        // What of this edge lies on the fender's own sides, with the outward normal there. The far end
+        // of the zone is left out: a hull that deep goes on being pushed out.
+        let lies_on = |value: f64, side: f64| (value - side).abs() <= ON_SIDE_M;
+        if lies_on(from.x, 0.0) && lies_on(to.x, 0.0) {
+            // On the face, outward normal −x.
+            let (length, middle) = (from.y - to.y, 0.5 * (from.y + to.y));
+            self.of_area[0] += length;
+            self.of_area[2] -= middle * length;
+        } else if lies_on(from.y, half_width) && lies_on(to.y, half_width) {
+            self.side(from.x.min(to.x), from.x.max(to.x), 1.0);
+        } else if lies_on(from.y, -half_width) && lies_on(to.y, -half_width) {
+            self.side(from.x.min(to.x), from.x.max(to.x), -1.0);
+        }
+    }
+
+    /// A stretch of a lateral side, outward normal ±s: takes its part from the hull's.
+    fn side(&mut self, low: f64, high: f64, outward: f64) {
+        let squares = 0.5 * (high * high - low * low);
+        let cubes = (high * high * high - low * low * low) * (1.0 / 3.0);
+        self.of_area[1] -= outward * (high - low);
+        self.of_area[2] -= outward * squares;
+        self.of_moment[1] -= outward * squares;
+        self.of_moment[2] -= outward * cubes;
+    }
+
+    /// What the whole outline gives.
+    fn complete(&mut self) {
+        self.of_moment[0] += self.area;
+        self.of_moment[2] -= self.moment_s;
+    }
+}
