@@ -116,7 +116,7 @@ proptest! {
         if stored_j < 100.0 {
             return Ok(());
         }
-        let size = force[0].hypot(force[1]);
+        let size = vec2(force[0], force[1]).length();
         for axis in 0..3 {
             let by = if axis == 2 { 1e-6 } else { 1e-5 };
             let stored = |sign: f64| {
