@@ -42,6 +42,7 @@ pub(crate) fn setup(
         materials,
         pairs: pairs.named,
         every_other_pair: pairs.every_other,
+        fenders: vec![],
         loads,
     })
 }

@@ -17,10 +17,12 @@ pub enum SetupError {
         /// Its value.
         value: f64,
     },
-    /// Two bodies have the same name.
+    /// Two bodies or two fenders have the same name.
     DuplicateName {
+        /// `bodies` or `fenders`.
+        what: &'static str,
         /// The name.
-        body: String,
+        name: String,
     },
     /// A load or pair names a body that is not there, or a load a fixed one.
     BadBody {
@@ -36,7 +38,9 @@ impl fmt::Display for SetupError {
         match self {
             SetupError::Model(error) => error.fmt(f),
             SetupError::OutOfRange { field, value } => write!(f, "{field} is {value}"),
-            SetupError::DuplicateName { body } => write!(f, "two bodies are named `{body}`"),
+            SetupError::DuplicateName { what, name } => {
+                write!(f, "two {what} are named `{name}`")
+            }
             SetupError::BadBody { owner, body } => {
                 write!(f, "a {owner} names body {body}, which is not there or is fixed")
             }

@@ -1,8 +1,8 @@
 //! The energy ledger: where every joule of a step came from.
 
-use fenderline_contact::{BodyState, Contact, Vec2, Wrench};
+use fenderline_contact::{BodyState, Contact, ContactWork, Vec2, Wrench};
 
-use crate::record::{Energy, PairWork};
+use crate::record::{ContactBook, Energy};
 use crate::rigid_body::Inertia;
 
 /// Mean of the velocities before and after a step. A constant force times it is exactly the change
@@ -30,54 +30,130 @@ impl MeanVelocity {
     }
 }
 
-/// Adds what `contacts` did in `seconds` to the work of their pairs.
-pub(crate) fn add_contacts(
-    works: &mut Vec<PairWork>,
-    contacts: &[Contact],
-    mean: &[MeanVelocity],
-    seconds: f64,
-) {
-    for contact in contacts {
+/// What the works of a contact come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum WorkBy {
+    /// The engine moved the bodies, and knows the work of each of its sub-steps.
+    Engine,
+    /// The mean forces act along the host's motion for a time [s].
+    Motion(f64),
+}
+
+/// One book a contact, from step to step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Books {
+    /// By bodies and fender, as contacts come; those that let go stay for one step.
+    pub(crate) all: Vec<ContactBook>,
+    /// For each book: is the contact there in this step, and its fender's stored energy at the start.
+    seen: Vec<Seen>,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Seen {
+    now: bool,
+    stored_j: f64,
+    shear_stored_j: f64,
+}
+
+impl Books {
+    /// Opens a step: nothing has happened yet, and contacts that had let go are forgotten.
+    pub(crate) fn open(&mut self, contacts: &[Contact]) {
+        let mut index = 0;
+        self.all.retain(|_| {
+            index += 1;
+            self.seen[index - 1].now
+        });
+        self.seen.clear();
+        self.seen.resize(self.all.len(), Seen::default());
+        for book in &mut self.all {
+            *book = ContactBook {
+                bodies: book.bodies,
+                fender: book.fender,
+                stored_j: book.stored_j,
+                shear_stored_j: book.shear_stored_j,
+                ..ContactBook::default()
+            };
+        }
+        for contact in contacts {
+            let index = self.index_of(contact);
+            let seen = &mut self.seen[index];
+            seen.now = true;
+            seen.stored_j += contact.stored_j;
+            seen.shear_stored_j += contact.shear_stored_j;
+        }
+        // The books of contacts that go on against the fenders' potentials; those of contacts that are
+        // no more are closed.
+        for (book, seen) in self.all.iter_mut().zip(&self.seen) {
+            let is_j = match (seen.now, book.fender) {
+                (true, Some(_)) => seen.stored_j,
+                (true, None) => book.stored_j,
+                (false, _) => 0.0,
+            };
+            book.residual_j = book.stored_j - is_j;
+            book.stored_j = is_j;
+        }
+    }
+
+    /// Adds what `contacts` did.
+    pub(crate) fn add(
+        &mut self,
+        contacts: &[Contact],
+        mean: &[MeanVelocity],
+        step_s: f64,
+        by: WorkBy,
+    ) {
+        for contact in contacts {
+            let work = match by {
+                WorkBy::Engine => contact.work,
+                WorkBy::Motion(seconds) => work_along(contact, mean, seconds),
+            };
+            let seconds = match by {
+                WorkBy::Engine => step_s,
+                WorkBy::Motion(seconds) => seconds,
+            };
+            let index = self.index_of(contact);
+            let book = &mut self.all[index];
+            book.normal_impulse_ns += contact.normal_force_n * seconds;
+            book.normal_j += work.normal_j;
+            book.tangential_j += work.tangential_j;
+            book.damping_j -= work.damper_j;
+            book.restitution_j += work.limiter_j;
+            book.stored_j -= work.normal_j - work.damper_j + work.limiter_j;
+        }
+    }
+
+    /// Closes a step: what friction took is what the bodies lost and the shear springs do not hold.
+    pub(crate) fn close(&mut self) {
+        for (book, seen) in self.all.iter_mut().zip(&self.seen) {
+            book.friction_j = -book.tangential_j - (seen.shear_stored_j - book.shear_stored_j);
+            book.shear_stored_j = seen.shear_stored_j;
+        }
+    }
+
+    fn index_of(&mut self, contact: &Contact) -> usize {
         let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
-        let [one, two] = bodies.map(|body| mean[body]);
-        let slip_mps = one.at(contact.arm_1_m) - two.at(contact.arm_2_m);
-        let work = work_of(works, contact);
-        let normal_n = contact.normal_force_n;
-        work.normal_impulse_ns += normal_n * seconds;
-        work.normal_j -= normal_n * contact.normal.dot(slip_mps) * seconds;
-        work.tangential_j += contact.tangential_force_n * contact.tangent().dot(slip_mps) * seconds;
+        let fender = contact.fender.map(|id| id.0 as usize);
+        let same = |b: &ContactBook| b.bodies == bodies && b.fender == fender;
+        self.all.iter().position(same).unwrap_or_else(|| {
+            self.all.push(ContactBook { bodies, fender, ..ContactBook::default() });
+            self.seen.push(Seen { now: true, ..Seen::default() });
+            self.all.len() - 1
+        })
     }
 }
 
-/// The same for the coupled method's mean forces. Where the engine moved the bodies it knows the work
-/// of each sub-step; where the host did, the mean forces act along the host's motion.
-pub(crate) fn add_means(
-    works: &mut Vec<PairWork>,
-    contacts: &[Contact],
-    mean: &[MeanVelocity],
-    step_s: f64,
-    engine_moved: bool,
-) {
-    if !engine_moved {
-        add_contacts(works, contacts, mean, step_s);
-        return;
-    }
-    for contact in contacts {
-        let work = work_of(works, contact);
-        work.normal_impulse_ns += contact.normal_force_n * step_s;
-        work.normal_j += contact.normal_work_j;
-        work.tangential_j += contact.tangential_work_j;
-    }
-}
-
-/// The entry of a contact's pair.
-fn work_of<'a>(works: &'a mut Vec<PairWork>, contact: &Contact) -> &'a mut PairWork {
+/// Work of a contact's mean forces along the bodies' motion.
+fn work_along(contact: &Contact, mean: &[MeanVelocity], seconds: f64) -> ContactWork {
     let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
-    let index = works.iter().position(|w| w.bodies == bodies).unwrap_or_else(|| {
-        works.push(PairWork { bodies, ..PairWork::default() });
-        works.len() - 1
-    });
-    &mut works[index]
+    let [one, two] = bodies.map(|body| mean[body]);
+    let slip_m = (one.at(contact.arm_1_m) - two.at(contact.arm_2_m)) * seconds;
+    let closing_m = contact.normal.dot(slip_m);
+    ContactWork {
+        normal_j: -contact.normal_force_n * closing_m,
+        tangential_j: contact.tangential_force_n * contact.tangent().dot(slip_m),
+        damper_j: -contact.parts.damper_n * closing_m,
+        limiter_j: -contact.parts.limiter_n * closing_m,
+    }
 }
 
 /// The ledger, step by step.
@@ -100,7 +176,7 @@ impl Ledger {
         after: &[BodyState],
         loads: &[Wrench],
         mean: &[MeanVelocity],
-        works: &[PairWork],
+        books: &[ContactBook],
         step_s: f64,
     ) {
         let energy = &mut self.energy;
@@ -110,9 +186,16 @@ impl Ledger {
                 energy.load_work_j += mean.power_w(load) * step_s;
             }
         }
-        for work in works {
-            energy.normal_work_j += work.normal_j;
-            energy.tangential_work_j += work.tangential_j;
+        (energy.stored_j, energy.shear_stored_j) = (0.0, 0.0);
+        for book in books {
+            energy.normal_work_j += book.normal_j;
+            energy.tangential_work_j += book.tangential_j;
+            energy.stored_j += book.stored_j;
+            energy.shear_stored_j += book.shear_stored_j;
+            energy.damping_j += book.damping_j;
+            energy.restitution_j += book.restitution_j;
+            energy.friction_j += book.friction_j;
+            energy.contact_residual_j += book.residual_j;
         }
         let work_j = energy.load_work_j + energy.normal_work_j + energy.tangential_work_j;
         energy.residual_j = energy.kinetic_j - self.start_j - work_j;

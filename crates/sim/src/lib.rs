@@ -37,6 +37,7 @@
 //!     }],
 //!     pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
 //!     every_other_pair: None,
+//!     fenders: vec![],
 //!     loads: vec![],
 //! };
 //! let mut simulation = Simulation::new(setup)?;
@@ -52,6 +53,7 @@
 pub mod berthing;
 
 mod error;
+mod fender;
 mod gather;
 mod integrate;
 mod ledger;
@@ -62,7 +64,8 @@ mod simulation;
 mod summary;
 
 pub use error::{SetupError, SimError};
-pub use record::{Energy, PairWork, StepRecord};
+pub use fender::{FenderSetup, FenderSource, FenderSummary, Rated};
+pub use record::{ContactBook, Energy, StepRecord};
 pub use setup::{
     BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
     Setup,

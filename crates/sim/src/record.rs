@@ -15,8 +15,9 @@ pub struct StepRecord<'a> {
     pub states_after: &'a [BodyState],
     /// Touching patches at the start of the step, in a fixed order.
     pub contacts: &'a [Contact],
-    /// What contact did in this step, one entry a pair of bodies.
-    pub works: &'a [PairWork],
+    /// What contact did in this step, one entry a fender and its hull or a pair of outlines; also for
+    /// those that touched in the last step and have just let go.
+    pub books: &'a [ContactBook],
     /// Sum of contact forces on each body at the start of the step, one a body.
     pub wrenches: &'a [Wrench],
     /// Events of this step.
@@ -25,24 +26,52 @@ pub struct StepRecord<'a> {
     pub energy: Energy,
 }
 
-/// What the contact of two bodies did in one step, over all the integrator's stages.
+/// What one contact did in one step, over all the integrator's stages and the engine's sub-steps: a
+/// fender and its hull, or two outlines.
+///
+/// What the bodies lose to the normal force goes three ways, `-normal_j = Δstored + damping_j +
+/// restitution_j`, and what they lose to the tangential force two: `-tangential_j = Δshear_stored +
+/// friction_j`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PairWork {
+pub struct ContactBook {
     /// Indices of the bodies in the set-up, the smaller first.
     pub bodies: [usize; 2],
+    /// Index of the fender in the set-up; `None`: outline on outline.
+    pub fender: Option<usize>,
     /// ∫ N dt [N·s].
     pub normal_impulse_ns: f64,
     /// Work of the normal force on the two bodies [J]: negative while it takes energy.
     pub normal_j: f64,
     /// Work of the tangential force on the two bodies [J].
     pub tangential_j: f64,
+    /// Stored in spring and stop at the end of the step [J].
+    pub stored_j: f64,
+    /// Stored in the shear spring at the end of the step [J].
+    pub shear_stored_j: f64,
+    /// Turned into heat by damping [J].
+    pub damping_j: f64,
+    /// What the springs gave back and the limiter kept from the bodies [J].
+    pub restitution_j: f64,
+    /// Turned into heat by friction, and by the implicit shear spring [J].
+    pub friction_j: f64,
+    /// What was stored and is not: the spring's book at the end of a contact, and for a fender at each
+    /// step what differs from its potential [J]. With a fender it is the time step's, and falls with
+    /// it; between outlines it is also what the chord's turning normal made (negative) or lost, as that
+    /// law has no potential.
+    pub residual_j: f64,
 }
 
 /// The energy ledger since the start of the run [J].
 ///
 /// Work is force times the mean of the velocities before and after the step, so that it accounts
-/// for the change of kinetic energy exactly. A contact that leaves with more energy than it came
-/// with shows as positive `normal_work_j`: energy that the method or the time step made up.
+/// for the change of kinetic energy exactly:
+///
+/// kinetic = kinetic at the start + load_work + normal_work + tangential_work + residual, and
+/// −(normal_work + tangential_work) = stored + shear_stored + damping + restitution + friction +
+/// contact_residual.
+///
+/// A contact that leaves with more energy than it came with shows as positive `normal_work_j` and
+/// negative `contact_residual_j`: energy that the method or the time step made up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
     /// Kinetic energy now, added mass included.
@@ -53,6 +82,18 @@ pub struct Energy {
     pub normal_work_j: f64,
     /// Work done by tangential contact forces on the bodies.
     pub tangential_work_j: f64,
+    /// Stored now in springs and stops.
+    pub stored_j: f64,
+    /// Stored now in shear springs.
+    pub shear_stored_j: f64,
+    /// Lost to damping.
+    pub damping_j: f64,
+    /// Lost to restitution.
+    pub restitution_j: f64,
+    /// Lost to friction.
+    pub friction_j: f64,
+    /// Sum of the contacts' residuals: see [`ContactBook::residual_j`].
+    pub contact_residual_j: f64,
     /// Kinetic energy now, less that at the start, less all work. Rounding where a body's mass is the
     /// same in surge and sway; else also what a step makes of momentum that turns with the body,
     /// which falls with Δt.

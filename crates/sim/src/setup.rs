@@ -2,6 +2,8 @@
 
 use fenderline_contact::{Material, Outline, Vec2};
 
+use crate::fender::FenderSetup;
+
 /// A whole simulation before its first step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
@@ -21,6 +23,8 @@ pub struct Setup {
     pub pairs: Vec<PairSetup>,
     /// Material of every pair that `pairs` does not name; `None`: those do not touch.
     pub every_other_pair: Option<usize>,
+    /// Fenders on the bodies.
+    pub fenders: Vec<FenderSetup>,
     /// External loads.
     pub loads: Vec<Load>,
 }

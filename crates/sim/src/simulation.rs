@@ -1,17 +1,18 @@
 //! A run: states, contact memory, ledger and summaries, stepped together.
 
 use fenderline_contact::{
-    self as contact, Body, BodyId, BodyState, Contact, MaterialId, Memory, Model, Pair, Workspace,
-    Wrench,
+    self as contact, Body, BodyId, BodyState, Contact, Fender, MaterialId, Memory, Model, Pair,
+    Workspace, Wrench,
 };
 
 use crate::error::{SetupError, SimError};
+use crate::fender::{FenderSetup, FenderSummaries, FenderSummary};
 use crate::gather::{gather, gather_loads};
 use crate::integrate::{Rate, euler, semi_implicit};
-use crate::ledger::{Ledger, MeanVelocity, add_contacts, add_means};
-use crate::record::{Energy, PairWork, StepRecord};
+use crate::ledger::{Books, Ledger, MeanVelocity, WorkBy};
+use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
-use crate::setup::{BodySetup, Integrator, Load, Method, Setup};
+use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
 
 /// Weights of the four stages of classical Runge–Kutta.
@@ -29,7 +30,9 @@ pub struct Simulation {
     memory: Memory,
     work: Workspace,
     ledger: Ledger,
+    books: Books,
     summaries: Summaries,
+    fender_summaries: FenderSummaries,
     buffers: Buffers,
 }
 
@@ -42,7 +45,6 @@ struct Buffers {
     trial: Vec<BodyState>,
     before: Vec<BodyState>,
     mean: Vec<MeanVelocity>,
-    works: Vec<PairWork>,
     /// Contacts of the later stages of Runge–Kutta, and what they need.
     stage_contacts: [Vec<Contact>; 3],
     probe: Memory,
@@ -72,7 +74,6 @@ impl Simulation {
             trial: states.clone(),
             before: states.clone(),
             mean: vec![MeanVelocity::default(); count],
-            works: Vec::new(),
             stage_contacts: Default::default(),
             probe: memory.clone(),
             probe_work: Workspace::new(&model),
@@ -81,7 +82,9 @@ impl Simulation {
         Ok(Simulation {
             ledger: Ledger::new(&inertias, &states),
             work: Workspace::new(&model),
+            books: Books::default(),
             summaries: Summaries::default(),
+            fender_summaries: FenderSummaries::new(setup.fenders.len()),
             index: 0,
             setup,
             model,
@@ -147,6 +150,11 @@ impl Simulation {
         &self.summaries.pairs
     }
 
+    /// What has happened to each fender that was touched, in the order of the set-up.
+    pub fn fender_summaries(&self) -> impl Iterator<Item = &FenderSummary> {
+        self.fender_summaries.all.iter().flatten()
+    }
+
     /// Takes one step; beyond the run's duration it simply goes on.
     ///
     /// # Errors
@@ -184,12 +192,13 @@ impl Simulation {
             states: &self.buffers.before,
             states_after: &self.states,
             contacts: self.work.contacts(),
-            works: &self.buffers.works,
+            books: &self.books.all,
             wrenches: self.work.wrenches(),
             events: self.work.events(),
             energy: self.ledger.energy,
         };
         self.summaries.book(&record);
+        self.fender_summaries.book(&self.setup.fenders, record.contacts, t_s);
         self.index += 1;
         Ok(record)
     }
@@ -271,32 +280,29 @@ impl Simulation {
         {
             *mean = MeanVelocity::of(before, after);
         }
-        buffers.works.clear();
-        if self.setup.method == Method::Coupled {
-            let engine_moved = self.setup.integrator == Integrator::SemiImplicit;
-            add_means(
-                &mut buffers.works,
-                self.work.contacts(),
-                &buffers.mean,
-                step_s,
-                engine_moved,
-            );
-        } else if self.setup.integrator == Integrator::Rk4 {
-            let [one, later @ ..] = RUNGE_KUTTA;
-            let contacts = self.work.contacts();
-            add_contacts(&mut buffers.works, contacts, &buffers.mean, one * step_s);
-            for (contacts, weight) in buffers.stage_contacts.iter().zip(later) {
-                add_contacts(&mut buffers.works, contacts, &buffers.mean, weight * step_s);
+        let contacts = self.work.contacts();
+        self.books.open(contacts);
+        let rk4 = self.setup.integrator == Integrator::Rk4;
+        let engine_moved = self.setup.integrator == Integrator::SemiImplicit;
+        let mut add = |contacts, by| self.books.add(contacts, &buffers.mean, step_s, by);
+        match self.setup.method {
+            Method::Coupled if engine_moved => add(contacts, WorkBy::Engine),
+            Method::Paper if rk4 => {
+                let [one, later @ ..] = RUNGE_KUTTA;
+                add(contacts, WorkBy::Motion(one * step_s));
+                for (contacts, weight) in buffers.stage_contacts.iter().zip(later) {
+                    add(contacts, WorkBy::Motion(weight * step_s));
+                }
             }
-        } else {
-            add_contacts(&mut buffers.works, self.work.contacts(), &buffers.mean, step_s);
+            Method::Coupled | Method::Paper => add(contacts, WorkBy::Motion(step_s)),
         }
+        self.books.close();
         self.ledger.book(
             &self.inertias,
             &self.states,
             &buffers.loads,
             &buffers.mean,
-            &buffers.works,
+            &self.books.all,
             step_s,
         );
     }
@@ -359,7 +365,8 @@ fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
 
 fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, SetupError> {
     let mut builder = Model::builder();
-    let keys = keys_by_name(&setup.bodies)?;
+    let keys = keys_of(setup.bodies.iter().map(|body| body.name.as_str()))
+        .map_err(|name| SetupError::DuplicateName { what: "bodies", name })?;
     for ((body, inertia), key) in setup.bodies.iter().zip(inertias).zip(keys) {
         builder.body(Body {
             name: body.name.clone(),
@@ -371,6 +378,11 @@ fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, SetupError>
     for material in &setup.materials {
         builder.material(material.material);
     }
+    let keys = keys_of(setup.fenders.iter().map(|fender| fender.name.as_str()))
+        .map_err(|name| SetupError::DuplicateName { what: "fenders", name })?;
+    for (fender, key) in setup.fenders.iter().zip(keys) {
+        builder.fender(engine_fender(fender, key));
+    }
     for pair in &setup.pairs {
         let bodies = pair.bodies.map(|body| BodyId(body as u32));
         builder.pair(Pair { bodies, material: MaterialId(pair.material as u32) });
@@ -381,15 +393,34 @@ fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, SetupError>
     Ok(builder.build()?)
 }
 
-/// The key of each body: its place among the sorted names, so that the order of bodies in a scenario
-/// changes no bit of a run.
-fn keys_by_name(bodies: &[BodySetup]) -> Result<Vec<u64>, SetupError> {
-    let mut order: Vec<usize> = (0..bodies.len()).collect();
-    order.sort_by(|&i, &j| bodies[i].name.cmp(&bodies[j].name));
-    if let Some(two) = order.windows(2).find(|two| bodies[two[0]].name == bodies[two[1]].name) {
-        return Err(SetupError::DuplicateName { body: bodies[two[0]].name.clone() });
+/// As the engine wants it. Without a rating a fender is made for all of its projection.
+fn engine_fender(fender: &FenderSetup, key: u64) -> Fender {
+    Fender {
+        name: fender.name.clone(),
+        key,
+        body: BodyId(fender.body as u32),
+        position_m: fender.position_m,
+        facing_rad: fender.facing_rad,
+        width_m: fender.width_m,
+        projection_m: fender.projection_m,
+        law: fender.law.clone(),
+        material: MaterialId(fender.material as u32),
+        rated_deflection_m: fender.rated.map_or(fender.projection_m, |rated| rated.deflection_m),
+        stop: fender.stop,
+        factors: fender.factors.clone(),
     }
-    let mut keys = vec![0; bodies.len()];
+}
+
+/// The key of each name: its place among the sorted ones, so that the order of bodies and fenders in a
+/// scenario changes no bit of a run. The error is the name that stands twice.
+fn keys_of<'n>(names: impl Iterator<Item = &'n str>) -> Result<Vec<u64>, String> {
+    let names: Vec<&str> = names.collect();
+    let mut order: Vec<usize> = (0..names.len()).collect();
+    order.sort_by(|&i, &j| names[i].cmp(names[j]));
+    if let Some(two) = order.windows(2).find(|two| names[two[0]] == names[two[1]]) {
+        return Err(names[two[0]].to_owned());
+    }
+    let mut keys = vec![0; names.len()];
     for (key, &index) in order.iter().enumerate() {
         keys[index] = key as u64;
     }

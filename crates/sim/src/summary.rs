@@ -57,9 +57,9 @@ impl Summaries {
             let pair = self.pair(bodies, record.t_s, first.v_normal_mps);
             book_touch(pair, own, record);
         }
-        for work in record.works {
+        for work in record.books {
             let Some(pair) = self.pairs.iter_mut().find(|p| p.bodies == work.bodies) else {
-                continue; // touched only within the step; the next one sees it at its start
+                continue; // touched only at a later stage of Runge-Kutta; the next step sees it
             };
             pair.impulse_ns += work.normal_impulse_ns;
             pair.normal_work_j += work.normal_j;

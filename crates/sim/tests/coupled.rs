@@ -43,6 +43,7 @@ fn ship_and_fenders(
         materials: vec![NamedMaterial { name: "rubber".into(), material }],
         pairs,
         every_other_pair: None,
+        fenders: vec![],
         loads: vec![],
     }
 }

@@ -67,6 +67,7 @@ pub(crate) fn two(
         materials: vec![NamedMaterial { name: "fender".into(), material }],
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
         every_other_pair: None,
+        fenders: vec![],
         loads: vec![],
     }
 }

@@ -1,0 +1,334 @@
+//! Fenders in a run: what they store, what they hold, and when they fail.
+
+mod support;
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use fenderline_contact::{EventKind, FenderLaw, Material, ReactionFactors, Stop, vec2};
+use fenderline_sim::{
+    BodySetup, Energy, FenderSetup, Integrator, Load, Method, NamedMaterial, PairSetup, Rated,
+    Setup, Simulation,
+};
+use proptest::prelude::*;
+use support::{fixed, floating, rectangle, spring};
+
+fn run(setup: Setup) -> Simulation {
+    let mut simulation = Simulation::new(setup).expect("a good set-up");
+    while !simulation.is_done() {
+        simulation.step().expect("a good step");
+    }
+    simulation
+}
+
+/// A cone fender's curve (fenders.md), of a height and a rated reaction.
+fn cone(height_m: f64, rated_reaction_n: f64) -> FenderLaw {
+    let reactions =
+        [0.0, 0.20, 0.39, 0.58, 0.76, 0.90, 0.98, 1.00, 0.98, 0.94, 0.90, 0.88, 0.88, 0.90, 0.96];
+    let mut points: Vec<[f64; 2]> = (0..)
+        .zip(reactions)
+        .map(|(k, r)| [0.05 * f64::from(k) * height_m, r * rated_reaction_n])
+        .collect();
+    points
+        .extend([0.72, 0.75].map(|d| [d * height_m, (1.0 + (d - 0.72) / 0.3) * rated_reaction_n]));
+    FenderLaw::Curve(points)
+}
+
+/// A cone fender on the quay at `along_m`.
+fn fender(name: &str, along_m: f64, height_m: f64, rated_reaction_n: f64) -> FenderSetup {
+    let law = cone(height_m, rated_reaction_n);
+    FenderSetup {
+        name: name.into(),
+        body: 0,
+        position_m: vec2(along_m, 0.0),
+        // The quay lies east of the ship and looks west.
+        facing_rad: -FRAC_PI_2,
+        width_m: 2.0,
+        height_m: 3.0,
+        projection_m: height_m,
+        rated: Rated::of(&law, 0.72 * height_m),
+        stop: Some(Stop {
+            from_m: 0.75 * height_m,
+            stiffness_npm: 50.0 * rated_reaction_n / height_m,
+        }),
+        law,
+        material: 1,
+        factors: ReactionFactors::default(),
+        energy_by_angle: vec![],
+        hull_pressure_limit_npm2: Some(200e3),
+        source: None,
+    }
+}
+
+/// The paper's container ship beside a quay with fenders, `gap_m` off them, port side out.
+fn berth(fenders: Vec<FenderSetup>, gap_m: f64, step_s: f64, duration_s: f64) -> Setup {
+    let mut ship: BodySetup = floating("ship", rectangle(298.0, 46.0), 87.8e6, 74.5);
+    ship.mass.as_mut().expect("she floats").added_sway_kg = 0.5 * 87.8e6;
+    ship.mass.as_mut().expect("she floats").added_surge_kg = 0.03 * 87.8e6;
+    let projection_m = fenders.first().map_or(0.0, |f| f.projection_m);
+    ship.position_m = vec2(0.0, -23.0 - projection_m - gap_m);
+    let quay = fixed(
+        "quay",
+        support::outline(&[
+            vec2(-250.0, 0.0),
+            vec2(250.0, 0.0),
+            vec2(250.0, 20.0),
+            vec2(-250.0, 20.0),
+        ]),
+    );
+    let mut concrete = spring(50e6, 0.1);
+    concrete.shear_stiffness_npm = 1e7;
+    concrete.friction_static = 0.5;
+    concrete.friction_dynamic = 0.5;
+    let facing = Material {
+        shear_stiffness_npm: 3e6,
+        friction_static: 0.2,
+        friction_dynamic: 0.2,
+        ..spring(0.0, 0.1)
+    };
+    let named = |name: &str, material| NamedMaterial { name: name.into(), material };
+    Setup {
+        step_s,
+        duration_s,
+        integrator: Integrator::SemiImplicit,
+        method: Method::Coupled,
+        bodies: vec![quay, ship],
+        materials: vec![named("concrete", concrete), named("facing", facing)],
+        pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
+        every_other_pair: None,
+        fenders,
+        loads: vec![],
+    }
+}
+
+fn row_of(count: usize, height_m: f64, rated_reaction_n: f64) -> Vec<FenderSetup> {
+    (0..count)
+        .map(|k| {
+            let along_m = -105.0 + 210.0 * k as f64 / (count - 1).max(1) as f64;
+            fender(&format!("fender {k:02}"), along_m, height_m, rated_reaction_n)
+        })
+        .collect()
+}
+
+/// What the sheet asks of the ledger, to rounding.
+fn assert_balanced(energy: &Energy, start_j: f64) {
+    let parts_j = energy.stored_j
+        + energy.shear_stored_j
+        + energy.damping_j
+        + energy.restitution_j
+        + energy.friction_j
+        + energy.contact_residual_j;
+    let lost_j = -(energy.normal_work_j + energy.tangential_work_j);
+    assert!((parts_j - lost_j).abs() < 1e-9 * start_j, "{energy:?}");
+}
+
+#[test]
+fn an_87800_t_ship_does_not_sail_through_a_small_fender() {
+    // 2 m wide, 1 m deep: it can take 0.4 MJ, and she brings 4.1 MJ.
+    for step_s in [0.1, 1.0] {
+        let small = fender("small", 0.0, 1.0, 0.8e6);
+        let capacity_j = small.rated.expect("a curve").energy_j;
+        let mut setup = berth(vec![small], 0.2, step_s, 120.0);
+        setup.bodies[1].velocity.sway_mps = 0.25;
+        let mut simulation = Simulation::new(setup).unwrap();
+        let mut told = vec![];
+        let mut deepest_m = f64::MIN;
+        while !simulation.is_done() {
+            let record = simulation.step().unwrap();
+            told.extend(record.events.iter().map(|event| event.kind));
+            deepest_m = deepest_m.max(record.states_after[1].position_m.y + 23.0);
+        }
+        // Her side, at most a hand's breadth into the quay's face.
+        assert!(deepest_m < 0.1, "Δt {step_s}: {deepest_m} m behind the quay's face");
+        let fender = told.iter().filter(|kind| matches!(kind, EventKind::FenderFailed(_)));
+        assert_eq!(fender.count(), 1, "{told:?}");
+        let summary = simulation.fender_summaries().next().expect("touched").clone();
+        assert!(summary.failed);
+        assert!(summary.peak_energy_j > 2.0 * capacity_j);
+        assert!(summary.share_of_rated_energy.unwrap() > 2.0);
+        // And she is thrown back no faster than γ says.
+        let back_mps = -simulation.states()[1].velocity_mps.y;
+        assert!(back_mps > 0.0 && back_mps < 0.03, "Δt {step_s}: {back_mps} m/s");
+    }
+}
+
+#[test]
+fn a_berthing_puts_its_energy_into_the_fenders_and_the_ledger_balances() {
+    for step_s in [0.02, 0.1, 0.5, 2.0] {
+        let mut setup = berth(row_of(8, 1.2, 1.2e6), 0.3, step_s, 60.0);
+        setup.bodies[1].velocity.sway_mps = 0.15;
+        let mut simulation = Simulation::new(setup).unwrap();
+        let start_j = simulation.energy().kinetic_j;
+        let mut most_stored_j = 0.0_f64;
+        while !simulation.is_done() {
+            let record = simulation.step().unwrap();
+            assert_balanced(&record.energy, start_j);
+            most_stored_j = most_stored_j.max(record.energy.stored_j);
+        }
+        let energy = simulation.energy();
+        // At the deepest all of it is in the fenders: within what a step of her speed misses.
+        let peaks_j: f64 = simulation.fender_summaries().map(|f| f.peak_energy_j).sum();
+        assert!((peaks_j / start_j - 1.0).abs() < 0.02, "Δt {step_s}: {peaks_j} of {start_j} J");
+        assert!((energy.kinetic_j / start_j - 0.01).abs() < 0.001, "γ² goes back: {energy:?}");
+        assert!(energy.contact_residual_j.abs() < 0.02 * start_j, "Δt {step_s}: {energy:?}");
+        assert!(energy.restitution_j > 0.95 * start_j, "Δt {step_s}: {energy:?}");
+    }
+}
+
+#[test]
+fn factors_scale_the_reaction_and_are_those_of_the_first_touch() {
+    let mut warm = fender("warm", 0.0, 1.2, 1.2e6);
+    warm.factors = ReactionFactors {
+        constant: 1.1,
+        by_compression_time: vec![[1.0, 1.2], [5.0, 1.11], [10.0, 1.07], [20.0, 1.03]],
+        by_angle: vec![[0.0, 1.0], [0.17, 1.0], [0.26, 0.95]],
+    };
+    let mut setup = berth(vec![warm], 0.2, 0.1, 30.0);
+    setup.bodies[1].velocity.sway_mps = 0.05;
+    let simulation = run(setup);
+    let summary = simulation.fender_summaries().next().expect("touched");
+    // t = 0.864/(0.74·0.05) = 23 s: beyond the table's end.
+    assert!((summary.factor - 1.1 * 1.03).abs() < 1e-9, "{}", summary.factor);
+    assert!((summary.approach_speed_mps - 0.05).abs() < 1e-9);
+    let free = cone(1.2, 1.2e6).reaction_n(summary.peak_deflection_m);
+    let peak = summary.peak_reaction_n / (free * summary.factor);
+    assert!((peak - 1.0).abs() < 0.02, "{peak}");
+}
+
+/// Wind on, and a current along below what friction holds.
+fn moored(step_s: f64, duration_s: f64) -> Setup {
+    let mut setup = berth(row_of(8, 1.2, 1.2e6), 0.0, step_s, duration_s);
+    // 8 fenders at 0.2·8.64 MN: 0.2 MN a fender is 0.025·1.2 m on the first line of the curve.
+    let per_fender_n = 0.1 * 1.2e6;
+    setup.bodies[1].position_m.y += 0.025 * 1.2;
+    let load =
+        |force_n, from_s| Load { body: 1, force_n, moment_nm: 0.0, from_s, until_s: f64::INFINITY };
+    // Friction holds 0.2 of what presses; a tenth pulls, in ten parts over the first half minute: a
+    // sudden pull would set her swinging on her fenders' shear, which has no damping of its own.
+    setup.loads = vec![load(vec2(0.0, 8.0 * per_fender_n), 0.0)];
+    setup
+        .loads
+        .extend((0..10).map(|k| load(vec2(0.01 * 8.0 * per_fender_n, 0.0), 3.0 * f64::from(k))));
+    setup
+}
+
+#[test]
+fn a_day_alongside_in_steady_wind_drifts_less_than_a_millimetre_and_gains_nothing() {
+    for step_s in [0.5, 2.0] {
+        let mut simulation = Simulation::new(moored(step_s, 24.0 * 3600.0)).unwrap();
+        let mut after_a_minute = None;
+        // The largest kinetic energy of the first minute, and of each hour from then on.
+        let (mut first_j, mut hours_j) = (0.0_f64, vec![0.0_f64; 24]);
+        while !simulation.is_done() {
+            let energy = simulation.step().unwrap().energy;
+            if simulation.time_s() < 60.0 {
+                first_j = first_j.max(energy.kinetic_j);
+                continue;
+            }
+            let state = simulation.states()[1];
+            let start = *after_a_minute.get_or_insert(state);
+            let drift_m = (state.position_m - start.position_m).length();
+            assert!(drift_m < 1e-3, "Δt {step_s}: {drift_m} m at {} s", simulation.time_s());
+            let hour = (simulation.time_s() / 3600.0) as usize;
+            hours_j[hour.min(23)] = hours_j[hour.min(23)].max(energy.kinetic_j);
+        }
+        assert!(hours_j[0] <= first_j, "Δt {step_s}: {first_j} J, then {hours_j:?}");
+        assert!(hours_j.is_sorted_by(|one, next| *next <= one + 1e-12), "{hours_j:?}");
+        let depth_m = simulation.states()[1].position_m.y + 23.0 + 1.2;
+        assert!((depth_m / 0.03 - 1.0).abs() < 0.005, "Δt {step_s}: {depth_m} m");
+        // From the loads' work comes what is stored, and nothing else.
+        let energy = simulation.energy();
+        assert!(energy.normal_work_j + energy.tangential_work_j <= 0.0, "{energy:?}");
+    }
+}
+
+/// Random bodies, speeds and spins against a fender on a floating pontoon.
+fn episode(seed: &Episode) -> Setup {
+    let mut setup = berth(vec![fender("one", 0.0, 1.2, 1.2e6)], 0.0, seed.step_s, 20.0);
+    let mass = fenderline_sim::MassProperties {
+        mass_kg: seed.mass_kg,
+        yaw_inertia_kgm2: seed.mass_kg * 100.0,
+        added_sway_kg: seed.mass_kg * seed.added,
+        ..Default::default()
+    };
+    setup.bodies[0].mass = Some(mass);
+    setup.bodies[1] = floating("tug", rectangle(32.0, 11.0), 6e5, 8.0);
+    let tug = &mut setup.bodies[1];
+    tug.mass.as_mut().unwrap().added_sway_kg = 4e5;
+    tug.heading_rad = seed.heading_rad;
+    // The hull's farthest point toward the quay, a little off the face.
+    let (sin, cos) = (libm::sin(seed.heading_rad).abs(), libm::cos(seed.heading_rad).abs());
+    tug.position_m = vec2(seed.along_m, -1.2 - (16.0 * sin + 5.5 * cos) - 0.05);
+    let (sin, cos) = (libm::sin(seed.heading_rad), libm::cos(seed.heading_rad));
+    // Towards the quay (east) and along it (north).
+    tug.velocity.surge_mps = seed.slide_mps * cos + seed.approach_mps * sin;
+    tug.velocity.sway_mps = -seed.slide_mps * sin + seed.approach_mps * cos;
+    tug.velocity.yaw_radps = seed.spin_radps;
+    setup.materials[1].material.restitution = seed.restitution;
+    setup.materials[1].material.friction_static = seed.friction;
+    setup.materials[1].material.friction_dynamic = seed.friction * 0.8;
+    setup.materials[0].material.restitution = seed.restitution;
+    setup
+}
+
+#[derive(Clone, Debug)]
+struct Episode {
+    mass_kg: f64,
+    added: f64,
+    heading_rad: f64,
+    along_m: f64,
+    approach_mps: f64,
+    slide_mps: f64,
+    spin_radps: f64,
+    restitution: f64,
+    friction: f64,
+    step_s: f64,
+}
+
+fn episodes() -> impl Strategy<Value = Episode> {
+    let mass = (5.0..8.0_f64).prop_map(libm::exp10);
+    (
+        (mass, 0.0..0.6_f64, -PI..PI, -18.0..18.0_f64, 0.05..1.5_f64),
+        (
+            -0.5..0.5_f64,
+            -0.05..0.05_f64,
+            0.0..0.9_f64,
+            0.0..0.6_f64,
+            prop_oneof![Just(0.05), Just(0.1), Just(0.5), Just(1.0)],
+        ),
+    )
+        .prop_map(|((mass_kg, added, heading_rad, along_m, approach_mps), rest)| {
+            let (slide_mps, spin_radps, restitution, friction, step_s) = rest;
+            Episode {
+                mass_kg,
+                added,
+                heading_rad,
+                along_m,
+                approach_mps,
+                slide_mps,
+                spin_radps,
+                restitution,
+                friction,
+                step_s,
+            }
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    /// 100,000 of them are `cargo xtask passivity`; the 1e-9 is rounding.
+    #[test]
+    fn nobody_leaves_a_fender_with_more_energy_than_it_came_with(seed in episodes()) {
+        let simulation = Simulation::new(episode(&seed));
+        let mut simulation = simulation.expect("a good set-up");
+        let before_j = simulation.energy().kinetic_j;
+        while !simulation.is_done() {
+            simulation.step().unwrap();
+        }
+        let energy = simulation.energy();
+        prop_assert!(
+            energy.kinetic_j - energy.residual_j <= before_j * (1.0 + 1e-9),
+            "{} of {before_j} J after: {energy:?}", energy.kinetic_j
+        );
+    }
+}
