@@ -63,6 +63,8 @@ pub struct Workspace {
     pub(crate) inverses: Vec<InverseMatrix>,
     /// Velocities before the solve by rank, for the bodies of the island.
     pub(crate) before: Vec<BodyState>,
+    /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank [J].
+    pub(crate) unheld_j: Vec<f64>,
     /// Largest change of velocity in the solve's last sweep [m/s].
     pub(crate) last_change_mps: f64,
     /// First of the island's contacts in `contacts`.
@@ -130,6 +132,7 @@ impl Workspace {
             rows: Vec::new(),
             inverses: vec![InverseMatrix::default(); count],
             before: vec![BodyState::default(); count],
+            unheld_j: vec![0.0; count],
             last_change_mps: 0.0,
             first_contact: 0,
         }
