@@ -47,6 +47,8 @@ fn event_key(kind: EventKind) -> &'static str {
         EventKind::DeepOverlap => "deep_overlap",
         EventKind::Teleported => "teleported",
         EventKind::NotConverged => "not_converged",
+        EventKind::FenderOverRated(_) => "fender_over_rated",
+        EventKind::FenderFailed(_) => "fender_failed",
     }
 }
 
@@ -67,6 +69,10 @@ pub(crate) fn event_text(kind: EventKind) -> &'static str {
         EventKind::Teleported => "a body moved by more than its velocities explain",
         EventKind::NotConverged => {
             "the coupled solve of a contact did not settle within its bounded work"
+        }
+        EventKind::FenderOverRated(_) => "a fender was deflected beyond what it is rated for",
+        EventKind::FenderFailed(_) => {
+            "a fender FAILED: its stop, or the structure behind it, held the hull"
         }
     }
 }
