@@ -43,6 +43,7 @@ pub(crate) fn setup(
         pairs: pairs.named,
         every_other_pair: pairs.every_other,
         fenders: vec![],
+        berthing: None,
         loads,
     })
 }

@@ -4,6 +4,8 @@ use std::fmt;
 
 use fenderline_contact::{ModelError, StepError};
 
+use crate::berthing::BerthingError;
+
 /// A set-up that cannot be simulated.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -24,6 +26,8 @@ pub enum SetupError {
         /// The name.
         name: String,
     },
+    /// A particular of the berthing that no ship has.
+    Berthing(BerthingError),
     /// A load or pair names a body that is not there, or a load a fixed one.
     BadBody {
         /// What names it.
@@ -41,6 +45,7 @@ impl fmt::Display for SetupError {
             SetupError::DuplicateName { what, name } => {
                 write!(f, "two {what} are named `{name}`")
             }
+            SetupError::Berthing(error) => write!(f, "the berthing's {error}"),
             SetupError::BadBody { owner, body } => {
                 write!(f, "a {owner} names body {body}, which is not there or is fixed")
             }

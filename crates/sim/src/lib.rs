@@ -38,6 +38,7 @@
 //!     pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
 //!     every_other_pair: None,
 //!     fenders: vec![],
+//!     berthing: None,
 //!     loads: vec![],
 //! };
 //! let mut simulation = Simulation::new(setup)?;

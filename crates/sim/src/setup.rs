@@ -2,6 +2,7 @@
 
 use fenderline_contact::{Material, Outline, Vec2};
 
+use crate::berthing::BerthingSetup;
 use crate::fender::FenderSetup;
 
 /// A whole simulation before its first step.
@@ -25,6 +26,8 @@ pub struct Setup {
     pub every_other_pair: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
+    /// Particulars for the berthing energy by formula, where it is asked for.
+    pub berthing: Option<BerthingSetup>,
     /// External loads.
     pub loads: Vec<Load>,
 }

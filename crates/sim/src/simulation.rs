@@ -5,6 +5,7 @@ use fenderline_contact::{
     Workspace, Wrench,
 };
 
+use crate::berthing::{BerthingError, BerthingOutcome, Study, StudyStep};
 use crate::error::{SetupError, SimError};
 use crate::fender::{FenderSetup, FenderSummaries, FenderSummary};
 use crate::gather::{gather, gather_loads};
@@ -33,6 +34,7 @@ pub struct Simulation {
     books: Books,
     summaries: Summaries,
     fender_summaries: FenderSummaries,
+    study: Option<Study>,
     buffers: Buffers,
 }
 
@@ -85,6 +87,7 @@ impl Simulation {
             books: Books::default(),
             summaries: Summaries::default(),
             fender_summaries: FenderSummaries::new(setup.fenders.len()),
+            study: study(&setup)?,
             index: 0,
             setup,
             model,
@@ -155,6 +158,13 @@ impl Simulation {
         self.fender_summaries.all.iter().flatten()
     }
 
+    /// The berthing by formula and as it came out; `None` where the set-up asks for none, or no fender
+    /// was touched yet. An error where ship or speed is none that the formulas are for.
+    #[must_use]
+    pub fn berthing(&self) -> Option<Result<&BerthingOutcome, &BerthingError>> {
+        self.study.as_ref()?.outcome.as_ref().map(Result::as_ref)
+    }
+
     /// Takes one step; beyond the run's duration it simply goes on.
     ///
     /// # Errors
@@ -199,6 +209,12 @@ impl Simulation {
         };
         self.summaries.book(&record);
         self.fender_summaries.book(&self.setup.fenders, record.contacts, t_s);
+        if let Some(study) = &mut self.study {
+            let StepRecord { states, contacts, books, .. } = record;
+            let stored_j = books.iter().filter(|b| b.fender.is_some()).map(|b| b.stored_j).sum();
+            let step = StudyStep { t_s, states, contacts, stored_j };
+            study.book(&self.setup.fenders, &self.inertias, &step);
+        }
         self.index += 1;
         Ok(record)
     }
@@ -361,6 +377,17 @@ fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
         return Err(SetupError::OutOfRange { field: "a load's time", value: f64::NAN });
     }
     Ok(())
+}
+
+/// The study of a berthing, its particulars checked.
+fn study(setup: &Setup) -> Result<Option<Study>, SetupError> {
+    let Some(berthing) = setup.berthing else { return Ok(None) };
+    let ship = setup.bodies.get(berthing.ship).and_then(|body| body.mass);
+    let Some(mass) = ship else {
+        return Err(SetupError::BadBody { owner: "berthing", body: berthing.ship });
+    };
+    berthing.check().map_err(SetupError::Berthing)?;
+    Ok(Some(Study::new(berthing, mass.mass_kg)))
 }
 
 fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, SetupError> {

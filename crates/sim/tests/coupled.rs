@@ -44,6 +44,7 @@ fn ship_and_fenders(
         pairs,
         every_other_pair: None,
         fenders: vec![],
+        berthing: None,
         loads: vec![],
     }
 }

@@ -96,6 +96,7 @@ fn berth(fenders: Vec<FenderSetup>, gap_m: f64, step_s: f64, duration_s: f64) ->
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
         every_other_pair: None,
         fenders,
+        berthing: None,
         loads: vec![],
     }
 }

@@ -68,6 +68,7 @@ pub(crate) fn two(
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
         every_other_pair: None,
         fenders: vec![],
+        berthing: None,
         loads: vec![],
     }
 }

@@ -1,0 +1,214 @@
+//! A berthing in a run beside the same berthing by formula.
+
+use fenderline_contact::{BodyState, Contact, Rotation};
+
+use super::added_mass::{pianc_2002_added_mass, ueda_added_mass, vasco_costa_added_mass};
+use super::eccentricity::{ContactPoint, gyradius_m};
+use super::energy::{BerthingEnergy, Configuration, Softness, abnormal_energy_j};
+use super::error::BerthingError;
+use crate::fender::FenderSetup;
+use crate::rigid_body::Inertia;
+
+/// What the formulas need to know of a ship and her berth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BerthingSetup {
+    /// Index of the ship in [`crate::Setup::bodies`].
+    pub ship: usize,
+    /// Length between perpendiculars [m].
+    pub length_bp_m: f64,
+    /// Beam [m].
+    pub beam_m: f64,
+    /// Draught [m].
+    pub draught_m: f64,
+    /// Under-keel clearance [m].
+    pub under_keel_clearance_m: f64,
+    /// Block coefficient.
+    pub block_coefficient: f64,
+    /// Cs.
+    pub softness: Softness,
+    /// Cc.
+    pub configuration: Configuration,
+    /// Abnormal berthing factor, where one is asked for.
+    pub abnormal_factor: Option<f64>,
+}
+
+impl BerthingSetup {
+    /// Checks the particulars as the formulas do.
+    ///
+    /// # Errors
+    /// The first that no ship has, by its name.
+    pub fn check(&self) -> Result<(), BerthingError> {
+        self.added_masses()?;
+        let gyradius_m = gyradius_m(self.block_coefficient, self.length_bp_m)?;
+        let contact = ContactPoint { along_m: 0.0, beam_m: self.beam_m };
+        contact.eccentricity(gyradius_m, 0.0)?;
+        self.abnormal_factor.map_or(Ok(0.0), |factor| abnormal_energy_j(0.0, factor))?;
+        Ok(())
+    }
+
+    /// Cm by PIANC 2002, Ueda and Vasco Costa.
+    fn added_masses(&self) -> Result<[f64; 3], BerthingError> {
+        Ok([
+            pianc_2002_added_mass(self.under_keel_clearance_m, self.draught_m)?,
+            ueda_added_mass(self.draught_m, self.beam_m, self.block_coefficient)?,
+            vasco_costa_added_mass(self.draught_m, self.beam_m)?,
+        ])
+    }
+}
+
+/// The first touch of a fender, by formula and as it came out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BerthingOutcome {
+    /// Start of the step of the first touch [s].
+    pub first_touch_s: f64,
+    /// Index of the fender in [`crate::Setup::fenders`].
+    pub fender: usize,
+    /// Speed of the ship's centre of gravity square to the fender's face [m/s].
+    pub speed_mps: f64,
+    /// Angle between hull and face [rad].
+    pub angle_rad: f64,
+    /// Point of contact along the hull from the centre of gravity, positive forward [m].
+    pub along_m: f64,
+    /// M, displacement without added mass [kg].
+    pub displacement_kg: f64,
+    /// Cm by PIANC 2002, Ueda and Vasco Costa.
+    pub added_mass: [f64; 3],
+    /// Mass square to the face over displacement, as the run has it.
+    pub added_mass_simulated: f64,
+    /// K by formula [m].
+    pub gyradius_m: f64,
+    /// K of the run, added mass included [m].
+    pub gyradius_simulated_m: f64,
+    /// Ce with the formula's K.
+    pub eccentricity: f64,
+    /// Ce with the run's K.
+    pub eccentricity_of_run: f64,
+    /// Cs.
+    pub softness: f64,
+    /// Cc.
+    pub configuration: f64,
+    /// ½ M V² Cm Ce Cs Cc with each of the three Cm [J].
+    pub energy_j: [f64; 3],
+    /// The first of them times the abnormal berthing factor [J].
+    pub abnormal_energy_j: Option<f64>,
+    /// Kinetic energy of the run square to the face at first touch, ½ M Cm V² [J].
+    pub kinetic_j: f64,
+    /// The most that all fenders together stored at a time of the run [J].
+    pub fender_energy_j: f64,
+    /// That over `kinetic_j`: Ce as it came out.
+    pub eccentricity_measured: f64,
+}
+
+/// The study of a run, step by step.
+#[derive(Clone, Debug)]
+pub(crate) struct Study {
+    setup: BerthingSetup,
+    displacement_kg: f64,
+    pub(crate) outcome: Option<Result<BerthingOutcome, BerthingError>>,
+}
+
+/// One step as the study sees it.
+pub(crate) struct StudyStep<'a> {
+    pub(crate) t_s: f64,
+    pub(crate) states: &'a [BodyState],
+    pub(crate) contacts: &'a [Contact],
+    /// What all fenders hold at the end of the step [J].
+    pub(crate) stored_j: f64,
+}
+
+impl Study {
+    /// The particulars have been checked.
+    pub(crate) fn new(setup: BerthingSetup, displacement_kg: f64) -> Study {
+        Study { setup, displacement_kg, outcome: None }
+    }
+
+    /// Books one step.
+    pub(crate) fn book(
+        &mut self,
+        fenders: &[FenderSetup],
+        inertias: &[Inertia],
+        step: &StudyStep<'_>,
+    ) {
+        let of_ship = |c: &&Contact| {
+            c.fender.is_some()
+                && [c.body_1.0 as usize, c.body_2.0 as usize].contains(&self.setup.ship)
+        };
+        let Some(contact) = step.contacts.iter().find(of_ship) else { return };
+        if self.outcome.is_none() {
+            self.outcome = Some(self.first_touch(fenders, inertias, step, contact));
+        }
+        let Some(Ok(outcome)) = self.outcome.as_mut() else { return };
+        let peaks_j: f64 = step.contacts.iter().map(|c| c.peak_stored_j).sum();
+        // Peaks of one step need not come together; what is stored at its end does.
+        outcome.fender_energy_j = outcome.fender_energy_j.max(step.stored_j.min(peaks_j));
+        outcome.eccentricity_measured = outcome.fender_energy_j / outcome.kinetic_j;
+    }
+
+    fn first_touch(
+        &self,
+        fenders: &[FenderSetup],
+        inertias: &[Inertia],
+        step: &StudyStep<'_>,
+        contact: &Contact,
+    ) -> Result<BerthingOutcome, BerthingError> {
+        let setup = &self.setup;
+        let fender = contact.fender.expect("a fender's contact").0 as usize;
+        let host = &step.states[fenders[fender].body];
+        let state = &step.states[setup.ship];
+        let outward = Rotation::from_angle(host.heading_rad + fenders[fender].facing_rad)
+            .apply(fenderline_contact::vec2(1.0, 0.0));
+        let speed_mps = (host.velocity_mps - state.velocity_mps).dot(outward);
+        let attitude = Rotation::from_angle(state.heading_rad);
+        let ship_is_1 = contact.body_1.0 as usize == setup.ship;
+        let arm_m = if ship_is_1 { contact.arm_1_m } else { contact.arm_2_m };
+        let along_m = attitude.apply_inverse(arm_m).x;
+        let own = attitude.apply_inverse(outward);
+        let inertia = &inertias[setup.ship];
+        let mass_kg = inertia.surge_kg * own.x * own.x + inertia.sway_kg * own.y * own.y;
+
+        let added_mass = setup.added_masses()?;
+        let gyradius_m = gyradius_m(setup.block_coefficient, setup.length_bp_m)?;
+        let gyradius_simulated_m = libm::sqrt(inertia.yaw_kgm2 / mass_kg);
+        let point = ContactPoint { along_m, beam_m: setup.beam_m };
+        let angle_rad = contact.tilt_rad;
+        let ce = point.eccentricity(gyradius_m, angle_rad)?;
+        let (softness, configuration) = (setup.softness.factor(), setup.configuration.factor());
+        let mut energy_j = [0.0; 3];
+        for (energy_j, added_mass) in energy_j.iter_mut().zip(added_mass) {
+            let energy = BerthingEnergy {
+                displacement_kg: self.displacement_kg,
+                speed_mps: speed_mps.abs(),
+                added_mass,
+                eccentricity: ce,
+                softness,
+                configuration,
+            };
+            *energy_j = energy.normal_j()?;
+        }
+        let abnormal_energy_j = match setup.abnormal_factor {
+            Some(factor) => Some(abnormal_energy_j(energy_j[0], factor)?),
+            None => None,
+        };
+        Ok(BerthingOutcome {
+            first_touch_s: step.t_s,
+            fender,
+            speed_mps,
+            angle_rad,
+            along_m,
+            displacement_kg: self.displacement_kg,
+            added_mass,
+            added_mass_simulated: mass_kg / self.displacement_kg,
+            gyradius_m,
+            gyradius_simulated_m,
+            eccentricity: ce,
+            eccentricity_of_run: point.eccentricity(gyradius_simulated_m, angle_rad)?,
+            softness,
+            configuration,
+            energy_j,
+            abnormal_energy_j,
+            kinetic_j: 0.5 * mass_kg * speed_mps * speed_mps,
+            fender_energy_j: 0.0,
+            eccentricity_measured: 0.0,
+        })
+    }
+}
