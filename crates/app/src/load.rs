@@ -19,14 +19,19 @@ const LARGEST_FILE: u64 = 16 << 20;
 /// scenario reader refuses.
 pub(crate) fn load(path: &Path, changes: &Changes) -> Result<Scenario, Failure> {
     let overrides = changes.overrides().map_err(Failure::input)?;
-    let text = read(path)?;
-    Scenario::parse_with(&text, &path.display().to_string(), &overrides).map_err(Failure::input)
+    let text =
+        read(path).map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
+    // What the scenario names lies beside it.
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let name = path.display().to_string();
+    Scenario::parse_among(&text, &name, &overrides, &mut |file| read(&folder.join(file)))
+        .map_err(Failure::input)
 }
 
-fn read(path: &Path) -> Result<String, Failure> {
+/// The text of a file, or its name and why there is none.
+fn read(path: &Path) -> Result<String, String> {
     let name = path.display();
-    let cannot =
-        |e: &dyn core::fmt::Display| Failure::input(format_args!("error: cannot read {name}: {e}"));
+    let cannot = |e: &dyn core::fmt::Display| format!("{name}: {e}");
     let mut bytes = Vec::new();
     // One byte more than allowed tells a file that is too large, be it an endless one.
     File::open(path)

@@ -55,7 +55,8 @@ pub enum FenderLaw {
     /// The paper's: N = k S with the material's k, an elastic foundation. Stored: ½ k ∫ d² ds, with d(s)
     /// the depth of the hull behind the face; δ is the largest d.
     Area,
-    /// Points (δ [m], R [N]), from (0, 0) on, with straight lines between them; the last line goes on.
+    /// Points (δ [m], R [N]), from (0, 0) on, with straight lines between them. Beyond the last point the
+    /// last line goes on where it rises; where it falls the reaction stays.
     /// δ is the mean of d(s) over the width of the face, which is the deflection of the fender's axis
     /// where a flat side covers the face. Stored: ∫ R dδ.
     Curve(Vec<[f64; 2]>),
@@ -160,10 +161,13 @@ impl ReactionFactors {
     }
 }
 
-/// Straight lines between points; the last one goes on.
+/// Straight lines between points; the last one goes on where it rises.
 fn on_line(points: &[[f64; 2]], x: f64) -> f64 {
     let index = points[1..points.len() - 1].iter().take_while(|p| p[0] < x).count();
     let [[x0, y0], [x1, y1]] = [points[index], points[index + 1]];
+    if x > x1 && y1 < y0 {
+        return y1;
+    }
     y0 + (y1 - y0) * ((x - x0) / (x1 - x0))
 }
 
@@ -261,11 +265,6 @@ pub(crate) fn check(fender: &Fender) -> Result<(), ModelError> {
             return bad("curve", first, "two points or more, the first (0, 0)");
         }
         check_points(fender, "deflection of the curve", points, 0.0..=1e15)?;
-        if let [.., before, last] = points.as_slice()
-            && last[1] < before[1]
-        {
-            return bad("end of the curve", last[1], "not below the point before it");
-        }
     }
     let factors = &fender.factors;
     if !(1e-3..=1e3).contains(&factors.constant) {
@@ -322,6 +321,8 @@ mod tests {
         }
         assert_eq!(law.steepest_npm(0.5), 10.0);
         assert_eq!(FenderLaw::linear(7.0).reaction_n(3.0), 21.0);
+        let buckled = FenderLaw::Curve(vec![[0.0, 0.0], [1.0, 10.0], [2.0, 8.0]]);
+        assert_eq!((buckled.reaction_n(3.0), buckled.energy_j(3.0)), (8.0, 22.0));
     }
 
     #[test]

@@ -208,13 +208,6 @@ fn impossible_fenders_are_refused_by_name() {
             Fender { law: FenderLaw::Curve(vec![[0.0, 0.0], [1.0, -2.0]]), ..good.clone() },
         ),
         (
-            "end of the curve",
-            Fender {
-                law: FenderLaw::Curve(vec![[0.0, 0.0], [1.0, 2.0], [2.0, 1.0]]),
-                ..good.clone()
-            },
-        ),
-        (
             "factor",
             Fender {
                 factors: ReactionFactors { constant: 0.0, ..ReactionFactors::default() },

@@ -1,16 +1,19 @@
 //! From checked tables to a simulation set-up: what the key table cannot say, because it holds
 //! between keys.
 
+mod fenders;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_contact::{Material, Outline, Vec2};
 use fenderline_sim::{
-    BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
-    Setup,
+    BodySetup, BodyVelocity, FenderSetup, Integrator, Load, MassProperties, Method, NamedMaterial,
+    PairSetup, Setup,
 };
 
 use crate::checked::{Item, Table};
 use crate::error::{Notice, ScenarioError};
+use crate::library::FenderLibrary;
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
 
@@ -23,6 +26,7 @@ const MOST_STEPS: f64 = 1e9;
 pub(crate) fn setup(
     sources: &Sources<'_>,
     file: &Table,
+    library: &FenderLibrary,
     notices: &mut Vec<Notice>,
 ) -> Checked<Setup> {
     let mut assembly = Assembly { sources, notices };
@@ -32,7 +36,10 @@ pub(crate) fn setup(
     let names = Names::new(&bodies, &materials);
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
     let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
-    assembly.note_unused(file, &bodies, &pairs);
+    let fenders = assembly.fenders(file.given("fender").named(), library, &materials, &names)?;
+    let berthing = file.item("berthing").map(Item::table);
+    let berthing = assembly.berthing(berthing, &bodies, &names)?;
+    assembly.note_unused(file, &bodies, &pairs, &fenders);
     Ok(Setup {
         step_s,
         duration_s,
@@ -42,8 +49,8 @@ pub(crate) fn setup(
         materials,
         pairs: pairs.named,
         every_other_pair: pairs.every_other,
-        fenders: vec![],
-        berthing: None,
+        fenders,
+        berthing,
         loads,
     })
 }
@@ -355,13 +362,20 @@ impl Assembly<'_, '_> {
     }
 
     /// Bodies that touch nothing, and materials that nothing uses.
-    fn note_unused(&mut self, file: &Table, bodies: &[BodySetup], pairs: &Pairs) {
+    fn note_unused(
+        &mut self,
+        file: &Table,
+        bodies: &[BodySetup],
+        pairs: &Pairs,
+        fenders: &[FenderSetup],
+    ) {
         let mut used_materials: BTreeSet<usize> =
             pairs.named.iter().map(|pair| pair.material).collect();
         used_materials.extend(pairs.every_other);
+        used_materials.extend(fenders.iter().map(|fender| fender.material));
         for (index, (_, table)) in file.given("material").named().iter().enumerate() {
             if !used_materials.contains(&index) {
-                self.note(table, "no pair uses this material");
+                self.note(table, "no pair or fender uses this material");
             }
         }
         if pairs.every_other.is_some() {
@@ -371,6 +385,14 @@ impl Assembly<'_, '_> {
         for (index, (_, table)) in file.given("body").named().iter().enumerate() {
             if !paired.contains(&index) && bodies.len() > 1 {
                 self.note(table, "no pair names this body: it touches nothing");
+            }
+        }
+        for (fender, (_, table)) in fenders.iter().zip(file.given("fender").named()) {
+            if !paired.contains(&fender.body) {
+                self.note(
+                    table,
+                    "no pair names the body that carries this fender: nothing touches it",
+                );
             }
         }
     }

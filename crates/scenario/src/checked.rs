@@ -34,6 +34,7 @@ pub(crate) struct Item {
 #[derive(Debug)]
 pub(crate) enum Value {
     Text(String),
+    Texts(Vec<String>),
     Flag(bool),
     /// Index into the spec's words.
     Choice(usize),
@@ -88,6 +89,7 @@ macro_rules! getters {
 
 getters! {
     text: Text -> str;
+    texts: Texts -> [String];
     flag: Flag -> bool;
     choice: Choice -> usize;
     number: Number -> f64;

@@ -3,6 +3,8 @@
 //! The bounds keep all that the simulation computes far from overflow and are beyond anything that
 //! floats. To add a key: add it here, then use it in [`crate::assemble`].
 
+mod fender;
+
 use serde_json::json;
 
 use crate::spec::Absent::{Is, Means, Refused};
@@ -56,6 +58,28 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             kind: Kind::List(&PAIR),
             absent: Is("[]"),
             doc: "Which bodies may touch. Bodies that no pair names do not touch.",
+            examples: &[],
+        },
+        KeySpec {
+            name: "fender",
+            kind: Kind::Named(&fender::FENDER),
+            absent: Is("{}"),
+            doc: "Fenders on the bodies, by name.",
+            examples: &[],
+        },
+        KeySpec {
+            name: "fender_files",
+            kind: Kind::Texts,
+            absent: Is("[]"),
+            doc: "Files with fender data of your own (fenders/README.md shows their form), relative \
+                  to this file.",
+            examples: &["[\"our_fenders.toml\"]"],
+        },
+        KeySpec {
+            name: "berthing",
+            kind: Kind::Table(&fender::BERTHING),
+            absent: Means("no study"),
+            doc: "Particulars for the berthing energy by formula beside that of the run.",
             examples: &[],
         },
         KeySpec {
@@ -239,7 +263,7 @@ static BODY: TableSpec = TableSpec {
         },
         KeySpec {
             name: "position",
-            kind: Kind::Vector(Quantity { measure: &unit::LENGTH, low: -1e8, high: 1e8 }),
+            kind: Kind::Vector(POSITION_M),
             absent: Is("[0, 0]"),
             doc: "Initial position of the centre of gravity: north, east.",
             examples: &["[0, 30]", "[\"1 km\", 0]"],
@@ -275,6 +299,8 @@ static BODY: TableSpec = TableSpec {
         })
     }),
 };
+
+const POSITION_M: Quantity = Quantity { measure: &unit::LENGTH, low: -1e8, high: 1e8 };
 
 static ADDED_MASS: TableSpec = TableSpec {
     what: "an added mass",

@@ -86,6 +86,10 @@ fn read_value(sources: &Sources<'_>, key: &KeySpec, path: &str, node: &Node<'_>)
         Kind::Vector(quantity) => {
             vector(sources, quantity, path, node, ["north", "east"]).map(Value::Vector)
         }
+        Kind::Point(quantity) => {
+            vector(sources, quantity, path, node, ["forward", "starboard"]).map(Value::Vector)
+        }
+        Kind::Texts => texts(sources, path, node).map(Value::Texts),
         Kind::Outline(quantity) => outline(sources, quantity, path, node).map(Value::Outline),
         Kind::Curve(spec) => curve(sources, spec, path, node).map(Value::Curve),
         Kind::MaterialName | Kind::BodyName => text(sources, path, node).map(Value::Name),
@@ -165,6 +169,14 @@ fn text(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<String> {
         }
         _ => Err(wrong_type(sources, "a text in quotes", path, node)),
     }
+}
+
+fn texts(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<Vec<String>> {
+    let DeValue::Array(nodes) = node.get_ref() else {
+        return Err(wrong_type(sources, "a list of texts in quotes", path, node));
+    };
+    let one = |(index, node)| text(sources, &key_path::item(path, index), node);
+    nodes.iter().enumerate().map(one).collect()
 }
 
 /// Names and titles are short and in one line.

@@ -3,8 +3,10 @@
 use fenderline_sim::Setup;
 
 use crate::assemble;
+use crate::checked::Table;
 use crate::error::{Notice, ScenarioError};
 use crate::keys::SCENARIO;
+use crate::library::FenderLibrary;
 use crate::overrides::{self, Override};
 use crate::reader;
 use crate::sources::Sources;
@@ -41,6 +43,22 @@ impl Scenario {
         file_name: &str,
         overrides: &[Override],
     ) -> Result<Scenario, ScenarioError> {
+        Scenario::parse_among(text, file_name, overrides, &mut |name| {
+            Err(format!("{name}: this text stands alone, no other file can be read"))
+        })
+    }
+
+    /// As [`Scenario::parse_with`], with a way to `read` the fender files that the scenario names: from
+    /// the name as it stands in the file to the file's text, or why there is none.
+    ///
+    /// # Errors
+    /// As [`Scenario::parse_with`]; mistakes in a fender file point at that file.
+    pub fn parse_among(
+        text: &str,
+        file_name: &str,
+        overrides: &[Override],
+        read: &mut dyn FnMut(&str) -> Result<String, String>,
+    ) -> Result<Scenario, ScenarioError> {
         let sources = Sources { file_name, text, overrides };
         let mut document = syntax::parse(&sources)?;
         overrides::apply(&sources, &mut document)?;
@@ -48,11 +66,28 @@ impl Scenario {
         let end = text.trim_end().len();
         let file = reader::table(&sources, &SCENARIO, "", end..end, &document)?;
         let mut notices = Vec::new();
-        let setup = assemble::setup(&sources, &file, &mut notices)?;
+        let library = library(&sources, &file, read)?;
+        let setup = assemble::setup(&sources, &file, &library, &mut notices)?;
         let title =
             file.item("title").map_or_else(|| stem(file_name), |item| item.text().to_owned());
         Ok(Scenario { title, setup, notices })
     }
+}
+
+/// The fender data: the program's own, with the files that the scenario names.
+fn library(
+    sources: &Sources<'_>,
+    file: &Table,
+    read: &mut dyn FnMut(&str) -> Result<String, String>,
+) -> Result<FenderLibrary, ScenarioError> {
+    let item = file.given("fender_files");
+    item.texts().iter().try_fold(FenderLibrary::built_in(), |library, name| {
+        let text = read(name).map_err(|why| {
+            let message = format!("`fender_files`: cannot read {why}");
+            sources.error(&item.span, "fender_files", message)
+        })?;
+        library.with_file(&text, name)
+    })
 }
 
 /// The name of a file without folders and extension.

@@ -93,7 +93,8 @@ fn kind(kind: &Kind) -> Map<String, Json> {
         Kind::Flag => object(json!({ "type": "boolean" })),
         Kind::Choice(choices) => choice(choices),
         Kind::Quantity(value) => quantity(value),
-        Kind::Vector(value) => object(two(&Json::Object(quantity(value)))),
+        Kind::Vector(value) | Kind::Point(value) => object(two(&Json::Object(quantity(value)))),
+        Kind::Texts => object(json!({ "type": "array", "items": name() })),
         Kind::Outline(value) => {
             let point = two(&Json::Object(quantity(value)));
             object(json!({ "type": "array", "items": point, "minItems": 3 }))
@@ -142,7 +143,7 @@ fn two(item: &Json) -> Json {
 /// The SI unit of a key's plain numbers.
 fn unit(kind: &Kind) -> Option<&'static str> {
     match kind {
-        Kind::Quantity(value) | Kind::Vector(value) | Kind::Outline(value) => {
+        Kind::Quantity(value) | Kind::Vector(value) | Kind::Point(value) | Kind::Outline(value) => {
             Some(value.measure.unit).filter(|unit| !unit.is_empty())
         }
         _ => None,

@@ -65,6 +65,10 @@ pub(crate) enum Kind {
     Quantity(Quantity),
     /// Two of the same kind: north and east.
     Vector(Quantity),
+    /// A point in a body's axes: forward and to starboard.
+    Point(Quantity),
+    /// A list of texts.
+    Texts,
     /// A list of points, forward and to starboard.
     Outline(Quantity),
     /// A curve in rows of two numbers.

@@ -96,6 +96,38 @@ fn full() -> Json {
             "b": { "fixed": true, "outline": square },
             "c": { "fixed": false, "outline": square, "mass": 1000, "yaw_inertia": "1e6 kg.m^2" }
         },
+        "fender": {
+            "of a type": {
+                "on": "b", "position": [1, 0], "facing": "-90 deg", "width": "2 m",
+                "face_height": 3, "material": "m", "type": "cone", "height": "1.2 m",
+                "rated_reaction": "900 kN", "count": 2, "temperature": 10, "tolerance": "-10 %",
+                "velocity_factor": false, "angle_factor": true, "hull": "large tanker"
+            },
+            "of a size": {
+                "on": "b", "position": [0, 0], "facing": 0, "width": 6.5, "material": "m",
+                "type": "pneumatic", "size": "3300x6500 50kPa", "projection": 3.3
+            },
+            "linear": {
+                "on": "b", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
+                "projection": 1, "stiffness": "2 MN/m", "rated_deflection": "0.5 m",
+                "stop": { "from": "0.9 m", "stiffness": "50 MN/m" },
+                "hull_pressure_limit": "200 kN/m^2"
+            },
+            "tabulated": {
+                "on": "a", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
+                "projection": 1, "curve": [[0, 0], ["0.5 m", "600 kN"]]
+            },
+            "by area": {
+                "on": "a", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
+                "projection": 1
+            }
+        },
+        "fender_files": [],
+        "berthing": {
+            "ship": "a", "length_bp": 285, "beam": "46 m", "draught": 9, "block_coefficient": 0.75,
+            "under_keel_clearance": 3, "softness": "hard", "configuration": "semi_open",
+            "abnormal_factor": 1.5
+        },
         "pair": [
             { "bodies": ["a", "b"], "material": "m" },
             { "bodies": ["*", "*"], "material": "m" }

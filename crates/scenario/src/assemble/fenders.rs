@@ -1,0 +1,370 @@
+//! Fenders and the berthing study: from their tables and the fender data to a set-up.
+
+use std::ops::RangeInclusive;
+
+use fenderline_contact::{FenderLaw, ReactionFactors, Stop};
+use fenderline_sim::berthing::{BerthingSetup, Configuration, Softness};
+use fenderline_sim::{BodySetup, FenderSetup, FenderSource, NamedMaterial, Rated};
+
+use super::{Assembly, Checked, Names};
+use crate::checked::{Item, Table};
+use crate::error::ScenarioError;
+use crate::library::{CatalogueFender, FenderLibrary, LookUpError, Standing};
+use crate::sources::quoted;
+
+/// A stop is this many times as stiff as the fender was in the mean up to there.
+const STOP_OVER_MEAN: f64 = 50.0;
+
+/// Beyond the end of a table of factors by compression time the factor goes to 1 by this time [s]: a
+/// ship that lies on her fenders compresses them for ever.
+const STATIC_TIME_S: f64 = 1000.0;
+
+/// What a law brings with it.
+struct Performance {
+    law: FenderLaw,
+    rated: Option<Rated>,
+    /// Where its stop begins if nobody says otherwise [m], and how stiff it is [N/m].
+    end_m: f64,
+    stop_stiffness_npm: f64,
+    height_m: Option<f64>,
+    factors: ReactionFactors,
+    energy_by_angle: Vec<[f64; 2]>,
+    source: Option<FenderSource>,
+}
+
+impl Assembly<'_, '_> {
+    pub(super) fn fenders(
+        &self,
+        fenders: &[(String, Table)],
+        library: &FenderLibrary,
+        materials: &[NamedMaterial],
+        names: &Names,
+    ) -> Checked<Vec<FenderSetup>> {
+        let read =
+            |(name, table): &(String, Table)| self.fender(name, table, library, materials, names);
+        fenders.iter().map(read).collect()
+    }
+
+    fn fender(
+        &self,
+        name: &str,
+        table: &Table,
+        library: &FenderLibrary,
+        materials: &[NamedMaterial],
+        names: &Names,
+    ) -> Checked<FenderSetup> {
+        self.refuse_what_does_not_go_together(table)?;
+        let on = table.given("on");
+        let body = self.body_named(table, on, on.name(), names)?;
+        let material = self.material_named(table, table.given("material"), names)?;
+        let width_m = *table.given("width").number();
+        let given = |name: &str| table.item(name).map(|item| *item.number());
+        let stiffness_npm2 = materials[material].material.stiffness_npm2;
+        let performance = self.performance(table, library, stiffness_npm2)?;
+        let projection_m = given("projection")
+            .or(performance.height_m)
+            .ok_or_else(|| self.missing(table, "projection", "write projection = \"1.5 m\""))?;
+        let stop = match table.item("stop").map(Item::table) {
+            Some(stop) => Stop {
+                from_m: *stop.given("from").number(),
+                stiffness_npm: *stop.given("stiffness").number(),
+            },
+            None => {
+                Stop { from_m: performance.end_m, stiffness_npm: performance.stop_stiffness_npm }
+            }
+        };
+        Ok(FenderSetup {
+            name: name.to_owned(),
+            body,
+            position_m: *table.given("position").vector(),
+            facing_rad: *table.given("facing").number(),
+            width_m,
+            height_m: given("face_height").unwrap_or(width_m),
+            projection_m,
+            law: performance.law,
+            material,
+            rated: performance.rated,
+            stop: Some(stop),
+            factors: performance.factors,
+            energy_by_angle: performance.energy_by_angle,
+            hull_pressure_limit_npm2: self.hull_pressure_limit_npm2(table, library)?,
+            source: performance.source,
+        })
+    }
+
+    /// Keys that say the same thing twice, or that have nothing to say it of.
+    fn refuse_what_does_not_go_together(&self, table: &Table) -> Checked<()> {
+        const TWICE: [[&str; 2]; 7] = [
+            ["type", "stiffness"],
+            ["type", "curve"],
+            ["stiffness", "curve"],
+            ["size", "height"],
+            ["size", "rated_reaction"],
+            ["type", "rated_deflection"],
+            ["hull", "hull_pressure_limit"],
+        ];
+        for [one, two] in TWICE {
+            if let (Some(_), Some(item)) = (table.item(one), table.item(two)) {
+                let path = table.path_of(two);
+                let message = format!("`{path}` does not go together with `{one}`");
+                let error = self.sources.error(&item.key_span, &path, message);
+                return Err(error.with_help("keep one of the two"));
+            }
+        }
+        if table.item("type").is_some() {
+            return Ok(());
+        }
+        for name in ["size", "height", "rated_reaction", "temperature"] {
+            if let Some(item) = table.item(name) {
+                let path = table.path_of(name);
+                let message = format!("`{path}` is for fenders of a `type`, but this one has none");
+                let error = self.sources.error(&item.key_span, &path, message);
+                return Err(error.with_help(format!("remove `{name}` or give a `type`")));
+            }
+        }
+        Ok(())
+    }
+
+    fn performance(
+        &self,
+        table: &Table,
+        library: &FenderLibrary,
+        stiffness_npm2: f64,
+    ) -> Checked<Performance> {
+        let width_m = *table.given("width").number();
+        let given = |name: &str| table.item(name).map(|item| *item.number());
+        let factors = || ReactionFactors {
+            constant: 1.0 + table.given("tolerance").number(),
+            ..ReactionFactors::default()
+        };
+        if let Some(item) = table.item("type") {
+            let fender = self.catalogue(table, item, library)?;
+            return self.of_catalogue(table, &fender, factors());
+        }
+        let projection_m = given("projection").ok_or_else(|| {
+            self.missing(table, "projection", "write projection = \"1.5 m\", or give a `type`")
+        })?;
+        let own = |law: FenderLaw, end_m: f64| {
+            let rated_m = given("rated_deflection").unwrap_or(end_m);
+            let mean_npm = law.reaction_n(end_m) / end_m;
+            Performance {
+                rated: Rated::of(&law, rated_m),
+                end_m,
+                stop_stiffness_npm: STOP_OVER_MEAN * mean_npm,
+                height_m: None,
+                factors: factors(),
+                energy_by_angle: Vec::new(),
+                source: Some(FenderSource {
+                    designation: "given in the scenario".to_owned(),
+                    source: "the scenario".to_owned(),
+                    standing: "given".to_owned(),
+                }),
+                law,
+            }
+        };
+        if let Some(stiffness_npm) = given("stiffness") {
+            return Ok(own(FenderLaw::linear(stiffness_npm), projection_m));
+        }
+        if let Some(item) = table.item("curve") {
+            let points = self.own_curve(table, item)?;
+            let end_m = points[points.len() - 1][0];
+            return Ok(own(FenderLaw::Curve(points), end_m));
+        }
+        if let Some(item) = table.item("rated_deflection") {
+            let path = table.path_of("rated_deflection");
+            let message = format!("`{path}` is for fenders with a `stiffness` or a `curve`");
+            return Err(self.sources.error(&item.key_span, &path, message));
+        }
+        if stiffness_npm2 == 0.0 {
+            let item = table.given("material");
+            let path = table.path_of("material");
+            let message = format!(
+                "`{path}`: material {} has no stiffness, and the fender no other law",
+                quoted(item.name())
+            );
+            let error = self.sources.error(&item.span, &path, message);
+            return Err(error.with_help("give a `type`, a `stiffness` or a `curve`"));
+        }
+        Ok(Performance {
+            law: FenderLaw::Area,
+            rated: None,
+            end_m: projection_m,
+            stop_stiffness_npm: STOP_OVER_MEAN * stiffness_npm2 * width_m,
+            height_m: None,
+            factors: factors(),
+            energy_by_angle: Vec::new(),
+            source: None,
+        })
+    }
+
+    fn own_curve(&self, table: &Table, item: &Item) -> Checked<Vec<[f64; 2]>> {
+        let points: Vec<[f64; 2]> = item.curve().iter().map(|&(m, n)| [m, n]).collect();
+        let path = table.path_of("curve");
+        if points[0] != [0.0, 0.0] {
+            let message =
+                format!("`{path}` must begin with [0, 0]: without deflection no reaction");
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        Ok(points)
+    }
+
+    /// The fender of the data that the table means.
+    fn catalogue(
+        &self,
+        table: &Table,
+        family: &Item,
+        library: &FenderLibrary,
+    ) -> Checked<CatalogueFender> {
+        let name = family.text();
+        library.family(name).map_err(|error| self.looked_up(table, family, &error))?;
+        if let Some(size) = table.item("size") {
+            let found = library.fender(name, size.text());
+            return found.map_err(|error| self.looked_up(table, size, &error));
+        }
+        let Some(height) = table.item("height") else {
+            return Err(self.missing(table, "size", "write size = \"…\", or height = \"1.2 m\""));
+        };
+        let height_m = *height.number();
+        match table.item("rated_reaction") {
+            Some(rated) => library
+                .rated(name, height_m, *rated.number())
+                .map_err(|error| self.looked_up(table, rated, &error)),
+            None => library
+                .scaled(name, height_m)
+                .map_err(|error| self.looked_up(table, height, &error)),
+        }
+    }
+
+    fn of_catalogue(
+        &self,
+        table: &Table,
+        fender: &CatalogueFender,
+        mut factors: ReactionFactors,
+    ) -> Checked<Performance> {
+        let count = *table.given("count").number();
+        let points = |from: &[(f64, f64)], times: f64| -> Vec<[f64; 2]> {
+            from.iter().map(|&(x, y)| [x, y * times]).collect()
+        };
+        factors.constant *= self.temperature_factor(table, fender)?;
+        let mut energy_by_angle = Vec::new();
+        if *table.given("angle_factor").flag() {
+            factors.by_angle = points(&fender.angle_reaction_factors, 1.0);
+            energy_by_angle = points(&fender.angle_energy_factors, 1.0);
+        }
+        if *table.given("velocity_factor").flag() {
+            factors.by_compression_time = points(&fender.velocity_factors, 1.0);
+            if let Some(&[last_s, _]) = factors.by_compression_time.last()
+                && last_s < STATIC_TIME_S
+            {
+                factors.by_compression_time.push([STATIC_TIME_S, 1.0]);
+            }
+        }
+        let curve = points(&fender.curve, count);
+        let [end_m, _] = curve[curve.len() - 1];
+        let law = FenderLaw::Curve(curve);
+        let pieces = if count == 1.0 { String::new() } else { format!("{count} × ") };
+        let given_by_user = table.item("rated_reaction").is_some();
+        Ok(Performance {
+            rated: Rated::of(&law, fender.rated_deflection_m),
+            end_m,
+            stop_stiffness_npm: STOP_OVER_MEAN * count * fender.rated_reaction_n / end_m,
+            height_m: Some(fender.height_m),
+            factors,
+            energy_by_angle,
+            source: Some(FenderSource {
+                designation: format!("{pieces}{} {}", fender.family, fender.designation),
+                source: fender.source.clone(),
+                standing: match (given_by_user, fender.standing) {
+                    (true, Standing::Found) => "curve found, rating given".to_owned(),
+                    (true, standing) => format!("curve {}, rating given", standing.word()),
+                    (false, standing) => standing.word().to_owned(),
+                },
+            }),
+            law,
+        })
+    }
+
+    fn temperature_factor(&self, table: &Table, fender: &CatalogueFender) -> Checked<f64> {
+        let Some(item) = table.item("temperature") else { return Ok(1.0) };
+        let celsius = *item.number();
+        let path = table.path_of("temperature");
+        let factors = &fender.temperature_factors;
+        let (Some(first), Some(last)) = (factors.first(), factors.last()) else {
+            let message = format!(
+                "`{path}`: no factors by temperature are known for {} fenders",
+                quoted(&fender.family)
+            );
+            return Err(self.sources.error(&item.span, &path, message));
+        };
+        let known: RangeInclusive<f64> = first.0..=last.0;
+        if !known.contains(&celsius) {
+            let message = format!(
+                "`{path}` must be between {} and {} °C, where factors are known, but is {celsius}",
+                first.0, last.0
+            );
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        let two = factors.windows(2).find(|two| celsius <= two[1].0);
+        let [(x0, y0), (x1, y1)] = two.map_or([*last, *last], |two| [two[0], two[1]]);
+        Ok(if x1 > x0 { y0 + (y1 - y0) * (celsius - x0) / (x1 - x0) } else { y0 })
+    }
+
+    fn hull_pressure_limit_npm2(
+        &self,
+        table: &Table,
+        library: &FenderLibrary,
+    ) -> Checked<Option<f64>> {
+        if let Some(item) = table.item("hull") {
+            let limit = library.hull_pressure_limit(item.text());
+            let limit = limit.map_err(|error| self.looked_up(table, item, &error))?;
+            return Ok(Some(limit.limit_npm2));
+        }
+        Ok(table.item("hull_pressure_limit").map(|item| *item.number()))
+    }
+
+    fn looked_up(&self, table: &Table, item: &Item, error: &LookUpError) -> ScenarioError {
+        let path = table.path_of(item.name);
+        self.sources.error(&item.span, &path, format!("`{path}`: {error}")).with_help(error.help())
+    }
+
+    fn missing(&self, table: &Table, name: &str, help: &str) -> ScenarioError {
+        let path = table.path_of(name);
+        self.sources.error(&table.span, &path, format!("`{path}` is missing")).with_help(help)
+    }
+
+    pub(super) fn berthing(
+        &self,
+        table: Option<&Table>,
+        bodies: &[BodySetup],
+        names: &Names,
+    ) -> Checked<Option<BerthingSetup>> {
+        let Some(table) = table else { return Ok(None) };
+        let item = table.given("ship");
+        let ship = self.body_named(table, item, item.name(), names)?;
+        if bodies[ship].mass.is_none() {
+            let path = table.path_of("ship");
+            let message =
+                format!("`{path}`: body {} is fixed, it does not berth", quoted(item.name()));
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        let number = |name: &str| *table.given(name).number();
+        Ok(Some(BerthingSetup {
+            ship,
+            length_bp_m: number("length_bp"),
+            beam_m: number("beam"),
+            draught_m: number("draught"),
+            under_keel_clearance_m: number("under_keel_clearance"),
+            block_coefficient: number("block_coefficient"),
+            softness: match table.given("softness").choice() {
+                0 => Softness::Soft,
+                _ => Softness::Hard,
+            },
+            configuration: match table.given("configuration").choice() {
+                0 => Configuration::SolidQuay,
+                1 => Configuration::SemiOpen,
+                _ => Configuration::OpenPiles,
+            },
+            abnormal_factor: table.item("abnormal_factor").map(|item| *item.number()),
+        }))
+    }
+}
