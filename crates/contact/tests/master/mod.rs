@@ -31,7 +31,7 @@ pub(crate) fn rubber(stiffness_npm2: f64, restitution: f64, friction: f64) -> Ma
     }
 }
 
-/// The first body floats, the others are fixed; or two float where `both_float`.
+/// A model in which the first body may touch all others.
 pub(crate) fn model(bodies: &[(Outline, Mobility)], material: Material) -> Model {
     let mut builder = Model::builder();
     for (index, (outline, mobility)) in bodies.iter().enumerate() {
@@ -52,12 +52,12 @@ pub(crate) fn model(bodies: &[(Outline, Mobility)], material: Material) -> Model
 /// A tug of 1000 t, 13 m wide, `gap_m` in front of a wall of 500 kN/m²: k·width = 6.5 MN/m.
 pub(crate) fn tug_at_a_wall(gap_m: f64, speed_mps: f64, restitution: f64) -> Story {
     let tug = Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 6.4e7 };
-    let bodies = [(rectangle(32.0, 13.0), tug), (rectangle(20.0, 100.0), Mobility::Fixed)];
+    let bodies = [(rectangle(32.0, 13.0), tug), (rectangle(200.0, 100.0), Mobility::Fixed)];
     Story {
         model: model(&bodies, rubber(500e3, restitution, 0.0)),
         states: vec![
             BodyState { velocity_mps: vec2(speed_mps, 0.0), ..BodyState::default() },
-            BodyState { position_m: vec2(26.0 + gap_m, 0.0), ..BodyState::default() },
+            BodyState { position_m: vec2(116.0 + gap_m, 0.0), ..BodyState::default() },
         ],
         loads: vec![Wrench::default(); 2],
     }
@@ -70,6 +70,8 @@ pub(crate) enum Service {
     Following(HostSettings),
     /// The same, and told the loads.
     Told(HostSettings),
+    /// The same, and told that there are none: no observer.
+    ToldNothing(HostSettings),
     /// By `advance` alone, with what is shown taken for the present and no loads.
     Plain,
     /// By `advance` alone, told the loads.
@@ -81,6 +83,8 @@ pub(crate) struct Master {
     pub(crate) story: Story,
     pub(crate) integration: HostIntegration,
     pub(crate) delay_steps: u32,
+    /// The master's masses over the model's.
+    pub(crate) mass_factor: f64,
     /// All states since the beginning; the last are the present ones.
     pub(crate) past: Vec<Vec<BodyState>>,
     pub(crate) host: FollowingHost,
@@ -98,7 +102,9 @@ impl Master {
         service: Service,
     ) -> Master {
         let settings = match service {
-            Service::Following(settings) | Service::Told(settings) => settings,
+            Service::Following(settings)
+            | Service::Told(settings)
+            | Service::ToldNothing(settings) => settings,
             Service::Plain | Service::PlainTold => HostSettings::default(),
         };
         Master {
@@ -110,6 +116,7 @@ impl Master {
             story,
             integration,
             delay_steps,
+            mass_factor: 1.0,
             service,
         }
     }
@@ -125,36 +132,36 @@ impl Master {
     }
 
     pub(crate) fn shown(&self) -> &[BodyState] {
-        &self.past[(self.past.len() - 1).saturating_sub(self.delay_steps as usize)]
+        let old = (self.past.len() - 1).saturating_sub(self.delay_steps as usize);
+        &self.past[old]
     }
 
-    pub(crate) fn wrenches(&mut self, step_s: f64) -> Result<Vec<Wrench>, StepError> {
+    /// What the master is given for its next step.
+    fn ask(&mut self, step_s: f64) -> Result<Vec<Wrench>, StepError> {
+        let shown = self.shown().to_vec();
         let (model, loads) = (&self.story.model, &self.story.loads);
-        let shown = self.past[(self.past.len() - 1).saturating_sub(self.delay_steps as usize)].clone();
         let nothing = vec![Wrench::default(); loads.len()];
         let told = match self.service {
-            Service::Following(_) => {
-                return self.host.step(model, &mut self.work, &shown, None, step_s).map(<[_]>::to_vec);
-            }
-            Service::Told(_) => {
-                let told = Some(loads.as_slice());
-                return self.host.step(model, &mut self.work, &shown, told, step_s).map(<[_]>::to_vec);
-            }
-            Service::Plain => &nothing,
-            Service::PlainTold => loads,
+            Service::Following(_) => None,
+            Service::Told(_) | Service::PlainTold => Some(loads.as_slice()),
+            Service::ToldNothing(_) | Service::Plain => Some(nothing.as_slice()),
         };
-        advance(model, &mut self.memory, &mut self.plain, &shown, told, step_s)?;
-        Ok(self.plain.wrenches().to_vec())
+        if let (Service::Plain | Service::PlainTold, Some(told)) = (self.service, told) {
+            advance(model, &mut self.memory, &mut self.plain, &shown, told, step_s)?;
+            return Ok(self.plain.wrenches().to_vec());
+        }
+        self.host.step(model, &mut self.work, &shown, told, step_s).map(<[_]>::to_vec)
     }
 
     pub(crate) fn step(&mut self, step_s: f64) {
-        let wrenches = self.wrenches(step_s).expect("a good step");
+        let wrenches = self.ask(step_s).expect("a good step");
         let mut states = self.states().to_vec();
         for (index, state) in states.iter_mut().enumerate() {
             let (contact, load) = (&wrenches[index], &self.story.loads[index]);
+            let share = 1.0 / self.mass_factor;
             let sum = Wrench {
-                force_n: contact.force_n + load.force_n,
-                moment_nm: contact.moment_nm + load.moment_nm,
+                force_n: (contact.force_n + load.force_n) * share,
+                moment_nm: (contact.moment_nm + load.moment_nm) * share,
             };
             let mobility = self.story.model.bodies()[index].mobility;
             *state = moved(state, mobility, &sum, self.integration, step_s);
@@ -180,8 +187,7 @@ fn acceleration(state: &BodyState, mobility: Mobility, sum: &Wrench) -> (Vec2, f
     };
     let (sin, cos) = libm::sincos(state.heading_rad);
     let force = sum.force_n;
-    let mut w =
-        [cos * force.x + sin * force.y, cos * force.y - sin * force.x, sum.moment_nm];
+    let mut w = [cos * force.x + sin * force.y, cos * force.y - sin * force.x, sum.moment_nm];
     for pivot in 0..3 {
         for row in pivot + 1..3 {
             let factor = m[row][pivot] / m[pivot][pivot];
@@ -221,13 +227,88 @@ fn moved(
 
 /// The converged answer: the engine moves the bodies itself, in steps of 0.01 s with the loads told.
 pub(crate) fn converged(story: &Story, duration_s: f64) -> Vec<BodyState> {
-    const FINE_S: f64 = 0.01;
+    moved_by_the_engine(story, 0.01, duration_s)
+}
+
+/// The engine moves the bodies itself, with the loads told.
+pub(crate) fn moved_by_the_engine(story: &Story, step_s: f64, duration_s: f64) -> Vec<BodyState> {
     let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
     let mut states = story.states.clone();
-    for _ in 0..(duration_s / FINE_S).round() as usize {
-        advance(&story.model, &mut memory, &mut work, &states, &story.loads, FINE_S)
+    for _ in 0..(duration_s / step_s).round() as usize {
+        advance(&story.model, &mut memory, &mut work, &states, &story.loads, step_s)
             .expect("a good step");
         states.copy_from_slice(work.states_after());
     }
     states
+}
+
+/// A ship of 200 m × 32 m with a mass that differs between surge and sway, and is coupled in yaw.
+pub(crate) fn ship() -> (Outline, Mobility) {
+    let matrix = [[1.03e8, 0.0, 0.0], [0.0, 1.5e8, 4e8], [0.0, 4e8, 4.3e11]];
+    (rectangle(200.0, 32.0), Mobility::Massive { matrix })
+}
+
+/// The ship, at a heading of 30°, drifting sideways on a fender 4 m wide, 60 m forward of her centre.
+pub(crate) fn ship_on_a_fender(friction: f64, stiffness_npm2: f64) -> Story {
+    let heading_rad = core::f64::consts::FRAC_PI_6;
+    let (sin, cos) = libm::sincos(heading_rad);
+    let at = |forward: f64, starboard: f64| {
+        vec2(cos * forward - sin * starboard, sin * forward + cos * starboard)
+    };
+    let bodies = [ship(), (rectangle(4.0, 8.0), Mobility::Fixed)];
+    Story {
+        model: model(&bodies, rubber(stiffness_npm2, 0.1, friction)),
+        states: vec![
+            BodyState { heading_rad, velocity_mps: at(0.1, 0.3), ..BodyState::default() },
+            BodyState { position_m: at(60.0, 20.3), heading_rad, ..BodyState::default() },
+        ],
+        loads: vec![Wrench::default(); 2],
+    }
+}
+
+/// A tug that meets a free ship's side forward of midships, at a slant.
+pub(crate) fn tug_against_a_ship(friction: f64) -> Story {
+    let tug = Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 6.4e7 };
+    let bodies = [(rectangle(32.0, 13.0), tug), ship()];
+    let heading_rad = 1.5;
+    let (sin, cos) = libm::sincos(heading_rad);
+    Story {
+        model: model(&bodies, rubber(500e3, 0.1, friction)),
+        states: vec![
+            BodyState {
+                position_m: vec2(50.0, -34.0),
+                heading_rad,
+                velocity_mps: vec2(cos, sin) * 2.06,
+                ..BodyState::default()
+            },
+            BodyState::default(),
+        ],
+        loads: vec![Wrench::default(); 2],
+    }
+}
+
+/// The ship, at rest, at a heading of 30°, touching two fenders 4 m wide 60 m forward and 40 m aft of
+/// her centre, and pushed against them by a steady load ahead of her centre.
+pub(crate) fn ship_on_two_fenders(friction: f64) -> Story {
+    let heading_rad = core::f64::consts::FRAC_PI_6;
+    let (sin, cos) = libm::sincos(heading_rad);
+    let at = |forward: f64, starboard: f64| {
+        vec2(cos * forward - sin * starboard, sin * forward + cos * starboard)
+    };
+    let fender = |forward: f64| BodyState {
+        position_m: at(forward, 20.0),
+        heading_rad,
+        ..BodyState::default()
+    };
+    let wide = || (rectangle(4.0, 8.0), Mobility::Fixed);
+    let load = Wrench { force_n: at(0.0, 1e6), moment_nm: 2e7 };
+    Story {
+        model: model(&[ship(), wide(), wide()], rubber(1e6, 0.1, friction)),
+        states: vec![
+            BodyState { heading_rad, ..BodyState::default() },
+            fender(60.0),
+            fender(-40.0),
+        ],
+        loads: vec![load, Wrench::default(), Wrench::default()],
+    }
 }
