@@ -191,8 +191,9 @@ fn acceleration(state: &BodyState, mobility: Mobility, sum: &Wrench) -> (Vec2, f
     for pivot in 0..3 {
         for row in pivot + 1..3 {
             let factor = m[row][pivot] / m[pivot][pivot];
-            for column in pivot..3 {
-                m[row][column] -= factor * m[pivot][column];
+            let above = m[pivot];
+            for (value, above) in m[row].iter_mut().zip(above) {
+                *value -= factor * above;
             }
             w[row] -= factor * w[pivot];
         }
