@@ -13,6 +13,7 @@
 mod inertia;
 mod observer;
 mod predictor;
+mod snapshot;
 mod steering;
 
 use alloc::vec::Vec;
@@ -55,7 +56,8 @@ pub struct HostSettings {
 /// positions follow the engine's sub-stepped motion, whatever Δt: the same rebound, the same depth at
 /// rest. While bodies touch, the velocities of the host are then means over a step.
 ///
-/// All state is plain data, as [`Memory`] is: copy it to branch a run, compare it.
+/// All state is plain data, as [`Memory`] is: copy it to branch a run, compare it, save it with
+/// [`FollowingHost::snapshot`] and get it back with [`FollowingHost::restore`].
 ///
 /// ```
 /// use fenderline_contact::*;
