@@ -171,3 +171,31 @@ fn without_the_observer_a_steady_load_creeps_through_the_limiter() {
         }
     }
 }
+
+/// A load that swells and ebbs, 250 to 750 kN in 60 s, that nobody told: the wall carries it, as late as
+/// it is known.
+#[test]
+fn a_slow_load_is_carried_as_late_as_it_is_known() {
+    for integration in INTEGRATIONS {
+        for delay_steps in 0..=2_u32 {
+            let (step_s, omega) = (0.1, core::f64::consts::TAU / 60.0);
+            let mut master = Master::known(pushed(0.1), integration, delay_steps);
+            let mut worst_n = 0.0_f64;
+            for step in 0..3000 {
+                let t = f64::from(step) * step_s;
+                let load_n = PUSH_N * (1.0 + 0.5 * libm::sin(omega * t));
+                master.story.loads[0].force_n.x = load_n;
+                master.step(step_s);
+                if t > 60.0 {
+                    let carried_n = -master.work.wrenches()[0].force_n.x;
+                    worst_n = worst_n.max((carried_n - load_n).abs());
+                }
+            }
+            // What the load may change by until it is known, the delay and the observer's step, and
+            // one step more: the velocity that it gave her meanwhile is taken off her in the next.
+            let late_s = step_s * f64::from(delay_steps + 2);
+            let bound_n = 0.5 * PUSH_N * omega * late_s;
+            assert!(worst_n < bound_n, "{integration:?}, {delay_steps}: {worst_n} of {bound_n} N");
+        }
+    }
+}
