@@ -2,8 +2,10 @@
 //! the wrench that it was given between them. All that is not contact is in it.
 
 use crate::admit::LARGEST_LOAD;
+use crate::host::following::Given;
+use crate::host::inertia;
+use crate::host::settings::HostIntegration;
 use crate::host::steering::Velocity;
-use crate::host::{Given, HostIntegration, inertia};
 use crate::model::{Body, Mobility};
 use crate::report::Wrench;
 use crate::state::BodyState;

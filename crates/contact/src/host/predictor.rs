@@ -1,7 +1,9 @@
 //! The predictor: a state shown, carried on as the host itself carried it on since.
 
+use crate::host::following::Given;
+use crate::host::inertia;
+use crate::host::settings::HostIntegration;
 use crate::host::steering::Velocity;
-use crate::host::{Given, HostIntegration, inertia};
 use crate::model::RankedBody;
 use crate::report::Wrench;
 use crate::state::BodyState;

@@ -17,8 +17,9 @@ use alloc::vec::Vec;
 
 use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
+use crate::host::following::{Followed, FollowingHost, Given};
+use crate::host::settings::{HostIntegration, HostSettings};
 use crate::host::steering::Velocity;
-use crate::host::{Followed, FollowingHost, Given, HostIntegration, HostSettings};
 use crate::memory::Memory;
 use crate::model::{Fnv, Model};
 use crate::report::Wrench;

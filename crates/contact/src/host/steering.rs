@@ -15,7 +15,8 @@
 //! behind. The engine begins with that half kick added; at rest on a fender, contact's and load's
 //! halves cancel.
 
-use crate::host::{HostIntegration, inertia};
+use crate::host::inertia;
+use crate::host::settings::HostIntegration;
 use crate::model::{Mobility, RankedBody};
 use crate::report::Wrench;
 use crate::state::BodyState;
