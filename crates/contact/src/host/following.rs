@@ -127,6 +127,10 @@ impl FollowingHost {
     /// A fixed body's wrench is the mean contact wrench of the step. That of a floating one comes up to
     /// a step later, so that positions agree; the impulse over the whole contact is the same.
     ///
+    /// A forward Euler host goes its next step whatever it is given: one that begins nearer to a contact
+    /// than it goes in a step begins within it. No load that is not yet known can be answered; with a
+    /// long Δt and delay a body at rest may be driven deep before it is.
+    ///
     /// Where a body's shown position is not where its velocity leads, the host has put it elsewhere:
     /// no load is read from that, and its contacts start afresh
     /// ([`crate::EventKind::Teleported`]).
