@@ -14,7 +14,7 @@ const FURTHEST_M: f64 = 1e9;
 const FASTEST_MPS: f64 = 1e6;
 const FASTEST_TURN_RADPS: f64 = 1e3;
 const LARGEST_HEADING_RAD: f64 = 1e9;
-const LARGEST_LOAD: f64 = 1e15;
+pub(crate) const LARGEST_LOAD: f64 = 1e15;
 pub(crate) const LONGEST_STEP_S: f64 = 1e6;
 pub(crate) const SHORTEST_STEP_S: f64 = 1e-9;
 

@@ -133,27 +133,27 @@ fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
     if ok { Ok(()) } else { Err(RestoreError::Content) }
 }
 
-struct Writer(Vec<u8>);
+pub(crate) struct Writer(pub(crate) Vec<u8>);
 
 impl Writer {
-    fn word32(&mut self, word: u32) {
+    pub(crate) fn word32(&mut self, word: u32) {
         self.0.extend_from_slice(&word.to_le_bytes());
     }
 
-    fn word64(&mut self, word: u64) {
+    pub(crate) fn word64(&mut self, word: u64) {
         self.0.extend_from_slice(&word.to_le_bytes());
     }
 
-    fn number(&mut self, value: f64) {
+    pub(crate) fn number(&mut self, value: f64) {
         self.word64(value.to_bits());
     }
 
-    fn vector(&mut self, v: Vec2) {
+    pub(crate) fn vector(&mut self, v: Vec2) {
         self.number(v.x);
         self.number(v.y);
     }
 
-    fn state(&mut self, s: &BodyState) {
+    pub(crate) fn state(&mut self, s: &BodyState) {
         self.vector(s.position_m);
         self.number(s.heading_rad);
         self.vector(s.velocity_mps);
@@ -184,16 +184,16 @@ impl Writer {
     }
 }
 
-struct Reader<'a>(&'a [u8]);
+pub(crate) struct Reader<'a>(pub(crate) &'a [u8]);
 
 impl<'a> Reader<'a> {
-    fn take(&mut self, count: usize) -> Result<&'a [u8], RestoreError> {
+    pub(crate) fn take(&mut self, count: usize) -> Result<&'a [u8], RestoreError> {
         let (taken, rest) = self.0.split_at_checked(count).ok_or(RestoreError::Length)?;
         self.0 = rest;
         Ok(taken)
     }
 
-    fn word32(&mut self) -> Result<u32, RestoreError> {
+    pub(crate) fn word32(&mut self) -> Result<u32, RestoreError> {
         let bytes = self.take(4)?.try_into().map_err(|_| RestoreError::Length)?;
         Ok(u32::from_le_bytes(bytes))
     }
@@ -204,16 +204,16 @@ impl<'a> Reader<'a> {
     }
 
     /// Finite and of a size that cannot overflow in the next step.
-    fn number(&mut self) -> Result<f64, RestoreError> {
+    pub(crate) fn number(&mut self) -> Result<f64, RestoreError> {
         let value = f64::from_bits(self.word64()?);
         if value.abs() <= 1e30 { Ok(value) } else { Err(RestoreError::Content) }
     }
 
-    fn vector(&mut self) -> Result<Vec2, RestoreError> {
+    pub(crate) fn vector(&mut self) -> Result<Vec2, RestoreError> {
         Ok(vec2(self.number()?, self.number()?))
     }
 
-    fn state(&mut self) -> Result<BodyState, RestoreError> {
+    pub(crate) fn state(&mut self) -> Result<BodyState, RestoreError> {
         Ok(BodyState {
             position_m: self.vector()?,
             heading_rad: self.number()?,

@@ -8,7 +8,8 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use fenderline_contact::{
-    BodyState, EventKind, Friction, Memory, Model, Vec2, Workspace, Wrench, advance, step, vec2,
+    BodyState, EventKind, FollowingHost, Friction, HostIntegration, HostSettings, HostWorkspace,
+    Memory, Model, Vec2, Workspace, Wrench, advance, step, vec2,
 };
 
 const STEP_S: f64 = 0.1;
@@ -146,4 +147,35 @@ fn allocates_nothing(method: Method) {
     assert_eq!((seen.most_touching, seen.fewest_touching), (scene::FENDERS, 0), "{seen:?}");
     assert!(seen.began >= 400 && seen.ended >= 400, "{seen:?}");
     assert!(seen.sticking > 1_000 && seen.slipping > 10_000, "{seen:?}");
+}
+
+/// A ship that a load pushes against the fenders and draws off again, moved by forward Euler and shown
+/// two steps late.
+#[test]
+fn warm_steps_of_a_following_host_allocate_nothing() {
+    let model = scene::berth(500e3);
+    let settings = HostSettings { delay_steps: 2, integration: HostIntegration::ForwardEuler };
+    let (mut host, mut work) = (FollowingHost::new(&model, settings), HostWorkspace::new(&model));
+    let mut ship = BodyState { position_m: vec2(0.0, 0.8), ..BodyState::default() };
+    let mut past = [ship; 3];
+    let mut states = scene::states(ship);
+    let (mut began, mut allocations_before) = (0, 0);
+    for index in 0..WARM_UP_STEPS + STEPS {
+        if index == WARM_UP_STEPS {
+            allocations_before = ALLOCATIONS.get();
+        }
+        past[index % 3] = ship;
+        states[scene::SHIP] = past[(index + 1) % 3];
+        let wrenches = host.step(&model, &mut work, &states, None, STEP_S).expect("good states");
+        let contact = wrenches[scene::SHIP];
+        let push_n = 200e3 * libm::sin(index as f64 * STEP_S * core::f64::consts::TAU / 200.0);
+        ship.position_m += ship.velocity_mps * STEP_S;
+        ship.heading_rad += ship.yaw_rate_radps * STEP_S;
+        ship.velocity_mps += (contact.force_n + vec2(0.0, push_n)) * (STEP_S / scene::SHIP_MASS_KG);
+        ship.yaw_rate_radps += contact.moment_nm * STEP_S / scene::SHIP_YAW_INERTIA_KGM2;
+        began += work.events().iter().filter(|e| e.kind == EventKind::ContactBegan).count();
+    }
+    assert_eq!(ALLOCATIONS.get() - allocations_before, 0, "allocations in warm steps");
+    assert!(allocations_before > 0, "the counter counts");
+    assert!(began >= 8, "{began}: she touches and leaves");
 }

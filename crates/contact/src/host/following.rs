@@ -1,0 +1,258 @@
+//! The host's memory and one step, top to bottom.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use crate::admit;
+use crate::coupled::advance;
+use crate::error::StepError;
+use crate::host::settings::HostSettings;
+use crate::host::steering::{self, Velocity};
+use crate::host::workspace::HostWorkspace;
+use crate::host::{observer, predictor};
+use crate::memory::Memory;
+use crate::model::Model;
+use crate::report::Wrench;
+use crate::state::BodyState;
+
+/// The coupled method for a host that integrates its bodies by itself, with a fixed step, shows states
+/// that may be some steps old, and need not tell its loads.
+///
+/// The host answers wrench W and its own load by M(v′ − v)/Δt = W + load, with the mass matrix of the
+/// model in the body's attitude at the step's start. The wrenches of [`FollowingHost::step`] make its
+/// positions follow the engine's sub-stepped motion, whatever Δt: the same rebound, the same depth at
+/// rest. While bodies touch, the velocities of the host are then means over a step.
+///
+/// All state is plain data, as [`Memory`] is: copy it to branch a run, compare it, save it with
+/// [`FollowingHost::snapshot`] and get it back with [`FollowingHost::restore`].
+///
+/// ```
+/// use fenderline_contact::*;
+/// # let square = [vec2(-5.0, -5.0), vec2(5.0, -5.0), vec2(5.0, 5.0), vec2(-5.0, 5.0)];
+/// # let (outline, _) = Outline::new(&square)?;
+/// # let mut builder = Model::builder();
+/// # let tug = builder.body(Body { name: "tug".into(), key: 1, outline: outline.clone(),
+/// #     mobility: Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 6e7 } });
+/// # let quay = builder.body(Body { name: "quay".into(), key: 2, outline, mobility: Mobility::Fixed });
+/// # let rubber = builder.material(Material { stiffness_npm2: 500e3, damping_nspm2: 0.0,
+/// #     shear_stiffness_npm: 3e6, friction_static: 0.5, friction_dynamic: 0.5, restitution: 0.1 });
+/// # builder.pair(Pair { bodies: [tug, quay], material: rubber });
+/// # let model = builder.build()?;
+/// let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
+/// let mut host = FollowingHost::new(&model, settings);
+/// let mut work = HostWorkspace::new(&model);
+/// // A tug of 1000 t at 2 m/s towards a quay, γ = 0.1; the host shows her one step late.
+/// let quay = BodyState { position_m: vec2(11.0, 0.0), ..Default::default() };
+/// let mut tug = BodyState { velocity_mps: vec2(2.0, 0.0), ..Default::default() };
+/// let mut shown = tug;
+/// for _ in 0..200 {
+///     let wrenches = host.step(&model, &mut work, &[shown, quay], None, 0.1)?;
+///     shown = tug;
+///     tug.position_m += tug.velocity_mps * 0.1;
+///     tug.velocity_mps += wrenches[0].force_n * (0.1 / 1e6);
+/// }
+/// assert!((tug.velocity_mps.x + 0.2).abs() < 0.002);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct FollowingHost {
+    pub(super) settings: HostSettings,
+    pub(super) memory: Memory,
+    /// In the order in which bodies were added.
+    pub(super) bodies: Vec<Followed>,
+    /// What was given in the last steps, at most `delay_steps` + 1 of them, the oldest first; body by
+    /// body within a step.
+    pub(super) given: Vec<Given>,
+}
+
+/// What is remembered of one body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Followed {
+    /// The last state shown.
+    pub(super) shown: BodyState,
+    /// The last load observed.
+    pub(super) observed: Wrench,
+    /// What contact did to the engine's velocity that the host's has not got yet; nothing where
+    /// nothing touched the body.
+    pub(super) ahead: Option<Velocity>,
+}
+
+/// What one body was given for one step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Given {
+    pub(super) step_s: f64,
+    pub(super) wrench: Wrench,
+    /// The load that the host told, where it did.
+    pub(super) told: Option<Wrench>,
+}
+
+impl FollowingHost {
+    /// A host whose bodies have never touched.
+    #[must_use]
+    pub fn new(model: &Model, settings: HostSettings) -> FollowingHost {
+        FollowingHost {
+            settings,
+            memory: Memory::new(model),
+            bodies: vec![Followed::default(); model.bodies().len()],
+            given: Vec::new(),
+        }
+    }
+
+    /// Forgets all that happened: the next step is the first.
+    pub fn reset(&mut self, model: &Model) {
+        *self = FollowingHost::new(model, self.settings);
+    }
+
+    /// What is known of the host.
+    #[must_use]
+    pub fn settings(&self) -> HostSettings {
+        self.settings
+    }
+
+    /// The contacts' memory.
+    #[must_use]
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// One step of the host: from the states it shows, `delay_steps` old, to the wrench that each body
+    /// is to be given for the step of `step_s` seconds that begins now; earth-fixed, about the centre of
+    /// gravity, in the order in which bodies were added.
+    ///
+    /// `told_loads` are all other forces of this step, as in [`crate::advance`]. With `None` they are
+    /// taken to be as they were when last observed: M Δv/Δt of the host less what it was given, Coriolis
+    /// and centripetal terms among it; zero until two states were shown. A load that begins suddenly
+    /// is known one step later, and `delay_steps` besides.
+    ///
+    /// A fixed body's wrench is the mean contact wrench of the step. That of a floating one comes up to
+    /// a step later, so that positions agree; the impulse over the whole contact is the same.
+    ///
+    /// A forward Euler host goes its next step whatever it is given: one that begins nearer to a contact
+    /// than it goes in a step begins within it. No load that is not yet known can be answered; with a
+    /// long Δt and delay a body at rest may be driven deep before it is.
+    ///
+    /// Where a body's shown position is not where its velocity leads, the host has put it elsewhere:
+    /// no load is read from that, and its contacts start afresh
+    /// ([`crate::EventKind::Teleported`]).
+    ///
+    /// # Errors
+    /// As [`crate::step`], for states, loads and Δt; this host is then as it was.
+    pub fn step<'w>(
+        &mut self,
+        model: &Model,
+        work: &'w mut HostWorkspace,
+        states_shown: &[BodyState],
+        told_loads: Option<&[Wrench]>,
+        step_s: f64,
+    ) -> Result<&'w [Wrench], StepError> {
+        admit::admit(model, &self.memory, states_shown, step_s)?;
+        if let Some(loads) = told_loads {
+            admit::admit_loads(model, loads)?;
+        }
+        self.observe(model, work, states_shown);
+        self.predict(model, work, told_loads);
+        self.set_out(model, work, step_s);
+        let (starts, loads) = (&work.starts, &work.loads);
+        advance(model, &mut self.memory, &mut work.engine, starts, loads, step_s)?;
+        steer(model, work, step_s);
+        self.remember(work, told_loads, step_s);
+        Ok(&work.wrenches)
+    }
+
+    /// Whole steps that are remembered.
+    pub(super) fn steps_given(&self) -> usize {
+        self.given.len() / self.bodies.len().max(1)
+    }
+
+    /// Loads as far as they can be told from the states shown, into `work.next`.
+    fn observe(&self, model: &Model, work: &mut HostWorkspace, states_shown: &[BodyState]) {
+        work.next.clone_from(&self.bodies);
+        // The state shown before this one is the initial state as well until the oldest wrench
+        // remembered is the one given between the two.
+        let two_states = self.steps_given() > self.settings.delay_steps as usize;
+        for (index, (next, &shown)) in work.next.iter_mut().zip(states_shown).enumerate() {
+            if two_states {
+                let given = &self.given[index];
+                let body = &model.bodies()[index];
+                if observer::was_moved(self.settings.integration, body, &next.shown, &shown, given)
+                {
+                    next.ahead = None;
+                } else if let Some(load) = observer::load(body, &next.shown, &shown, given) {
+                    next.observed = load;
+                }
+            }
+            next.shown = shown;
+        }
+    }
+
+    /// The host's present and its loads, into `work.present` and `work.loads`.
+    fn predict(&self, model: &Model, work: &mut HostWorkspace, told_loads: Option<&[Wrench]>) {
+        let bodies = self.bodies.len();
+        let delay_steps = self.settings.delay_steps as usize;
+        let forgotten = self.steps_given().saturating_sub(delay_steps);
+        let since_shown = &self.given[forgotten * bodies..];
+        work.present.clear();
+        work.loads.clear();
+        for (index, next) in work.next.iter().enumerate() {
+            let mut state = next.shown;
+            for given in since_shown.iter().skip(index).step_by(bodies) {
+                let load = given.told.unwrap_or(next.observed);
+                let body = &model.ranked[model.rank_of[index] as usize];
+                let integration = self.settings.integration;
+                state = predictor::next(integration, body, &state, given, &load);
+            }
+            work.present.push(state);
+            work.loads.push(told_loads.map_or(next.observed, |loads| loads[index]));
+        }
+    }
+
+    /// Where the engine begins, into `work.starts`.
+    fn set_out(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
+        work.starts.clear();
+        for (index, present) in work.present.iter().enumerate() {
+            let body = &model.ranked[model.rank_of[index] as usize];
+            let half_kick = steering::half_kick(body, present, &work.loads[index], step_s);
+            let lead = half_kick.plus(work.next[index].ahead.unwrap_or_default());
+            work.starts.push(steering::start(self.settings.integration, present, lead, step_s));
+        }
+    }
+
+    /// The step is done.
+    fn remember(&mut self, work: &HostWorkspace, told_loads: Option<&[Wrench]>, step_s: f64) {
+        let bodies = self.bodies.len();
+        if self.steps_given() > self.settings.delay_steps as usize {
+            self.given.drain(..bodies);
+        }
+        for (index, &wrench) in work.wrenches.iter().enumerate() {
+            let told = told_loads.map(|loads| loads[index]);
+            self.given.push(Given { step_s, wrench, told });
+        }
+        self.bodies.clone_from(&work.next);
+    }
+}
+
+/// Wrenches for the host from the way that the engine went, into `work.wrenches`; and how far its
+/// velocities are ahead of the host's.
+fn steer(model: &Model, work: &mut HostWorkspace, step_s: f64) {
+    work.touching.clear();
+    work.touching.resize(work.next.len(), false);
+    for contact in work.engine.contacts() {
+        work.touching[contact.body_1.0 as usize] = true;
+        work.touching[contact.body_2.0 as usize] = true;
+    }
+    work.wrenches.clear();
+    work.wrenches.extend_from_slice(work.engine.wrenches());
+    for (index, next) in work.next.iter_mut().enumerate() {
+        let body = &model.ranked[model.rank_of[index] as usize];
+        if body.is_fixed() || (!work.touching[index] && next.ahead.is_none()) {
+            continue;
+        }
+        let (present, load) = (&work.present[index], &work.loads[index]);
+        let (start, end) = (&work.starts[index], &work.engine.states_after()[index]);
+        let mean = Velocity::mean(start, end, step_s);
+        let mobility = &model.bodies()[index].mobility;
+        work.wrenches[index] = steering::wrench(mobility, present, mean, load, step_s);
+        let half_kick = steering::half_kick(body, present, load, step_s);
+        next.ahead = work.touching[index].then(|| Velocity::of(end).minus(mean).minus(half_kick));
+    }
+}

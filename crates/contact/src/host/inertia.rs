@@ -1,0 +1,35 @@
+//! A body's mass matrix in its attitude, as the host's equations have it.
+
+use crate::host::steering::Velocity;
+use crate::model::{Mobility, RankedBody};
+use crate::report::Wrench;
+use crate::state::BodyState;
+use crate::vec2::{Rotation, vec2};
+
+/// M v in earth-fixed axes for a body turned as `state` is [N·s, N·m·s]; zero for a fixed body.
+pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -> Wrench {
+    match mobility {
+        Mobility::Fixed => Wrench::default(),
+        Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
+            Wrench { force_n: v.linear_mps * *mass_kg, moment_nm: v.yaw_radps * *yaw_inertia_kgm2 }
+        }
+        Mobility::Massive { matrix } => {
+            let rotation = Rotation::from_angle(state.heading_rad);
+            let own = rotation.apply_inverse(v.linear_mps);
+            let along = |row: &[f64; 3]| row[0] * own.x + row[1] * own.y + row[2] * v.yaw_radps;
+            let [surge, sway, yaw] = matrix.each_ref().map(along);
+            Wrench { force_n: rotation.apply(vec2(surge, sway)), moment_nm: yaw }
+        }
+    }
+}
+
+/// M⁻¹ W Δt: what a wrench does in `step_s` to a body turned as `state` is.
+pub(super) fn kick(body: &RankedBody, state: &BodyState, wrench: &Wrench, step_s: f64) -> Velocity {
+    if body.is_fixed() {
+        return Velocity::default();
+    }
+    let inverse = body.inverse.turned(Rotation::from_angle(state.heading_rad));
+    let (linear_mps, yaw_radps) =
+        inverse.response(wrench.force_n * step_s, wrench.moment_nm * step_s);
+    Velocity { linear_mps, yaw_radps }
+}

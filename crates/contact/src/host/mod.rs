@@ -1,0 +1,24 @@
+//! Hosts that show old states and tell no loads: a co-simulation master with a fixed step, say, that
+//! moves its bodies by itself, shows them some steps late and keeps its loads to itself (§6.7 of the
+//! contact model).
+//!
+//! One step, in the order of [`FollowingHost::step`]:
+//!
+//! 1. [`observer`]: from two states shown and the wrench given between them, the load;
+//! 2. [`predictor`]: from the state shown, with the wrenches given since, the host's present;
+//! 3. [`steering`]: where the engine has to begin, for a host that integrates as this one does;
+//! 4. [`crate::advance`];
+//! 5. [`steering`]: the wrench that makes the host's own integration land where the engine did.
+
+mod following;
+mod inertia;
+mod observer;
+mod predictor;
+mod settings;
+mod snapshot;
+mod steering;
+mod workspace;
+
+pub use following::FollowingHost;
+pub use settings::{HostIntegration, HostSettings};
+pub use workspace::HostWorkspace;

@@ -1,0 +1,178 @@
+//! A following host as bytes: versioned, little-endian, with a check sum.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 8 | `fndrhost` |
+//! | 4 | version |
+//! | 4, 4 | delay in steps; integration: 0 forward Euler, 1 semi-implicit |
+//! | 4 | number of steps given |
+//! | 4 + as many | length and bytes of the contacts' [`Memory::snapshot`] |
+//! | 100 each | bodies: state shown, load observed, 1 or 0 and velocity ahead |
+//! | 60 each | steps given, body by body: Δt, wrench, 1 or 0 and load told |
+//! | 8 | FNV-1a of all before |
+//!
+//! Bodies are in the order of their keys.
+
+use alloc::vec::Vec;
+
+use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
+use crate::error::RestoreError;
+use crate::host::following::{Followed, FollowingHost, Given};
+use crate::host::settings::{HostIntegration, HostSettings};
+use crate::host::steering::Velocity;
+use crate::memory::Memory;
+use crate::model::{Fnv, Model};
+use crate::report::Wrench;
+use crate::snapshot::{Reader, SNAPSHOT_VERSION, Writer};
+
+const MAGIC: &[u8; 8] = b"fndrhost";
+const BODY_BYTES: usize = 100;
+const GIVEN_BYTES: usize = 60;
+
+impl FollowingHost {
+    /// All of this host as bytes, of the version [`SNAPSHOT_VERSION`]. `model` is the one that it was
+    /// made for.
+    ///
+    /// # Panics
+    /// If `model` has another number of bodies.
+    #[must_use]
+    pub fn snapshot(&self, model: &Model) -> Vec<u8> {
+        assert_eq!(self.bodies.len(), model.bodies().len(), "the model that the host was made for");
+        let memory = self.memory.snapshot();
+        let size = memory.len() + self.bodies.len() * BODY_BYTES + self.given.len() * GIVEN_BYTES;
+        let mut out = Writer(Vec::with_capacity(size + 40));
+        out.0.extend_from_slice(MAGIC);
+        out.word32(SNAPSHOT_VERSION);
+        out.word32(self.settings.delay_steps);
+        out.word32(match self.settings.integration {
+            HostIntegration::ForwardEuler => 0,
+            HostIntegration::SemiImplicit => 1,
+        });
+        out.word32(self.steps_given() as u32);
+        out.word32(memory.len() as u32);
+        out.0.extend_from_slice(&memory);
+        for ranked in &model.ranked {
+            write_body(&mut out, &self.bodies[ranked.id.0 as usize]);
+        }
+        for step in self.given.chunks(self.bodies.len().max(1)) {
+            for ranked in &model.ranked {
+                write_given(&mut out, &step[ranked.id.0 as usize]);
+            }
+        }
+        let mut sum = Fnv::default();
+        sum.bytes(&out.0);
+        out.word64(sum.0);
+        out.0
+    }
+
+    /// Becomes what [`FollowingHost::snapshot`] saved, settings included, for the same model.
+    ///
+    /// # Errors
+    /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the host is
+    /// then as it was.
+    pub fn restore(&mut self, model: &Model, bytes: &[u8]) -> Result<(), RestoreError> {
+        *self = read(model, bytes)?;
+        Ok(())
+    }
+}
+
+fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
+    let mut input = Reader(bytes);
+    if input.take(8)? != MAGIC {
+        return Err(RestoreError::NotASnapshot);
+    }
+    let found = input.word32()?;
+    if found != SNAPSHOT_VERSION {
+        return Err(RestoreError::Version { found });
+    }
+    let (summed, sum) = bytes.split_at(bytes.len().checked_sub(8).ok_or(RestoreError::Length)?);
+    let mut expected = Fnv::default();
+    expected.bytes(summed);
+    if sum != expected.0.to_le_bytes() {
+        return Err(RestoreError::Checksum);
+    }
+    let delay_steps = input.word32()?;
+    let integration = match input.word32()? {
+        0 => HostIntegration::ForwardEuler,
+        1 => HostIntegration::SemiImplicit,
+        _ => return Err(RestoreError::Content),
+    };
+    let mut host = FollowingHost::new(model, HostSettings { delay_steps, integration });
+    let steps = input.word32()?;
+    let memory_bytes = input.word32()? as usize;
+    let mut memory = Memory::new(model);
+    memory.restore(model, input.take(memory_bytes)?)?;
+    host.memory = memory;
+    let count = model.ranked.len();
+    let rest = count as u128 * (BODY_BYTES as u128 + u128::from(steps) * GIVEN_BYTES as u128) + 8;
+    if input.0.len() as u128 != rest {
+        return Err(RestoreError::Length);
+    }
+    if u64::from(steps) > u64::from(delay_steps) + 1 || (count == 0 && steps > 0) {
+        return Err(RestoreError::Content);
+    }
+    for ranked in &model.ranked {
+        host.bodies[ranked.id.0 as usize] = read_body(&mut input)?;
+    }
+    for step in 0..steps as usize {
+        // Any value: all of the step's are overwritten.
+        let empty = Given { step_s: 0.0, wrench: Wrench::default(), told: None };
+        host.given.resize((step + 1) * count, empty);
+        for ranked in &model.ranked {
+            host.given[step * count + ranked.id.0 as usize] = read_given(&mut input)?;
+        }
+    }
+    Ok(host)
+}
+
+fn write_body(out: &mut Writer, body: &Followed) {
+    out.state(&body.shown);
+    write_wrench(out, &body.observed);
+    let ahead = body.ahead.unwrap_or_default();
+    out.word32(u32::from(body.ahead.is_some()));
+    out.vector(ahead.linear_mps);
+    out.number(ahead.yaw_radps);
+}
+
+fn write_given(out: &mut Writer, given: &Given) {
+    out.number(given.step_s);
+    write_wrench(out, &given.wrench);
+    out.word32(u32::from(given.told.is_some()));
+    write_wrench(out, &given.told.unwrap_or_default());
+}
+
+fn write_wrench(out: &mut Writer, wrench: &Wrench) {
+    out.vector(wrench.force_n);
+    out.number(wrench.moment_nm);
+}
+
+fn read_body(input: &mut Reader<'_>) -> Result<Followed, RestoreError> {
+    let shown = input.state()?;
+    let observed = read_wrench(input)?;
+    let is_ahead = read_flag(input)?;
+    let ahead = Velocity { linear_mps: input.vector()?, yaw_radps: input.number()? };
+    Ok(Followed { shown, observed, ahead: is_ahead.then_some(ahead) })
+}
+
+fn read_given(input: &mut Reader<'_>) -> Result<Given, RestoreError> {
+    let step_s = input.number()?;
+    if !(SHORTEST_STEP_S..=LONGEST_STEP_S).contains(&step_s) {
+        return Err(RestoreError::Content);
+    }
+    let wrench = read_wrench(input)?;
+    let was_told = read_flag(input)?;
+    let told = read_wrench(input)?;
+    Ok(Given { step_s, wrench, told: was_told.then_some(told) })
+}
+
+fn read_wrench(input: &mut Reader<'_>) -> Result<Wrench, RestoreError> {
+    Ok(Wrench { force_n: input.vector()?, moment_nm: input.number()? })
+}
+
+fn read_flag(input: &mut Reader<'_>) -> Result<bool, RestoreError> {
+    match input.word32()? {
+        0 => Ok(false),
+        1 => Ok(true),
+        _ => Err(RestoreError::Content),
+    }
+}

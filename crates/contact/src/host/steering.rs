@@ -1,0 +1,113 @@
+//! Steering: wrenches with which the host's own integration lands where the engine's motion did.
+//!
+//! A semi-implicit host moves by Δt v_{n+1} in a step. It lands where the engine did if v_{n+1} is the
+//! *mean* velocity v̄ of the engine's motion over the step, and the wrench for that is
+//! W = M(v̄ − v_n)/Δt − load. The engine's velocity at the end, V, is kept apart: V less what the host
+//! has, to be handed on with the next step's wrench. To give the host V at once, with W the mean of the
+//! contact force, would leave it elsewhere than the engine, by up to half the contact's depth at
+//! long Δt; and a host that comes to rest within a step would stay there.
+//!
+//! A forward Euler host moves by Δt v_n: where it will be at the end of the step, y_n = x_n + Δt v_n,
+//! no wrench can change. But y_{n+1} = y_n + Δt v_{n+1}: it is a semi-implicit host that shows its
+//! positions one step late. So the engine begins at y_n, and nothing else differs.
+//!
+//! Loads: by a steady load, too, such a host's velocities are means over a step, half a kick ΔtM⁻¹W/2
+//! behind. The engine begins with that half kick added; at rest on a fender, contact's and load's
+//! halves cancel.
+
+use crate::host::inertia;
+use crate::host::settings::HostIntegration;
+use crate::model::{Mobility, RankedBody};
+use crate::report::Wrench;
+use crate::state::BodyState;
+use crate::vec2::Vec2;
+
+/// Velocity of the centre of gravity and rate of turn.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Velocity {
+    pub(super) linear_mps: Vec2,
+    pub(super) yaw_radps: f64,
+}
+
+impl Velocity {
+    pub(super) fn of(state: &BodyState) -> Velocity {
+        Velocity { linear_mps: state.velocity_mps, yaw_radps: state.yaw_rate_radps }
+    }
+
+    /// The steady velocity that leads from one state to the other in `step_s`.
+    pub(super) fn mean(from: &BodyState, to: &BodyState, step_s: f64) -> Velocity {
+        Velocity {
+            linear_mps: (to.position_m - from.position_m) * (1.0 / step_s),
+            yaw_radps: (to.heading_rad - from.heading_rad) / step_s,
+        }
+    }
+
+    pub(super) fn plus(self, other: Velocity) -> Velocity {
+        Velocity {
+            linear_mps: self.linear_mps + other.linear_mps,
+            yaw_radps: self.yaw_radps + other.yaw_radps,
+        }
+    }
+
+    pub(super) fn minus(self, other: Velocity) -> Velocity {
+        Velocity {
+            linear_mps: self.linear_mps - other.linear_mps,
+            yaw_radps: self.yaw_radps - other.yaw_radps,
+        }
+    }
+
+    /// The state moved with this velocity for `step_s`; its own velocity stays.
+    pub(super) fn carry(self, state: &BodyState, step_s: f64) -> BodyState {
+        BodyState {
+            position_m: state.position_m + self.linear_mps * step_s,
+            heading_rad: state.heading_rad + self.yaw_radps * step_s,
+            ..*state
+        }
+    }
+
+    /// The state with this velocity.
+    pub(super) fn of_a_body_at(self, state: &BodyState) -> BodyState {
+        BodyState { velocity_mps: self.linear_mps, yaw_rate_radps: self.yaw_radps, ..*state }
+    }
+}
+
+/// What half a step of the load does.
+pub(super) fn half_kick(
+    body: &RankedBody,
+    present: &BodyState,
+    load: &Wrench,
+    step_s: f64,
+) -> Velocity {
+    inertia::kick(body, present, load, 0.5 * step_s)
+}
+
+/// Where the engine begins, `lead` ahead of the host's velocity.
+pub(super) fn start(
+    integration: HostIntegration,
+    present: &BodyState,
+    lead: Velocity,
+    step_s: f64,
+) -> BodyState {
+    let velocity = Velocity::of(present);
+    let place = match integration {
+        HostIntegration::ForwardEuler => velocity.carry(present, step_s),
+        HostIntegration::SemiImplicit => *present,
+    };
+    velocity.plus(lead).of_a_body_at(&place)
+}
+
+/// The wrench that brings the host's velocity to `mean`, with its load.
+pub(super) fn wrench(
+    mobility: &Mobility,
+    present: &BodyState,
+    mean: Velocity,
+    load: &Wrench,
+    step_s: f64,
+) -> Wrench {
+    let impulse = inertia::impulse_for(mobility, present, mean.minus(Velocity::of(present)));
+    let rate = 1.0 / step_s;
+    Wrench {
+        force_n: impulse.force_n * rate - load.force_n,
+        moment_nm: impulse.moment_nm * rate - load.moment_nm,
+    }
+}

@@ -1,0 +1,72 @@
+//! Buffers and results of a step for a following host.
+
+use alloc::vec::Vec;
+
+use crate::host::following::Followed;
+use crate::model::Model;
+use crate::report::{Contact, Event, Wrench};
+use crate::state::BodyState;
+use crate::workspace::Workspace;
+
+/// Buffers and results of [`crate::FollowingHost::step`]; nothing in it matters to the next step.
+#[derive(Clone, Debug)]
+pub struct HostWorkspace {
+    pub(super) engine: Workspace,
+    /// Body by body what is to be remembered, if the step succeeds.
+    pub(super) next: Vec<Followed>,
+    /// The host's present.
+    pub(super) present: Vec<BodyState>,
+    /// Where the engine begins.
+    pub(super) starts: Vec<BodyState>,
+    pub(super) loads: Vec<Wrench>,
+    pub(super) touching: Vec<bool>,
+    pub(super) wrenches: Vec<Wrench>,
+}
+
+impl HostWorkspace {
+    /// Buffers for a model.
+    #[must_use]
+    pub fn new(model: &Model) -> HostWorkspace {
+        let count = model.bodies().len();
+        HostWorkspace {
+            engine: Workspace::new(model),
+            next: Vec::with_capacity(count),
+            present: Vec::with_capacity(count),
+            starts: Vec::with_capacity(count),
+            loads: Vec::with_capacity(count),
+            touching: Vec::with_capacity(count),
+            wrenches: Vec::with_capacity(count),
+        }
+    }
+
+    /// The wrenches of the last step, one a body.
+    #[must_use]
+    pub fn wrenches(&self) -> &[Wrench] {
+        &self.wrenches
+    }
+
+    /// The states that the last step took for the host's present, one a body: as the host will show
+    /// them when they are old enough.
+    #[must_use]
+    pub fn present(&self) -> &[BodyState] {
+        &self.present
+    }
+
+    /// The loads that the last step reckoned with, told or observed, one a body.
+    #[must_use]
+    pub fn loads(&self) -> &[Wrench] {
+        &self.loads
+    }
+
+    /// Contacts of the engine's motion in the last step, as [`Workspace::contacts`].
+    #[must_use]
+    pub fn contacts(&self) -> &[Contact] {
+        self.engine.contacts()
+    }
+
+    /// Events of the last step, as [`Workspace::events`].
+    #[must_use]
+    pub fn events(&self) -> &[Event] {
+        self.engine.events()
+    }
+}
