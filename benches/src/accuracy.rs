@@ -216,10 +216,12 @@ fn creep_of_ship() -> Quantity {
     }
 }
 
-/// Speed along eight fenders under steady loads, after five minutes in which the loads rise: so
-/// slowly that what would swing does not.
+/// Mean speed along eight fenders under steady loads: over five minutes, after five in which the
+/// loads rise and five to settle. The loads rise slowly, and the speed is the slope of a line through
+/// all positions, so that what swings about its place does not count.
 fn creep_mps(engine: Engine, step_s: f64) -> f64 {
     const RISE_S: f64 = 300.0;
+    const SETTLE_S: f64 = 300.0;
     const HOLD_S: f64 = 300.0;
     let chart = chart();
     let mut plan = Plan::new(RUBBER);
@@ -241,12 +243,23 @@ fn creep_mps(engine: Engine, step_s: f64) -> f64 {
         world.load(0, load * (share * share * (3.0 - 2.0 * share)));
         world.step();
     }
-    let along_m = |world: &dyn World| chart.apply_inverse(world.state(0).position_m).x;
-    let from_m = along_m(world.as_ref());
-    for _ in 0..steps_in(HOLD_S, step_s) {
+    for _ in 0..steps_in(SETTLE_S, step_s) {
         world.step();
     }
-    (along_m(world.as_ref()) - from_m).abs() / HOLD_S
+    let held = (0..steps_in(HOLD_S, step_s)).map(|step| {
+        world.step();
+        (step as f64 * step_s, chart.apply_inverse(world.state(0).position_m).x)
+    });
+    slope(&held.collect::<Vec<_>>()).abs()
+}
+
+/// Of the line through points, by least squares.
+fn slope(points: &[(f64, f64)]) -> f64 {
+    let share = 1.0 / points.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() * share;
+    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
+    let sum = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>();
+    sum(&|p| (p.0 - x) * (p.1 - y)) / sum(&|p| (p.0 - x) * (p.0 - x))
 }
 
 fn steps_in(duration_s: f64, step_s: f64) -> usize {
@@ -288,10 +301,11 @@ pub(crate) fn table(figures: &[Figure]) -> Table {
 
 impl Quantity {
     fn shown(&self, value: f64) -> String {
-        if self.right == 0.0 && value != 0.0 {
-            format!("{:.1e}", value * self.scale)
-        } else {
-            format!("{:.4}", value * self.scale)
+        let shown = value * self.scale;
+        match (self.right == 0.0, shown == 0.0) {
+            (true, true) => String::from("0"),
+            (true, false) => format!("{shown:.1e}"),
+            (false, _) => format!("{shown:.4}"),
         }
     }
 
@@ -299,7 +313,13 @@ impl Quantity {
         if self.right == 0.0 {
             return self.shown(value);
         }
-        format!("{} ({:+.1} %)", self.shown(value), 100.0 * (value / self.right - 1.0))
+        let error = 100.0 * (value / self.right - 1.0);
+        if self.unit == "m" && value > WALL_M {
+            return String::from("through the wall");
+        }
+        // No minus before a zero.
+        let error = if error.abs() < 0.05 { 0.0 } else { error };
+        format!("{} ({error:+.1} %)", self.shown(value))
     }
 }
 
