@@ -73,7 +73,7 @@ impl World for Rapier {
 
     fn touching(&self) -> usize {
         let pairs = self.world.narrow_phase.contact_pairs();
-        pairs.filter(|pair| pair.total_impulse_magnitude() > 0.0).count()
+        pairs.filter(|pair| pair.has_any_active_contact()).count()
     }
 
     fn peaks(&self) -> Option<(f64, f64)> {

@@ -73,7 +73,7 @@ pub(crate) fn bench(rounds: usize) -> Table {
     }
     table.note("medians; ratios are taken round by round. Δt 0.1 s; moving the bodies and the broad phase included.");
     table.note("Each engine starts anew every 17 steps from the same state, pressed by the same steady load; the first of");
-    table.note("the 17 is off the clock. contacts: those with a force in the last of them.");
+    table.note("the 17 is off the clock. contacts: pairs in the last step's solve.");
     table
 }
 

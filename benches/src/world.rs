@@ -20,7 +20,7 @@ pub(crate) trait World {
 
     fn state(&self, body: usize) -> BodyState;
 
-    /// Contacts with a force in the last step.
+    /// Pairs in the last step's solve.
     fn touching(&self) -> usize;
 
     /// Largest normal force [N] and depth [m] within the last step, where the engine tells.
