@@ -14,9 +14,10 @@ pub(crate) const RUBBER: Material = Material {
     restitution: 0.1,
 };
 
-/// How fast the bodies of a [`Scene`] come on [m/s], and how deep they are in their fenders at first [m].
-const APPROACH_MPS: f64 = 0.1;
-const DEPTH_M: f64 = 0.05;
+/// How fast the bodies of a [`Scene`] come on [m/s], and how deep they are in their fenders at first [m]:
+/// little enough for rapier2d, which pushes bodies out of each other, to keep all contacts.
+const APPROACH_MPS: f64 = 0.05;
+const DEPTH_M: f64 = 0.02;
 
 /// What is stepped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
