@@ -49,13 +49,13 @@ struct Quantity {
 pub(crate) struct Figure {
     quantity: Quantity,
     engine: Engine,
-    /// By the coupled method at [`CONVERGED_S`], where that takes no more than seconds.
+    /// By the coupled method at [`CONVERGED_S`], where that takes seconds, no more.
     converged: Option<f64>,
     /// At each of [`STEPS_S`].
     values: [f64; 5],
 }
 
-/// All figures: half a minute.
+/// All figures: a few seconds.
 pub(crate) fn figures() -> Vec<Figure> {
     let impact = table_of(&impact_quantities(), impact, true);
     let push = table_of(&[depth_of_push()], |engine, step_s| [push(engine, step_s)], true);
