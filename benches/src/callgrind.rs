@@ -5,30 +5,37 @@ use std::io::ErrorKind;
 use std::process::Command;
 
 use crate::table::Table;
+use crate::world::Engine;
 
-/// Scene, contacts in it, and the two numbers of steps: whole loops of the motion.
-const SCENES: [(&str, u64, u64, u64); 2] = [("tug", 1, 640, 6400), ("ship", 8, 640, 3200)];
+/// Scene, contacts in it, and the two numbers of steps: whole bursts between restarts.
+const SCENES: [(&str, u64, u64, u64); 3] =
+    [("tug", 1, 640, 6400), ("ship", 8, 640, 3200), ("pairs-1000", 1000, 16, 48)];
 
 pub(crate) fn bench() -> Result<Table, String> {
-    let mut table = Table::new(&["scene", "contacts", "instructions a step", "a contact"]);
+    let mut table =
+        Table::new(&["scene", "method", "contacts", "instructions a step", "a contact"]);
     for (scene, contacts, few, many) in SCENES {
-        let step = (instructions(scene, many)? - instructions(scene, few)?) / (many - few);
-        table.row(vec![
-            scene.to_owned(),
-            contacts.to_string(),
-            step.to_string(),
-            (step / contacts).to_string(),
-        ]);
+        for method in [Engine::Coupled.name(), Engine::Paper.name()] {
+            let counted = |steps| instructions(scene, method, steps);
+            let step = (counted(many)? - counted(few)?) / (many - few);
+            table.row(vec![
+                scene.to_owned(),
+                method.to_owned(),
+                contacts.to_string(),
+                step.to_string(),
+                (step / contacts).to_string(),
+            ]);
+        }
     }
     Ok(table)
 }
 
-fn instructions(scene: &str, steps: u64) -> Result<u64, String> {
+fn instructions(scene: &str, method: &str, steps: u64) -> Result<u64, String> {
     let this = std::env::current_exe().map_err(|e| format!("this program's own path: {e}"))?;
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .arg(this)
-        .args(["instructions", scene, &steps.to_string()])
+        .args(["instructions", scene, method, &steps.to_string()])
         .output()
         .map_err(|error| match error.kind() {
             ErrorKind::NotFound => {

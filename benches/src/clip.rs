@@ -122,7 +122,7 @@ fn our_contender<'a>(
 ) -> Contender<'a> {
     let mut pair = PairClip::default();
     let round = move || ours::round(&mut pair, first, second, path, case.cold);
-    Contender { round: Box::new(round), calls: CALLS }
+    Contender::clocked(round, CALLS)
 }
 
 fn parry_contender<'a>(
@@ -145,7 +145,7 @@ fn parry_contender<'a>(
             Box::new(move || gjk.apart_round(path))
         }
     };
-    Contender { round, calls: CALLS }
+    Contender::clocked(round, CALLS)
 }
 
 fn overlay_contender<'a>(
@@ -154,7 +154,7 @@ fn overlay_contender<'a>(
     path: &'a Path,
 ) -> Contender<'a> {
     let mut overlay = Overlay::new(first, second);
-    Contender { round: Box::new(move || overlay.round(path)), calls: path.len() }
+    Contender::clocked(move || overlay.round(path), path.len())
 }
 
 fn largest_difference(first: &ConvexPolygon, second: &ConvexPolygon, path: &Path) -> f64 {

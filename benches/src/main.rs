@@ -1,35 +1,44 @@
 //! Benches of the contact engine against its peers, in one process, so that the ratios hold where
-//! the times do not. Nothing is written anywhere and nothing here passes or fails a build.
+//! the times do not. Nothing is written but what `--out` names, and nothing here passes or fails a build.
 //!
 //! ```text
 //! cargo run --release -p fenderline-bench -- clip [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- step [--markdown] [--rounds N]
-//! cargo run --release -p fenderline-bench -- instructions SCENE N
+//! cargo run --release -p fenderline-bench -- accuracy [--markdown] [--out FILE]
+//! cargo run --release -p fenderline-bench -- instructions SCENE METHOD N
 //! cargo run --release -p fenderline-bench -- callgrind
 //! ```
 
+mod accuracy;
 mod callgrind;
 mod clip;
+mod engine;
 mod ours;
 mod paths;
 mod peers;
+mod rapier;
 mod rounds;
 mod scenes;
 mod shapes;
 mod step;
 mod table;
+mod world;
 
 use std::process::ExitCode;
 
 use scenes::Scene;
 use table::Style;
+use world::Engine;
 
 const USAGE: &str = "\
 usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two convex polygons
        fenderline-bench step [--markdown] [--rounds N]   a whole step of the engine
-       fenderline-bench instructions SCENE N             N warm steps, to be counted by a profiler
+       fenderline-bench accuracy [--markdown] [--out FILE]
+                                                         forces, depths and speeds at five time steps
+       fenderline-bench instructions SCENE METHOD N      N warm steps, to be counted by a profiler
        fenderline-bench callgrind                        instructions a warm step, by valgrind
-SCENE is tug, ship, pairs-1000 or pairs-10000";
+SCENE is tug, ship, pairs-1000 or pairs-10000; METHOD is coupled, paper or rapier2d;
+--out writes the figures as JSON too";
 
 /// Rounds of a bench where the caller does not say: enough that the medians of two runs agree to a
 /// few per cent.
@@ -56,15 +65,37 @@ fn run(arguments: &[&str]) -> Result<(), String> {
             let (style, rounds) = options_of(options)?;
             println!("{}", step::bench(rounds).printed(style));
         }
-        ["instructions", scene, steps] => {
+        ["accuracy", options @ ..] => accuracy_table(options)?,
+        ["instructions", scene, method, steps] => {
             let scene =
                 Scene::named(scene).ok_or_else(|| format!("no scene `{scene}`\n{USAGE}"))?;
-            scenes::Driven::new(scene).steps(count_of(steps)?);
+            let engine = Engine::ALL.into_iter().find(|engine| engine.name() == *method);
+            let engine = engine.ok_or_else(|| format!("no method `{method}`\n{USAGE}"))?;
+            step::steps(scene, engine, count_of(steps)?);
         }
         ["callgrind"] => println!("{}", callgrind::bench()?.printed(Style::Plain)),
         _ => return Err(USAGE.to_owned()),
     }
     Ok(())
+}
+
+fn accuracy_table(options: &[&str]) -> Result<(), String> {
+    let (style, file) = match options {
+        [] => (Style::Plain, None),
+        ["--markdown"] => (Style::Markdown, None),
+        ["--out", file] => (Style::Plain, Some(file)),
+        ["--markdown", "--out", file] | ["--out", file, "--markdown"] => {
+            (Style::Markdown, Some(file))
+        }
+        _ => return Err(USAGE.to_owned()),
+    };
+    let figures = accuracy::figures();
+    println!("{}", accuracy::table(&figures).printed(style));
+    match file {
+        None => Ok(()),
+        Some(file) => std::fs::write(file, accuracy::json(&figures))
+            .map_err(|error| format!("could not write `{file}`: {error}")),
+    }
 }
 
 fn options_of(options: &[&str]) -> Result<(Style, usize), String> {

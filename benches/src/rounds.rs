@@ -1,29 +1,41 @@
 //! Times by rounds: every contender runs once a round, so that what slows the machine down slows
 //! all of them down, and what counts is the median of the ratios.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// One contender: what it does in a round, and how many calls that is.
 pub(crate) struct Contender<'a> {
-    /// Runs a whole round.
-    pub(crate) round: Box<dyn FnMut() + 'a>,
+    /// Runs a whole round and says how long its calls took.
+    pub(crate) round: Box<dyn FnMut() -> Duration + 'a>,
     /// Calls in a round.
     pub(crate) calls: usize,
+}
+
+impl<'a> Contender<'a> {
+    /// A contender whose whole round is on the clock.
+    pub(crate) fn clocked(mut round: impl FnMut() + 'a, calls: usize) -> Contender<'a> {
+        let round = move || {
+            let start = Instant::now();
+            round();
+            start.elapsed()
+        };
+        Contender { round: Box::new(round), calls }
+    }
 }
 
 /// Nanoseconds a call, for every contender (outer) and round (inner).
 pub(crate) fn nanoseconds_a_call(contenders: &mut [Contender<'_>], rounds: usize) -> Vec<Vec<f64>> {
     let mut times = vec![Vec::with_capacity(rounds); contenders.len()];
-    contenders.iter_mut().for_each(|contender| (contender.round)());
+    for contender in contenders.iter_mut() {
+        (contender.round)();
+    }
     for round in 0..rounds {
         for turn in 0..contenders.len() {
             // A different one goes first each round.
             let index = (turn + round) % contenders.len();
             let contender = &mut contenders[index];
-            let start = Instant::now();
-            (contender.round)();
-            let elapsed = start.elapsed().as_secs_f64();
-            times[index].push(elapsed * 1e9 / contender.calls as f64);
+            let elapsed_s = (contender.round)().as_secs_f64();
+            times[index].push(elapsed_s * 1e9 / contender.calls as f64);
         }
     }
     times

@@ -1,0 +1,138 @@
+//! Our engine, playing a scene by either method.
+
+use std::hint::black_box;
+
+use fenderline_contact::{
+    Body, BodyId, BodyState, Memory, Mobility, Model, Outline, Pair, Vec2, Workspace, Wrench,
+    advance, step,
+};
+
+use crate::scenes::{Mass, Part, Plan};
+use crate::world::World;
+
+/// Which of the two methods.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Method {
+    /// The paper's; the host moves the bodies by forward Euler, as the paper does.
+    Paper,
+    /// The coupled one, which moves the bodies.
+    Coupled,
+}
+
+/// A scene in our engine.
+pub(crate) struct Ours {
+    model: Model,
+    memory: Memory,
+    work: Workspace,
+    states: Vec<BodyState>,
+    loads: Vec<Wrench>,
+    masses: Vec<Option<Mass>>,
+    method: Method,
+    step_s: f64,
+    /// One step after the start.
+    begun: Option<(Vec<BodyState>, Memory)>,
+}
+
+impl Ours {
+    pub(crate) fn new(plan: &Plan, method: Method, step_s: f64) -> Ours {
+        let model = model(plan);
+        Ours {
+            memory: Memory::new(&model),
+            work: Workspace::new(&model),
+            model,
+            states: plan.parts.iter().map(|part| part.state).collect(),
+            loads: plan.parts.iter().map(|part| part.load).collect(),
+            masses: plan.parts.iter().map(|part| part.mass).collect(),
+            method,
+            step_s,
+            begun: None,
+        }
+    }
+
+    fn euler(&mut self) {
+        let wrenches = self.work.wrenches();
+        for (index, state) in self.states.iter_mut().enumerate() {
+            let Some(Mass { mass_kg, yaw_inertia_kgm2 }) = self.masses[index] else { continue };
+            let (load, contact) = (self.loads[index], wrenches[index]);
+            state.position_m += state.velocity_mps * self.step_s;
+            state.heading_rad += state.yaw_rate_radps * self.step_s;
+            state.velocity_mps += (load.force_n + contact.force_n) * (self.step_s / mass_kg);
+            let moment_nm = load.moment_nm + contact.moment_nm;
+            state.yaw_rate_radps += moment_nm * (self.step_s / yaw_inertia_kgm2);
+        }
+    }
+}
+
+impl World for Ours {
+    fn restart(&mut self) {
+        if self.begun.is_none() {
+            self.step();
+            self.begun = Some((self.states.clone(), self.memory.clone()));
+        }
+        if let Some((states, memory)) = &self.begun {
+            self.states.copy_from_slice(states);
+            self.memory.clone_from(memory);
+        }
+    }
+
+    fn step(&mut self) {
+        let Ours { model, memory, work, states, loads, step_s, .. } = self;
+        let states = black_box(states.as_slice());
+        match self.method {
+            Method::Paper => {
+                step(model, memory, work, states, *step_s).expect("the scenes are sound");
+                self.euler();
+            }
+            Method::Coupled => {
+                advance(model, memory, work, states, loads, *step_s).expect("the scenes are sound");
+                self.states.copy_from_slice(self.work.states_after());
+            }
+        }
+    }
+
+    fn load(&mut self, body: usize, force_n: Vec2) {
+        self.loads[body].force_n = force_n;
+    }
+
+    fn state(&self, body: usize) -> BodyState {
+        self.states[body]
+    }
+
+    fn touching(&self) -> usize {
+        self.work.contacts().len()
+    }
+
+    fn peaks(&self) -> Option<(f64, f64)> {
+        let largest = |(force_n, depth_m): (f64, f64), c: &fenderline_contact::Contact| {
+            (force_n.max(c.peak_normal_force_n), depth_m.max(c.peak_depth_m))
+        };
+        Some(self.work.contacts().iter().fold((0.0, 0.0), largest))
+    }
+}
+
+fn model(plan: &Plan) -> Model {
+    let mut builder = Model::builder();
+    let material = builder.material(plan.material);
+    let ids: Vec<BodyId> =
+        plan.parts.iter().zip(0..).map(|(part, key)| builder.body(body(part, key))).collect();
+    if plan.anyone {
+        builder.every_other_pair(material);
+    } else {
+        let floats = |id: &&BodyId| plan.parts[id.0 as usize].mass.is_some();
+        for &one in ids.iter().filter(floats) {
+            for &other in ids.iter().filter(|id| !floats(id)) {
+                builder.pair(Pair { bodies: [one, other], material });
+            }
+        }
+    }
+    builder.build().expect("the scenes are sound")
+}
+
+fn body(part: &Part, key: u64) -> Body {
+    let outline = Outline::new(&part.outline_m).expect("the scenes' outlines are sound").0;
+    let mobility = match part.mass {
+        None => Mobility::Fixed,
+        Some(Mass { mass_kg, yaw_inertia_kgm2 }) => Mobility::Free { mass_kg, yaw_inertia_kgm2 },
+    };
+    Body { name: format!("body {key}"), key, outline, mobility }
+}

@@ -1,0 +1,59 @@
+//! What a bench asks of an engine that plays a scene.
+
+use fenderline_contact::{BodyState, Vec2};
+
+use crate::engine::{Method, Ours};
+use crate::rapier::Rapier;
+use crate::scenes::Plan;
+
+/// A scene within an engine, with its bodies moved by it or, where the engine only gives forces, by
+/// the host's part of the same step.
+pub(crate) trait World {
+    /// Back to one step after the scene's start, warm.
+    fn restart(&mut self);
+
+    /// One step of all.
+    fn step(&mut self);
+
+    /// Another steady load on a body.
+    fn load(&mut self, body: usize, force_n: Vec2);
+
+    fn state(&self, body: usize) -> BodyState;
+
+    /// Pairs in the last step's solve.
+    fn touching(&self) -> usize;
+
+    /// Largest normal force [N] and depth [m] within the last step, where the engine tells.
+    fn peaks(&self) -> Option<(f64, f64)>;
+}
+
+/// The engines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Engine {
+    /// Ours, the default.
+    Coupled,
+    /// Ours, by the paper's method and forward Euler.
+    Paper,
+    /// rapier2d-f64.
+    Rapier,
+}
+
+impl Engine {
+    pub(crate) const ALL: [Engine; 3] = [Engine::Coupled, Engine::Paper, Engine::Rapier];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Engine::Coupled => "coupled",
+            Engine::Paper => "paper",
+            Engine::Rapier => "rapier2d",
+        }
+    }
+
+    pub(crate) fn world(self, plan: &Plan, step_s: f64) -> Box<dyn World> {
+        match self {
+            Engine::Coupled => Box::new(Ours::new(plan, Method::Coupled, step_s)),
+            Engine::Paper => Box::new(Ours::new(plan, Method::Paper, step_s)),
+            Engine::Rapier => Box::new(Rapier::new(plan, step_s)),
+        }
+    }
+}
