@@ -142,7 +142,10 @@ fn idle_bodies_and_materials_are_told() {
     let scenario = parse(&SMALL[..start]);
     let shown: Vec<_> = scenario.notices.iter().map(ToString::to_string).collect();
     assert_eq!(shown.len(), 5);
-    assert_eq!(shown[0], "folder/small.toml:6:1: `material.soft`: no pair or fender uses this material");
+    assert_eq!(
+        shown[0],
+        "folder/small.toml:6:1: `material.soft`: no pair or fender uses this material"
+    );
     assert!(shown[2].contains("`body.tug`: no pair names this body"), "{}", shown[2]);
 }
 

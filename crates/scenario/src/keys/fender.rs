@@ -177,7 +177,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
             kind: Kind::Text,
             absent: Means("`hull_pressure_limit` says it, or no limit"),
             doc: "Type of ship, for the pressure that her side bears by the fender data.",
-            examples: &["\"container\""],
+            examples: &["\"container ship\""],
         },
     ],
     rules: Some(|| {
@@ -187,6 +187,10 @@ pub(super) static FENDER: TableSpec = TableSpec {
                 both("type", "stiffness"), both("type", "curve"), both("stiffness", "curve"),
                 both("size", "height"), both("size", "rated_reaction"),
                 both("type", "rated_deflection"), both("hull", "hull_pressure_limit"),
+                {
+                    "if": { "required": ["rated_deflection"] },
+                    "then": { "anyOf": [{ "required": ["stiffness"] }, { "required": ["curve"] }] }
+                },
             ],
             "if": { "required": ["type"] },
             "then": { "anyOf": [{ "required": ["size"] }, { "required": ["height"] }] },
