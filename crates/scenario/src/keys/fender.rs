@@ -70,7 +70,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
             name: "type",
             kind: Kind::Text,
             absent: Means("no type"),
-            doc: "A family of the fender data: cone, cone_spc, unit_element, v_leg, pneumatic, or one \
+            doc: "A family of the fender data: cone, cone SPC, unit element, V leg, pneumatic, or one \
                   of `fender_files`.",
             examples: &["\"cone\""],
         },
