@@ -51,6 +51,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod attitude;
 pub mod berthing;
 
 mod error;

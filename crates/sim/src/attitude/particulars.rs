@@ -1,0 +1,166 @@
+//! From a ship's particulars to her three oscillators.
+
+use std::fmt;
+
+use super::oscillator::Oscillator;
+
+/// Standard gravity [m/s²].
+const GRAVITY_MPS2: f64 = 9.806_65;
+
+/// A ship's heave, roll and pitch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hydrostatics {
+    /// Heave.
+    pub heave: Oscillator,
+    /// Roll.
+    pub roll: Oscillator,
+    /// Pitch.
+    pub pitch: Oscillator,
+}
+
+/// A particular with which no ship floats upright.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AttitudeError {
+    /// Which, with its unit.
+    pub quantity: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// What it must be.
+    pub must: &'static str,
+}
+
+impl fmt::Display for AttitudeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} must be {}, but is {}", self.quantity, self.must, self.value)
+    }
+}
+
+impl std::error::Error for AttitudeError {}
+
+/// What heave, roll and pitch are made from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FloatParticulars {
+    /// Displacement [kg].
+    pub mass_kg: f64,
+    /// Length [m].
+    pub length_m: f64,
+    /// Beam [m].
+    pub beam_m: f64,
+    /// Draught [m].
+    pub draught_m: f64,
+    /// Waterplane area [m²].
+    pub waterplane_m2: f64,
+    /// Transverse metacentric height GM [m].
+    pub gm_m: f64,
+    /// Density of the water [kg/m³].
+    pub water_kgpm3: f64,
+}
+
+/// Added mass in heave over displacement: a ship with a beam of five draughts (hydrodynamics sheet §7,
+/// *recalled*).
+const ADDED_HEAVE: f64 = 2.0;
+/// ζ of heave, roll and pitch (sheet §7; heave's is ours), *recalled*.
+const DAMPING: [f64; 3] = [0.3, 0.15, 0.3];
+/// Roll's radius of gyration over beam, added inertia included (sheet §7).
+const ROLL_GYRADIUS: f64 = 0.40;
+/// Pitch's radius of gyration over length, without added inertia.
+const PITCH_GYRADIUS: f64 = 0.25;
+
+impl Hydrostatics {
+    /// From main particulars: heave with A₃₃ = 2 m, roll with k = 0.40 B and GM, pitch with k = 0.25 L and
+    /// the waterplane's longitudinal moment of inertia by 0.350 C² − 0.405 C + 0.146 over B L³ (C the
+    /// waterplane coefficient; D'Arcangelo, *recalled*).
+    ///
+    /// # Errors
+    /// A ship that does not float upright: no mass, no size, GM not positive, a waterplane larger than
+    /// length by beam.
+    pub fn of(ship: &FloatParticulars) -> Result<Hydrostatics, AttitudeError> {
+        let positive = [
+            ("displacement [kg]", ship.mass_kg),
+            ("length [m]", ship.length_m),
+            ("beam [m]", ship.beam_m),
+            ("draught [m]", ship.draught_m),
+            ("waterplane area [m²]", ship.waterplane_m2),
+            ("metacentric height GM [m]", ship.gm_m),
+            ("density of the water [kg/m³]", ship.water_kgpm3),
+        ];
+        for (quantity, value) in positive {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(AttitudeError { quantity, value, must: "positive" });
+            }
+        }
+        let coefficient = ship.waterplane_m2 / (ship.length_m * ship.beam_m);
+        if coefficient > 1.0 {
+            let must = "at most length times beam";
+            let (quantity, value) = ("waterplane area [m²]", ship.waterplane_m2);
+            return Err(AttitudeError { quantity, value, must });
+        }
+        let (weight_n, specific_npm3) =
+            (ship.mass_kg * GRAVITY_MPS2, ship.water_kgpm3 * GRAVITY_MPS2);
+        let longitudinal_m4 = (0.350 * coefficient * coefficient - 0.405 * coefficient + 0.146)
+            * ship.beam_m
+            * ship.length_m
+            * ship.length_m
+            * ship.length_m;
+        let square = |k_m: f64| ship.mass_kg * k_m * k_m;
+        let [heave, roll, pitch] = DAMPING;
+        Ok(Hydrostatics {
+            heave: Oscillator {
+                inertia: ship.mass_kg * (1.0 + ADDED_HEAVE),
+                restoring: specific_npm3 * ship.waterplane_m2,
+                damping: heave,
+            },
+            roll: Oscillator {
+                inertia: square(ROLL_GYRADIUS * ship.beam_m),
+                restoring: weight_n * ship.gm_m,
+                damping: roll,
+            },
+            pitch: Oscillator {
+                inertia: square(PITCH_GYRADIUS * ship.length_m) * (1.0 + ADDED_HEAVE),
+                restoring: specific_npm3 * longitudinal_m4,
+                damping: pitch,
+            },
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CONTAINER: FloatParticulars = FloatParticulars {
+        mass_kg: 87.8e6,
+        length_m: 298.0,
+        beam_m: 46.0,
+        draught_m: 9.0,
+        waterplane_m2: 10_612.0,
+        gm_m: 1.0,
+        water_kgpm3: 1025.0,
+    };
+
+    /// The sheet's periods: heave about 9.9 s; roll 36.9, 26.1 and 16.5 s at GM 1, 2 and 5 m, printed to
+    /// a tenth.
+    #[test]
+    fn the_container_ships_periods() {
+        for (gm_m, roll_s) in [(1.0, 36.9), (2.0, 26.1), (5.0, 16.5)] {
+            let ship = Hydrostatics::of(&FloatParticulars { gm_m, ..CONTAINER }).unwrap();
+            assert!((ship.roll.period_s() - roll_s).abs() < 0.05, "{}", ship.roll.period_s());
+            assert!((ship.heave.period_s() - 9.9).abs() < 0.1, "{}", ship.heave.period_s());
+            // No period of pitch is published; a long ship pitches about as fast as she heaves.
+            assert!((0.7..1.3).contains(&(ship.pitch.period_s() / ship.heave.period_s())));
+        }
+    }
+
+    #[test]
+    fn ships_that_do_not_float_upright_are_refused_by_name() {
+        let refused = |ship| Hydrostatics::of(&ship).unwrap_err().to_string();
+        let said = refused(FloatParticulars { gm_m: -0.2, ..CONTAINER });
+        assert_eq!(said, "metacentric height GM [m] must be positive, but is -0.2");
+        assert!(
+            refused(FloatParticulars { mass_kg: f64::NAN, ..CONTAINER }).contains("displacement")
+        );
+        assert!(
+            refused(FloatParticulars { waterplane_m2: 2e4, ..CONTAINER }).contains("waterplane")
+        );
+    }
+}
