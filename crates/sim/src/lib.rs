@@ -53,6 +53,7 @@
 
 pub mod attitude;
 pub mod berthing;
+pub mod external;
 
 mod error;
 mod fender;
