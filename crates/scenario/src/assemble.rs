@@ -2,13 +2,14 @@
 //! between keys.
 
 mod fenders;
+mod providers;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_contact::{Material, Outline, Vec2};
 use fenderline_sim::{
     BodySetup, BodyVelocity, FenderSetup, Integrator, Load, MassProperties, Method, NamedMaterial,
-    PairSetup, Setup,
+    PairSetup, Setup, WorldSetup,
 };
 
 use crate::checked::{Item, Table};
@@ -37,6 +38,7 @@ pub(crate) fn setup(
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
     let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
     let fenders = assembly.fenders(file.given("fender").named(), library, &materials, &names)?;
+    let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
     let berthing = file.item("berthing").map(Item::table);
     let berthing = assembly.berthing(berthing, &bodies, &names)?;
     assembly.note_unused(file, &bodies, &pairs, &fenders);
@@ -52,6 +54,7 @@ pub(crate) fn setup(
         fenders,
         berthing,
         loads,
+        world: WorldSetup { providers },
     })
 }
 

@@ -4,6 +4,7 @@
 //! floats. To add a key: add it here, then use it in [`crate::assemble`].
 
 mod fender;
+mod provider;
 
 use serde_json::json;
 
@@ -80,6 +81,13 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             kind: Kind::Table(&fender::BERTHING),
             absent: Means("no study"),
             doc: "Particulars for the berthing energy by formula beside that of the run.",
+            examples: &[],
+        },
+        KeySpec {
+            name: "provider",
+            kind: Kind::List(&provider::PROVIDER),
+            absent: Is("[]"),
+            doc: "Programs that put forces on bodies.",
             examples: &[],
         },
         KeySpec {

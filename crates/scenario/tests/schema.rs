@@ -123,6 +123,9 @@ fn full() -> Json {
             }
         },
         "fender_files": [],
+        "provider": [
+            { "body": "a", "command": ["python3", "x.py"], "timeout": "0.5 s", "hold": 2 }
+        ],
         "berthing": {
             "ship": "a", "length_bp": 285, "beam": "46 m", "draught": 9, "block_coefficient": 0.75,
             "under_keel_clearance": 3, "softness": "hard", "configuration": "semi_open",

@@ -22,6 +22,14 @@ pub(crate) fn gather_loads(loads: &[Load], t_s: f64, step_s: f64, into: &mut [Wr
     }
 }
 
+/// Adds what the host puts on each body; on fixed ones it moves nothing.
+pub(crate) fn add_external(external: &[Wrench], into: &mut [Wrench]) {
+    for (load, wrench) in into.iter_mut().zip(external) {
+        load.force_n += wrench.force_n;
+        load.moment_nm += wrench.moment_nm;
+    }
+}
+
 /// Loads and contact, body by body.
 pub(crate) fn gather(loads: &[Wrench], contact: &[Wrench], into: &mut [Wrench]) {
     for ((sum, load), contact) in into.iter_mut().zip(loads).zip(contact) {

@@ -40,6 +40,7 @@
 //!     fenders: vec![],
 //!     berthing: None,
 //!     loads: vec![],
+//!     world: WorldSetup::default(),
 //! };
 //! let mut simulation = Simulation::new(setup)?;
 //! while !simulation.is_done() {
@@ -65,6 +66,7 @@ mod rigid_body;
 mod setup;
 mod simulation;
 mod summary;
+mod world;
 
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, Rated};
@@ -75,3 +77,4 @@ pub use setup::{
 };
 pub use simulation::Simulation;
 pub use summary::PairSummary;
+pub use world::{ProviderSetup, WorldSetup};

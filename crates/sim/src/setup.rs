@@ -4,6 +4,7 @@ use fenderline_contact::{Material, Outline, Vec2};
 
 use crate::berthing::BerthingSetup;
 use crate::fender::FenderSetup;
+use crate::world::WorldSetup;
 
 /// A whole simulation before its first step.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +31,8 @@ pub struct Setup {
     pub berthing: Option<BerthingSetup>,
     /// External loads.
     pub loads: Vec<Load>,
+    /// Everything else that acts on the bodies.
+    pub world: WorldSetup,
 }
 
 /// How states advance from step to step.

@@ -8,7 +8,7 @@ use fenderline_contact::{
 use crate::berthing::{BerthingError, BerthingOutcome, Study, StudyStep};
 use crate::error::{SetupError, SimError};
 use crate::fender::{FenderSetup, FenderSummaries, FenderSummary};
-use crate::gather::{gather, gather_loads};
+use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{Rate, euler, semi_implicit};
 use crate::ledger::{Books, Ledger, MeanVelocity, WorkBy};
 use crate::record::{Energy, StepRecord};
@@ -42,6 +42,8 @@ pub struct Simulation {
 #[derive(Clone, Debug)]
 struct Buffers {
     loads: Vec<Wrench>,
+    /// What the host puts on each body in the next step.
+    external: Vec<Wrench>,
     sums: Vec<Wrench>,
     rates: [Vec<Rate>; 4],
     trial: Vec<BodyState>,
@@ -71,6 +73,7 @@ impl Simulation {
         let memory = Memory::new(&model);
         let buffers = Buffers {
             loads: vec![Wrench::default(); count],
+            external: vec![Wrench::default(); count],
             sums: vec![Wrench::default(); count],
             rates: std::array::from_fn(|_| vec![Rate::default(); count]),
             trial: states.clone(),
@@ -165,6 +168,19 @@ impl Simulation {
         self.study.as_ref()?.outcome.as_ref().map(Result::as_ref)
     }
 
+    /// Sets the wrench that the host itself puts on each body, from the next step on and until it is set
+    /// again: forces of another program, of a controller, of a model of its own.
+    ///
+    /// # Panics
+    /// Without one wrench a body, or with one that is not finite.
+    pub fn set_external(&mut self, wrenches: &[Wrench]) {
+        assert_eq!(wrenches.len(), self.states.len(), "one wrench a body");
+        for wrench in wrenches {
+            assert!(wrench.force_n.is_finite() && wrench.moment_nm.is_finite(), "a finite wrench");
+        }
+        self.buffers.external.copy_from_slice(wrenches);
+    }
+
     /// Takes one step; beyond the run's duration it simply goes on.
     ///
     /// # Errors
@@ -177,6 +193,7 @@ impl Simulation {
         }
         // Stages 1–5: the contact engine.
         gather_loads(&self.setup.loads, t_s, step_s, &mut self.buffers.loads);
+        add_external(&self.buffers.external, &mut self.buffers.loads);
         self.contact().map_err(|cause| SimError { t_s, cause })?;
         // Stages 6 and 7: everything that acts on each body, and the next states.
         self.buffers.before.clone_from(&self.states);

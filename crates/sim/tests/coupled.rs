@@ -46,6 +46,7 @@ fn ship_and_fenders(
         fenders: vec![],
         berthing: None,
         loads: vec![],
+        world: fenderline_sim::WorldSetup::default(),
     }
 }
 

@@ -98,6 +98,7 @@ fn berth(fenders: Vec<FenderSetup>, gap_m: f64, step_s: f64, duration_s: f64) ->
         fenders,
         berthing: None,
         loads: vec![],
+        world: fenderline_sim::WorldSetup::default(),
     }
 }
 

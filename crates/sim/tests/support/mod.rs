@@ -70,5 +70,6 @@ pub(crate) fn two(
         fenders: vec![],
         berthing: None,
         loads: vec![],
+        world: fenderline_sim::WorldSetup::default(),
     }
 }

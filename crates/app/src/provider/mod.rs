@@ -1,0 +1,89 @@
+//! Other programs that put forces on bodies: one process a provider, one line of JSON a question and an
+//! answer.
+
+mod process;
+mod protocol;
+
+use fenderline_contact::{Rotation, Wrench};
+use fenderline_sim::external::{Provided, ProviderEvent, Question};
+use fenderline_sim::{ProviderSetup, Simulation};
+
+use self::process::Process;
+use crate::failure::Failure;
+
+/// All providers of a run.
+pub(crate) struct Providers {
+    all: Vec<Provider>,
+    wrenches: Vec<Wrench>,
+    events: Vec<ProviderEvent>,
+}
+
+struct Provider {
+    setup: ProviderSetup,
+    process: Process,
+    provided: Provided,
+}
+
+/// Something that happened to a provider, as results tell it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ProviderNotice {
+    pub(crate) t_s: f64,
+    pub(crate) provider: usize,
+    pub(crate) event: ProviderEvent,
+}
+
+impl Providers {
+    /// Starts the processes of a set-up.
+    ///
+    /// # Errors
+    /// A command that cannot be started.
+    pub(crate) fn start(simulation: &Simulation) -> Result<Providers, Failure> {
+        let setup = simulation.setup();
+        let mut all = Vec::with_capacity(setup.providers.len());
+        for provider in &setup.providers {
+            let body = &setup.bodies[provider.body].name;
+            let hello = protocol::hello(body, setup.step_s);
+            let process = Process::start(&provider.command, provider.timeout_s, &hello);
+            let process = process.map_err(|why| {
+                let command = provider.command.join(" ");
+                Failure::case(format_args!("error: cannot start the provider `{command}`: {why}"))
+            })?;
+            let provided = Provided::new(provider.hold_s);
+            all.push(Provider { setup: provider.clone(), process, provided });
+        }
+        let wrenches = vec![Wrench::default(); setup.bodies.len()];
+        Ok(Providers { all, wrenches, events: Vec::new() })
+    }
+
+    /// Asks every provider for the step to come and hands the sums to the simulation; what happened is
+    /// given to `tell`.
+    pub(crate) fn ask(
+        &mut self,
+        simulation: &mut Simulation,
+        mut tell: impl FnMut(ProviderNotice),
+    ) {
+        if self.all.is_empty() {
+            return;
+        }
+        self.wrenches.fill(Wrench::default());
+        let (t_s, step_s) = (simulation.time_s(), simulation.setup().step_s);
+        for (index, provider) in self.all.iter_mut().enumerate() {
+            let body = provider.setup.body;
+            let question = Question { t_s, step_s, state: simulation.states()[body] };
+            let wrench =
+                provider.provided.ask(&mut provider.process, &question, &mut self.events);
+            self.wrenches[body].force_n += wrench.force_n;
+            self.wrenches[body].moment_nm += wrench.moment_nm;
+            for event in self.events.drain(..) {
+                tell(ProviderNotice { t_s, provider: index, event });
+            }
+        }
+        simulation.set_external(&self.wrenches);
+    }
+}
+
+/// A force in a body's axes, earth-fixed.
+fn earth_fixed(question: &Question, forward_n: f64, starboard_n: f64) -> fenderline_contact::Vec2 {
+    let own = fenderline_contact::vec2(forward_n, starboard_n);
+    Rotation::from_angle(question.state.heading_rad).apply(own)
+}

@@ -1,0 +1,124 @@
+//! A provider in a process of its own, spoken to over its standard input and output.
+
+use std::io::{BufRead as _, BufReader, Read as _, Write as _};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::time::{Duration, Instant};
+
+use fenderline_sim::external::{Answer, ForceProvider, Question};
+
+use super::protocol;
+
+/// Longest line that a provider may write [bytes].
+const LONGEST_LINE: u64 = 64 * 1024;
+
+/// A running provider.
+pub(super) struct Process {
+    child: Child,
+    /// `None` once it has closed its input.
+    input: Option<ChildStdin>,
+    lines: Receiver<String>,
+    timeout: Duration,
+    asked: u64,
+}
+
+impl Process {
+    /// Starts a command and greets it.
+    pub(super) fn start(
+        command: &[String],
+        timeout_s: f64,
+        hello: &str,
+    ) -> Result<Process, std::io::Error> {
+        let [program, arguments @ ..] = command else {
+            return Err(std::io::Error::other("the command is empty"));
+        };
+        let mut child = Command::new(program)
+            .args(arguments)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let output = child.stdout.take().ok_or_else(|| std::io::Error::other("no output"))?;
+        let input = child.stdin.take();
+        // A provider that talks without being asked fills the channel and then waits itself.
+        let (send, lines) = sync_channel(64);
+        std::thread::spawn(move || listen(output, &send));
+        let timeout = Duration::from_secs_f64(timeout_s);
+        let mut process = Process { child, input, lines, timeout, asked: 0 };
+        process.say(hello);
+        Ok(process)
+    }
+
+    fn say(&mut self, line: &str) {
+        let said = self.input.as_mut().map(|input| {
+            input.write_all(line.as_bytes()).and_then(|()| input.write_all(b"\n"))?;
+            input.flush()
+        });
+        if matches!(said, Some(Err(_))) {
+            self.input = None;
+        }
+    }
+
+    /// Why it does not answer any more.
+    fn epitaph(&mut self) -> String {
+        match self.child.try_wait() {
+            Ok(Some(status)) => format!("it ended: {status}"),
+            _ => "it closed its output".to_owned(),
+        }
+    }
+}
+
+impl ForceProvider for Process {
+    fn ask(&mut self, question: &Question) -> Answer {
+        let n = self.asked;
+        self.asked += 1;
+        self.say(&protocol::question(n, question));
+        let until = Instant::now() + self.timeout;
+        loop {
+            let left = until.saturating_duration_since(Instant::now());
+            match self.lines.recv_timeout(left) {
+                Ok(line) => match protocol::answer(&line, question) {
+                    Some((answered, wrench)) if answered == n => return Answer::Wrench(wrench),
+                    // An answer that came too late for its own step, or a line that is none.
+                    _ => {}
+                },
+                Err(RecvTimeoutError::Timeout) => return Answer::Late,
+                Err(RecvTimeoutError::Disconnected) => return Answer::Dead(self.epitaph()),
+            }
+        }
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        // A provider that reads to the end of its input ends by itself; one that does not is ended.
+        self.input = None;
+        let until = Instant::now() + Duration::from_millis(500);
+        while Instant::now() < until {
+            if matches!(self.child.try_wait(), Ok(Some(_))) {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// Hands on the provider's lines until it ends or nobody listens; an overlong line is cut, and so no answer.
+fn listen(output: ChildStdout, send: &SyncSender<String>) {
+    let mut reader = BufReader::new(output);
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        let read = reader.by_ref().take(LONGEST_LINE).read_until(b'\n', &mut line);
+        match read {
+            Ok(0) | Err(_) => return,
+            Ok(_) => {
+                let text = String::from_utf8_lossy(&line).into_owned();
+                if send.send(text).is_err() {
+                    return;
+                }
+            }
+        }
+    }
+}
