@@ -5,6 +5,7 @@ mod support;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use fenderline_contact::{EventKind, FenderLaw, Material, ReactionFactors, Stop, vec2};
+use fenderline_sim::berthing::{BerthingSetup, Configuration, Softness};
 use fenderline_sim::{
     BodySetup, Energy, FenderSetup, Integrator, Load, Method, NamedMaterial, PairSetup, Rated,
     Setup, Simulation,
@@ -194,6 +195,47 @@ fn factors_scale_the_reaction_and_are_those_of_the_first_touch() {
     let free = cone(1.2, 1.2e6).reaction_n(summary.peak_deflection_m);
     let peak = summary.peak_reaction_n / (free * summary.factor);
     assert!((peak - 1.0).abs() < 0.02, "{peak}");
+}
+
+/// She comes straight at a fender 60 m ahead of midships, her side along the quay: by formula
+/// Ce = (K² + R² cos²γ)/(K² + R²) where the face holds her, K²/(K² + a²) where she slides freely.
+#[test]
+fn the_study_of_a_berthing_finds_the_energy_that_ce_says() {
+    for (friction, shear_npm) in [(0.0, 0.0), (100.0, 1e11)] {
+        let mut setup = berth(vec![fender("ahead", 60.0, 1.6, 3e6)], 0.3, 0.1, 40.0);
+        setup.materials[1].material.friction_static = friction;
+        setup.materials[1].material.friction_dynamic = friction;
+        setup.materials[1].material.shear_stiffness_npm = shear_npm;
+        setup.bodies[1].velocity.sway_mps = 0.12;
+        setup.berthing = Some(BerthingSetup {
+            ship: 1,
+            length_bp_m: 285.0,
+            beam_m: 46.0,
+            draught_m: 9.0,
+            under_keel_clearance_m: 3.0,
+            block_coefficient: 0.73,
+            softness: Softness::Soft,
+            configuration: Configuration::SolidQuay,
+            abnormal_factor: None,
+        });
+        let simulation = run(setup);
+        let outcome = simulation.berthing().expect("touched").expect("a ship");
+        assert!((outcome.along_m - 60.0).abs() < 1.0, "{}", outcome.along_m);
+        assert!((outcome.speed_mps - 0.12).abs() < 1e-9);
+        assert!((outcome.kinetic_j / (0.5 * 1.5 * 87.8e6 * 0.0144) - 1.0).abs() < 1e-9);
+        let k = outcome.gyradius_simulated_m;
+        let frictionless = k * k / (k * k + outcome.along_m * outcome.along_m);
+        // The formula's mass is the same in all directions; here she is lighter in surge, and where the
+        // face holds her that costs her a little more.
+        let (by_formula, tolerance) = if friction == 0.0 {
+            (frictionless, 0.01)
+        } else {
+            (outcome.eccentricity_of_run, 0.05)
+        };
+        let measured = outcome.eccentricity_measured;
+        assert!((measured / by_formula - 1.0).abs() < tolerance, "{measured}, not {by_formula}");
+        assert_eq!(outcome.configuration, 0.8);
+    }
 }
 
 /// Wind on, and a current along below what friction holds.

@@ -93,7 +93,8 @@ pub struct BerthingOutcome {
     pub abnormal_energy_j: Option<f64>,
     /// Kinetic energy of the run square to the face at first touch, ½ M Cm V² [J].
     pub kinetic_j: f64,
-    /// The most that all fenders together stored at a time of the run [J].
+    /// The most that all fenders together stored at a time of the first hit [J]: from the first touch until
+    /// they hold less than half of it again. Loads that act meanwhile are in it.
     pub fender_energy_j: f64,
     /// That over `kinetic_j`: Ce as it came out.
     pub eccentricity_measured: f64,
@@ -104,6 +105,7 @@ pub struct BerthingOutcome {
 pub(crate) struct Study {
     setup: BerthingSetup,
     displacement_kg: f64,
+    first_hit_is_over: bool,
     pub(crate) outcome: Option<Result<BerthingOutcome, BerthingError>>,
 }
 
@@ -119,7 +121,7 @@ pub(crate) struct StudyStep<'a> {
 impl Study {
     /// The particulars have been checked.
     pub(crate) fn new(setup: BerthingSetup, displacement_kg: f64) -> Study {
-        Study { setup, displacement_kg, outcome: None }
+        Study { setup, displacement_kg, first_hit_is_over: false, outcome: None }
     }
 
     /// Books one step.
@@ -133,6 +135,9 @@ impl Study {
             c.fender.is_some()
                 && [c.body_1.0 as usize, c.body_2.0 as usize].contains(&self.setup.ship)
         };
+        if self.first_hit_is_over {
+            return;
+        }
         let Some(contact) = step.contacts.iter().find(of_ship) else { return };
         if self.outcome.is_none() {
             self.outcome = Some(self.first_touch(fenders, inertias, step, contact));
@@ -142,6 +147,9 @@ impl Study {
         // Peaks of one step need not come together; what is stored at its end does.
         outcome.fender_energy_j = outcome.fender_energy_j.max(step.stored_j.min(peaks_j));
         outcome.eccentricity_measured = outcome.fender_energy_j / outcome.kinetic_j;
+        // A first brush of no account is not the hit.
+        let was_hit = outcome.fender_energy_j > 0.05 * outcome.kinetic_j;
+        self.first_hit_is_over = was_hit && step.stored_j < 0.5 * outcome.fender_energy_j;
     }
 
     fn first_touch(
