@@ -54,6 +54,7 @@
 
 pub mod attitude;
 pub mod berthing;
+pub mod control;
 pub mod external;
 
 mod error;

@@ -1,0 +1,118 @@
+//! Which of several thrusters and tugs gives how much of a lateral force and a yaw moment.
+
+/// A device that pushes sideways at a place along the hull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LateralDevice {
+    /// Place ahead of the centre of gravity [m].
+    pub forward_m: f64,
+    /// Least and greatest force to starboard that it can give now [N].
+    pub limits_n: [f64; 2],
+}
+
+/// Forces to starboard of all devices [N] that together give a lateral force [N] and a yaw moment [N·m],
+/// with the least sum of squares; what one cannot give the others take as far as they can.
+///
+/// Least squares with two conditions: f_i = λ + μ x_i. A device at its limit keeps it, and the rest is
+/// shared again among the others: at most as many rounds as there are devices.
+///
+/// ```
+/// use fenderline_sim::control::{LateralDevice, allocate};
+/// let tug = |forward_m| LateralDevice { forward_m, limits_n: [0.0, 400e3] };
+/// let mut forces_n = [0.0; 2];
+/// allocate(&[tug(80.0), tug(-80.0)], 300e3, 0.0, &mut forces_n);
+/// assert!((forces_n[0] - 150e3).abs() < 1e-6 && (forces_n[1] - 150e3).abs() < 1e-6);
+/// ```
+///
+/// # Panics
+/// Without one place for each device's force.
+pub fn allocate(devices: &[LateralDevice], force_n: f64, moment_nm: f64, forces_n: &mut [f64]) {
+    assert_eq!(devices.len(), forces_n.len(), "one force a device");
+    forces_n.fill(f64::NAN);
+    for _ in 0..devices.len() {
+        let free = || (0..devices.len()).filter(|&i| forces_n[i].is_nan());
+        let (mut rest_n, mut rest_nm) = (force_n, moment_nm);
+        for (device, given_n) in devices.iter().zip(&*forces_n).filter(|(_, n)| !n.is_nan()) {
+            rest_n -= given_n;
+            rest_nm -= given_n * device.forward_m;
+        }
+        let (mut count, mut first, mut second) = (0.0, 0.0, 0.0);
+        for i in free() {
+            let x = devices[i].forward_m;
+            count += 1.0;
+            first += x;
+            second += x * x;
+        }
+        let determinant = count * second - first * first;
+        // Devices at one place cannot turn her: the force comes first.
+        let (level, slope) = if determinant > 1e-9 * (second + 1.0) * count {
+            (
+                (rest_n * second - rest_nm * first) / determinant,
+                (rest_nm * count - rest_n * first) / determinant,
+            )
+        } else if count > 0.0 {
+            (rest_n / count, 0.0)
+        } else {
+            return;
+        };
+        // The worst offender is set to its limit first, so that the order of devices does not matter.
+        let excess = |i: usize| {
+            let wanted_n = level + slope * devices[i].forward_m;
+            let [low, high] = devices[i].limits_n;
+            (wanted_n - wanted_n.clamp(low.min(high), high.max(low))).abs()
+        };
+        let worst = free().fold(None, |worst: Option<usize>, i| match worst {
+            Some(w) if excess(w) >= excess(i) => Some(w),
+            _ => Some(i),
+        });
+        let Some(worst) = worst else { return };
+        let over_n = excess(worst);
+        if over_n > 0.0 {
+            let wanted_n = level + slope * devices[worst].forward_m;
+            let [low, high] = devices[worst].limits_n;
+            forces_n[worst] = wanted_n.clamp(low.min(high), high.max(low));
+            continue;
+        }
+        let open: Vec<usize> = free().collect();
+        for i in open {
+            forces_n[i] = level + slope * devices[i].forward_m;
+        }
+        return;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn given(devices: &[LateralDevice], force_n: f64, moment_nm: f64) -> (f64, f64, Vec<f64>) {
+        let mut forces_n = vec![0.0; devices.len()];
+        allocate(devices, force_n, moment_nm, &mut forces_n);
+        let moment = devices.iter().zip(&forces_n).map(|(d, f)| d.forward_m * f).sum();
+        (forces_n.iter().sum(), moment, forces_n)
+    }
+
+    const fn device(forward_m: f64, low: f64, high: f64) -> LateralDevice {
+        LateralDevice { forward_m, limits_n: [low, high] }
+    }
+
+    #[test]
+    fn force_and_moment_come_out_where_the_devices_can_give_them() {
+        let devices =
+            [device(100.0, -1e6, 1e6), device(-60.0, -1e6, 1e6), device(120.0, -1e6, 1e6)];
+        let (force, moment, _) = given(&devices, 2e5, -3e6);
+        assert!((force - 2e5).abs() < 1e-6 && (moment + 3e6).abs() < 1e-3);
+    }
+
+    #[test]
+    fn what_one_cannot_give_the_others_take() {
+        let devices = [device(100.0, 0.0, 1e5), device(-100.0, 0.0, 1e6), device(0.0, 0.0, 1e6)];
+        let (force, _, forces) = given(&devices, 9e5, 0.0);
+        assert_eq!(forces[0], 1e5);
+        assert!((force - 9e5).abs() < 1e-6, "{forces:?}");
+        // More than all of them: each at its limit.
+        let (force, _, _) = given(&devices, 9e7, 0.0);
+        assert_eq!(force, 2.1e6);
+        assert_eq!(given(&[], 1.0, 1.0).0, 0.0);
+        assert_eq!(given(&[device(5.0, -1.0, 1.0); 2], 1.0, 99.0).0, 1.0);
+    }
+}

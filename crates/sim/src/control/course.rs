@@ -1,0 +1,90 @@
+//! Keeping a course and a speed with rudder and engine.
+
+use super::turn_to;
+
+/// Keeps a heading with the rudder: δ = Kp (ψ_wanted − ψ) − Kd r, within the stops.
+///
+/// The gains that `of_ship` takes are customary for a helmsman's feel, not tuned for a ship: a rudder of as
+/// many degrees as she is off, and a counter-rudder for a turn of her own length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoursePilot {
+    /// Wanted heading [rad].
+    pub heading_rad: f64,
+    /// Kp [rad/rad].
+    pub gain: f64,
+    /// Kd [rad/(rad/s)].
+    pub rate_gain_s: f64,
+    /// Stops of the rudder [rad].
+    pub stop_rad: f64,
+}
+
+impl CoursePilot {
+    /// For a ship of this length at this speed.
+    #[must_use]
+    pub fn of_ship(heading_rad: f64, length_m: f64, speed_mps: f64, stop_rad: f64) -> CoursePilot {
+        let rate_gain_s = 1.5 * length_m / speed_mps.abs().max(0.5);
+        CoursePilot { heading_rad, gain: 1.0, rate_gain_s, stop_rad }
+    }
+
+    /// The rudder that it asks for [rad]. Astern the rudder works the other way round.
+    #[must_use]
+    pub fn rudder_rad(&self, heading_rad: f64, yaw_rate_radps: f64, surge_mps: f64) -> f64 {
+        let ask =
+            self.gain * turn_to(heading_rad, self.heading_rad) - self.rate_gain_s * yaw_rate_radps;
+        let ask = if surge_mps < -0.1 { -ask } else { ask };
+        ask.clamp(-self.stop_rad, self.stop_rad)
+    }
+}
+
+/// Keeps a speed with the engine: a share of full revolutions by proportion and integral.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpeedPilot {
+    /// Wanted speed ahead through the water [m/s].
+    pub speed_mps: f64,
+    /// Speed at full revolutions [m/s]: for the first guess.
+    pub full_speed_mps: f64,
+    /// Time in which a constant error would move the order by as much as the error itself does [s].
+    pub integral_s: f64,
+    /// The integral so far [1].
+    pub integral: f64,
+}
+
+impl SpeedPilot {
+    /// The share of full revolutions that it asks for in this step, −1 to 1. While the order stands at its
+    /// stop the integral waits.
+    pub fn revolutions(&mut self, surge_mps: f64, step_s: f64) -> f64 {
+        let error = (self.speed_mps - surge_mps) / self.full_speed_mps;
+        let first_guess = self.speed_mps / self.full_speed_mps;
+        let ask = first_guess + 3.0 * error + self.integral;
+        if ask.abs() < 1.0 {
+            self.integral += 3.0 * error * step_s / self.integral_s;
+        }
+        ask.clamp(-1.0, 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rudder_goes_the_short_way_round_and_counters_a_turn() {
+        let pilot = CoursePilot::of_ship(0.1, 200.0, 5.0, 0.6);
+        assert!(pilot.rudder_rad(6.2, 0.0, 5.0) > 0.0, "over north, not round by south");
+        assert!(pilot.rudder_rad(0.1, 0.01, 5.0) < 0.0);
+        assert!(pilot.rudder_rad(0.0, 0.0, -2.0) < 0.0, "astern");
+        assert_eq!(pilot.rudder_rad(3.0, 0.0, 5.0), -0.6);
+    }
+
+    #[test]
+    fn a_speed_against_a_steady_drag_is_reached() {
+        // u̇ = (revolutions − drag)/30 s, with a drag that the first guess does not know.
+        let mut pilot =
+            SpeedPilot { speed_mps: 3.0, full_speed_mps: 8.0, integral_s: 60.0, integral: 0.0 };
+        let mut u = 0.0;
+        for _ in 0..6000 {
+            u += 0.1 * (8.0 * pilot.revolutions(u, 0.1) - u - 1.5) / 30.0;
+        }
+        assert!((u - 3.0).abs() < 1e-3, "{u}");
+    }
+}
