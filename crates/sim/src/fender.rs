@@ -88,7 +88,7 @@ pub struct FenderSummary {
     pub peak_deflection_m: f64,
     /// Start of the step of the largest deflection [s].
     pub peak_deflection_at_s: f64,
-    /// Largest reaction [N].
+    /// Largest reaction along its axis [N].
     pub peak_reaction_n: f64,
     /// Start of the step of the largest reaction [s]; a fender that buckles has it before its largest
     /// deflection.
@@ -145,8 +145,9 @@ impl FenderSummaries {
             let summary =
                 self.all[index].get_or_insert_with(|| first_touch(index, setup, contact, t_s));
             let (reaction_n, energy_j) = &mut self.now[index];
-            // Two hulls on one fender press together.
-            *reaction_n += contact.peak_normal_force_n;
+            // Two hulls on one fender press together; of a tilted hull's force the fender's reaction is the
+            // part along its axis.
+            *reaction_n += contact.peak_normal_force_n * libm::cos(contact.tilt_rad);
             *energy_j += contact.peak_stored_j;
             book_contact(summary, setup, contact, t_s);
             book_peaks(summary, setup, *reaction_n, *energy_j, t_s);
@@ -195,7 +196,7 @@ fn first_touch(index: usize, setup: &FenderSetup, contact: &Contact, t_s: f64) -
 }
 
 fn book_contact(summary: &mut FenderSummary, setup: &FenderSetup, contact: &Contact, t_s: f64) {
-    summary.last_reaction_n += contact.normal_force_n;
+    summary.last_reaction_n += contact.normal_force_n * libm::cos(contact.tilt_rad);
     summary.last_deflection_m = summary.last_deflection_m.max(contact.depth_m);
     let deflection_m = contact.peak_depth_m;
     if deflection_m > summary.peak_deflection_m {
