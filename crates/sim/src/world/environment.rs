@@ -1,0 +1,47 @@
+//! Wind, current and water of a run.
+
+use fenderline_contact::Vec2;
+
+use crate::environment::current::Current;
+use crate::environment::wind::Wind;
+use crate::hydro;
+
+/// The surroundings of a [`crate::WorldSetup`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Environment {
+    /// Wind.
+    pub wind: Option<Wind>,
+    /// Current.
+    pub current: Option<Current>,
+    /// Density of the water [kg/m³].
+    pub water_density_kgpm3: f64,
+    /// Density of the air [kg/m³].
+    pub air_density_kgpm3: f64,
+    /// Depth of the water [m]; `None`: deep.
+    pub depth_m: Option<f64>,
+}
+
+impl Default for Environment {
+    /// Deep sea water, no wind, no current.
+    fn default() -> Environment {
+        Environment {
+            wind: None,
+            current: None,
+            water_density_kgpm3: 1025.0,
+            air_density_kgpm3: 1.225,
+            depth_m: None,
+        }
+    }
+}
+
+impl Environment {
+    pub(crate) fn density(&self) -> hydro::Water {
+        hydro::Water { density_kgpm3: self.water_density_kgpm3 }
+    }
+
+    /// Current over a ship's draught [m/s].
+    pub(crate) fn current(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {
+        let current = self.current.as_ref();
+        current.map_or(Vec2::ZERO, |current| current.velocity(position_m, t_s, draught_m))
+    }
+}

@@ -1,0 +1,243 @@
+//! A ship in her water and wind: from her state and controls to the wrench on her body.
+
+use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
+
+use super::environment::Environment;
+use crate::attitude::{Attitude, Drive, Hydrostatics};
+use crate::environment::wind::{RelativeWind, ShipWindage};
+use crate::hydro::actuator::{Lag, Order, RateLimited};
+use crate::hydro::{Controls, Force, Mmg, TunnelThruster, Velocity};
+
+/// A ship of a set-up: what turns a body into a vessel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VesselSetup {
+    /// Index of her body in [`crate::Setup::bodies`].
+    pub body: usize,
+    /// Hull, propeller and rudder, about midship.
+    pub ship: Mmg,
+    /// Rudder where it starts, with its rate and stop [rad].
+    pub rudder: RateLimited,
+    /// Shaft where it starts, with its rate and its full revolutions as the stop [1/s].
+    pub shaft: RateLimited,
+    /// Tunnel thrusters.
+    pub thrusters: Vec<TunnelThruster>,
+    /// Time constant of the thrusters [s].
+    pub thruster_lag_s: f64,
+    /// Wind areas.
+    pub windage: Option<ShipWindage>,
+    /// Heave, roll and pitch.
+    pub float: Option<Float>,
+}
+
+/// What heave, roll and pitch need.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Float {
+    /// The three oscillators.
+    pub hydrostatics: Hydrostatics,
+    /// Centre of gravity above the still waterline [m]; negative below it.
+    pub gravity_above_water_m: f64,
+    /// Draught [m].
+    pub draught_m: f64,
+}
+
+/// What the bridge has ordered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VesselOrders {
+    /// Rudder [rad].
+    pub rudder_rad: f64,
+    /// Revolutions over full ones.
+    pub shaft: f64,
+    /// Each thruster, −1 (to port) to 1.
+    pub thrusters: Vec<f64>,
+}
+
+/// What changes of a vessel besides her state in the plane: plain data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VesselState {
+    /// Orders that stand.
+    pub orders: VesselOrders,
+    /// Rudder now.
+    pub rudder: RateLimited,
+    /// Shaft now.
+    pub shaft: RateLimited,
+    /// Thrusters now.
+    pub thrusters: Vec<Lag>,
+    /// Heave, roll and pitch, without first-order wave motion.
+    pub attitude: Attitude,
+}
+
+/// Where the forces on a vessel come from, in her axes about midship.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VesselForces {
+    /// Hull, current in it.
+    pub hull: Force,
+    /// Propeller.
+    pub propeller: Force,
+    /// Rudder.
+    pub rudder: Force,
+    /// Thrusters.
+    pub thrusters: Force,
+    /// Wind.
+    pub wind: Force,
+    /// Mean wave drift.
+    pub waves: Force,
+}
+
+impl VesselForces {
+    fn sum(&self) -> Force {
+        self.hull + self.propeller + self.rudder + self.thrusters + self.wind + self.waves
+    }
+}
+
+impl VesselState {
+    /// At the start of a run.
+    pub(crate) fn new(setup: &VesselSetup) -> VesselState {
+        VesselState {
+            orders: VesselOrders {
+                rudder_rad: setup.rudder.value,
+                shaft: setup.shaft.value / setup.shaft.stop,
+                thrusters: vec![0.0; setup.thrusters.len()],
+            },
+            rudder: setup.rudder,
+            shaft: setup.shaft,
+            thrusters: vec![
+                Lag { value: 0.0, time_constant_s: setup.thruster_lag_s };
+                setup.thrusters.len()
+            ],
+            attitude: Attitude::default(),
+        }
+    }
+
+    /// Moves rudder, shaft and thrusters towards their orders; true where an order was beyond a stop.
+    pub(crate) fn act(&mut self, step_s: f64) -> bool {
+        let mut clamped = self.rudder.step(self.orders.rudder_rad, step_s) == Order::Clamped;
+        let shaft_rps = self.orders.shaft * self.shaft.stop;
+        clamped |= self.shaft.step(shaft_rps, step_s) == Order::Clamped;
+        for (lag, &order) in self.thrusters.iter_mut().zip(&self.orders.thrusters) {
+            let within = if order.is_nan() { lag.value } else { order.clamp(-1.0, 1.0) };
+            clamped |= within != order;
+            lag.step(within, step_s);
+        }
+        clamped
+    }
+}
+
+impl VesselSetup {
+    /// The forces of a step that begins at a state.
+    pub(crate) fn forces(
+        &self,
+        vessel: &VesselState,
+        state: &BodyState,
+        environment: &Environment,
+        t_s: f64,
+    ) -> VesselForces {
+        let velocity = self.velocity(state, environment, t_s);
+        let water = environment.density();
+        let controls =
+            Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
+        let parts = self.ship.parts(&velocity, &controls, water);
+        let thrusters = self
+            .thrusters
+            .iter()
+            .zip(&vessel.thrusters)
+            .fold(Force::default(), |sum, (thruster, lag)| {
+                sum + thruster.force(lag.value, &velocity)
+            });
+        VesselForces {
+            hull: parts.hull,
+            propeller: parts.propeller,
+            rudder: parts.rudder,
+            thrusters,
+            wind: self.wind(state, environment, t_s),
+            waves: Force::default(),
+        }
+    }
+
+    /// Velocity through the water at midship.
+    fn velocity(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Velocity {
+        let draught_m = self.ship.particulars.draught_m;
+        let current = environment.current(state.position_m, t_s, draught_m);
+        let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps - current);
+        let yaw_radps = state.yaw_rate_radps;
+        let sway_mps = own.y - self.ship.particulars.centre_of_gravity_m * yaw_radps;
+        Velocity { surge_mps: own.x, sway_mps, yaw_radps }
+    }
+
+    fn wind(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Force {
+        let (Some(windage), Some(wind)) = (&self.windage, &environment.wind) else {
+            return Force::default();
+        };
+        // Coefficients are those of the wind at 10 m.
+        let air = wind.velocity(10.0, t_s);
+        let relative = RelativeWind::of(air, state.velocity_mps, state.heading_rad);
+        let [surge_n, sway_n, yaw_nm] = windage.force(&relative, environment.air_density_kgpm3);
+        Force { surge_n, sway_n, yaw_nm }
+    }
+
+    /// The earth-fixed wrench about the centre of gravity that makes the engine's M v̇ = W the MMG method's
+    /// equations of motion.
+    ///
+    /// The forces X, Y, N about midship have the added mass' Coriolis terms in them, and the engine's mass
+    /// matrix is that about the centre of gravity. With v_g the sway of the centre of gravity and
+    /// x_G its place forward of midship, that leaves (X − m_x v_g r, Y + m_y u r, N − x_G (Y + m_y u r)).
+    pub(crate) fn wrench(
+        &self,
+        forces: &VesselForces,
+        state: &BodyState,
+        environment: &Environment,
+        t_s: f64,
+    ) -> Wrench {
+        let Force { surge_n, sway_n, yaw_nm } = forces.sum();
+        let velocity = self.velocity(state, environment, t_s);
+        let ahead_m = self.ship.particulars.centre_of_gravity_m;
+        let density = environment.density().density_kgpm3;
+        let r = velocity.yaw_radps;
+        let sway_of_gravity_mps = velocity.sway_mps + ahead_m * r;
+        let surge_n =
+            surge_n - density * self.ship.added_mass.surge_m3 * sway_of_gravity_mps * r;
+        let sway_n = sway_n + density * self.ship.added_mass.sway_m3 * velocity.surge_mps * r;
+        let own = vec2(surge_n, sway_n);
+        Wrench {
+            force_n: Rotation::from_angle(state.heading_rad).apply(own),
+            moment_nm: yaw_nm - ahead_m * sway_n,
+        }
+    }
+
+    /// What heels and trims her: forces of the hull and its appendages at half the draught, of the wind at
+    /// the height of its area.
+    pub(crate) fn drive(&self, forces: &VesselForces, float: &Float) -> Drive {
+        let mut drive = Drive::default();
+        let gravity_m = float.gravity_above_water_m;
+        let water_m = -0.5 * float.draught_m - gravity_m;
+        for part in [forces.hull, forces.propeller, forces.rudder, forces.thrusters, forces.waves] {
+            drive.add(part.surge_n, part.sway_n, water_m);
+        }
+        let air_m = self.windage.map_or(0.0, |w| w.centroid_height_m) - gravity_m;
+        drive.add(forces.wind.surge_n, forces.wind.sway_n, air_m);
+        drive
+    }
+}
+
+/// Mass matrix over surge, sway and yaw about the centre of gravity [kg, kg·m, kg·m²].
+#[must_use]
+pub fn mass_matrix(ship: &Mmg, density_kgpm3: f64) -> [[f64; 3]; 3] {
+    let hull = &ship.particulars;
+    let mass_kg = density_kgpm3 * hull.volume_m3;
+    let added = &ship.added_mass;
+    let (surge_kg, sway_kg) = (density_kgpm3 * added.surge_m3, density_kgpm3 * added.sway_m3);
+    let ahead_m = hull.centre_of_gravity_m;
+    let coupling = -sway_kg * ahead_m;
+    let yaw =
+        density_kgpm3 * (hull.yaw_inertia_m5() + added.yaw_m5) + sway_kg * ahead_m * ahead_m;
+    [
+        [mass_kg + surge_kg, 0.0, 0.0],
+        [0.0, mass_kg + sway_kg, coupling],
+        [0.0, coupling, yaw],
+    ]
+}
+
+/// Where a point of a ship is, north, east and above the still water [m].
+pub(crate) fn point_m(state: &BodyState, at_m: Vec2, above_water_m: f64) -> [f64; 3] {
+    let place = state.pose().apply(at_m);
+    [place.x, place.y, above_water_m]
+}
