@@ -52,6 +52,7 @@
 #![forbid(unsafe_code)]
 
 pub mod berthing;
+pub mod hydro;
 
 mod error;
 mod fender;
