@@ -56,6 +56,7 @@ pub mod attitude;
 pub mod berthing;
 pub mod control;
 pub mod external;
+pub mod hydro;
 
 mod error;
 mod fender;

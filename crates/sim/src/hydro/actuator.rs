@@ -1,0 +1,121 @@
+//! Between the order and the machinery: small states with one exact step each.
+//!
+//! Every step is exact for any Δt: two steps of Δt/2 under one order end where one of Δt does.
+
+/// Something that follows its order at a constant rate: a rudder, a shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RateLimited {
+    /// Where it is, in the quantity's own unit.
+    pub value: f64,
+    /// How fast it moves, per second.
+    pub rate_per_s: f64,
+    /// Its stop to either side of zero.
+    pub stop: f64,
+}
+
+/// What became of an order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// Taken as given.
+    Taken,
+    /// Beyond the stop; the stop was ordered instead.
+    Clamped,
+}
+
+impl RateLimited {
+    /// A rudder amidships, with its rate [°/s] and stop [°].
+    pub fn rudder(rate_degps: f64, stop_deg: f64) -> RateLimited {
+        RateLimited { value: 0.0, rate_per_s: rate_degps.to_radians(), stop: stop_deg.to_radians() }
+    }
+
+    /// Moves towards the order for `step_s`. An order that is not a number counts as clamped and leaves it
+    /// where it is.
+    pub fn step(&mut self, order: f64, step_s: f64) -> Order {
+        if order.is_nan() {
+            return Order::Clamped;
+        }
+        let target = order.clamp(-self.stop, self.stop);
+        let reach = self.rate_per_s * step_s;
+        self.value += (target - self.value).clamp(-reach, reach);
+        if target == order { Order::Taken } else { Order::Clamped }
+    }
+}
+
+/// Something that follows its order with a first-order lag: a thruster, a tug's pull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lag {
+    /// Where it is, in the quantity's own unit.
+    pub value: f64,
+    /// Time constant [s]; 0 follows at once.
+    pub time_constant_s: f64,
+}
+
+impl Lag {
+    /// Closes 1 − e^{−Δt/τ} of the difference to the order.
+    pub fn step(&mut self, order: f64, step_s: f64) {
+        if self.time_constant_s <= 0.0 {
+            self.value = order;
+            return;
+        }
+        let left = libm::exp(-step_s / self.time_constant_s);
+        self.value = order + (self.value - order) * left;
+    }
+}
+
+/// Engine telegraph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Telegraph {
+    /// Full astern.
+    FullAstern,
+    /// Half astern.
+    HalfAstern,
+    /// Slow astern.
+    SlowAstern,
+    /// Dead slow astern.
+    DeadSlowAstern,
+    /// Stop.
+    Stop,
+    /// Dead slow ahead.
+    DeadSlowAhead,
+    /// Slow ahead.
+    SlowAhead,
+    /// Half ahead.
+    HalfAhead,
+    /// Full ahead, manoeuvring.
+    FullAhead,
+    /// Full ahead at sea.
+    NavigationFull,
+}
+
+impl Telegraph {
+    /// Every step, from full astern to full ahead at sea.
+    pub const ALL: [Telegraph; 10] = [
+        Telegraph::FullAstern,
+        Telegraph::HalfAstern,
+        Telegraph::SlowAstern,
+        Telegraph::DeadSlowAstern,
+        Telegraph::Stop,
+        Telegraph::DeadSlowAhead,
+        Telegraph::SlowAhead,
+        Telegraph::HalfAhead,
+        Telegraph::FullAhead,
+        Telegraph::NavigationFull,
+    ];
+
+    /// Revolutions as a part of those at sea. Typical of slow-running ships, not of any one of them: a
+    /// vessel with a table of her own uses that.
+    pub fn revolutions_ratio(self) -> f64 {
+        match self {
+            Telegraph::FullAstern => -0.70,
+            Telegraph::HalfAstern => -0.55,
+            Telegraph::SlowAstern => -0.40,
+            Telegraph::DeadSlowAstern => -0.30,
+            Telegraph::Stop => 0.0,
+            Telegraph::DeadSlowAhead => 0.30,
+            Telegraph::SlowAhead => 0.40,
+            Telegraph::HalfAhead => 0.55,
+            Telegraph::FullAhead => 0.70,
+            Telegraph::NavigationFull => 1.0,
+        }
+    }
+}

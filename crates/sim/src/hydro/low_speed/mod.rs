@@ -1,0 +1,50 @@
+//! Hull forces at low speed, at any drift angle, astern as ahead: a linear part that knows the direction
+//! of the ship's way, and cross-flow drag.
+
+mod cross_flow;
+
+pub use cross_flow::{CrossFlow, hoerner_drag_coefficient};
+
+use std::f64::consts::PI;
+
+use super::quantities::{Force, Velocity, Water};
+
+/// Low-speed hull coefficients in the form of Yoshimura, Nakao & Ishibashi (2009) as used by Miyauchi et
+/// al. (2022), over ½ρLdU²: the form was checked against a public implementation of that model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LowSpeedHull {
+    /// X'₀F: resistance ahead (negative).
+    pub ahead: f64,
+    /// X'₀A: resistance astern (negative).
+    pub astern: f64,
+    /// X'vr.
+    pub surge_vr: f64,
+    /// Y'v.
+    pub sway_v: f64,
+    /// Y'r.
+    pub sway_r: f64,
+    /// N'v.
+    pub yaw_v: f64,
+    /// N'r.
+    pub yaw_r: f64,
+    /// The cross-flow part.
+    pub cross_flow: CrossFlow,
+}
+
+impl LowSpeedHull {
+    /// Force at midship, without the added mass' Coriolis terms:
+    /// X = ½ρLd{[X₀F + (X₀A − X₀F)|β|/π]uU + Xvr v r L}, Y = ½ρLd{Yv v|u| + Yr r L u} and
+    /// N = ½ρL²d{Nv v u + Nr r L|u|}, Y and N with the cross-flow drag.
+    pub fn force(&self, velocity: &Velocity, length_m: f64, draught_m: f64, water: Water) -> Force {
+        let (u, v) = (velocity.surge_mps, velocity.sway_mps);
+        let tip_mps = velocity.yaw_radps * length_m;
+        let area = 0.5 * water.density_kgpm3 * length_m * draught_m;
+        let resistance = self.ahead + (self.astern - self.ahead) * velocity.drift_rad().abs() / PI;
+        let linear = Force {
+            surge_n: resistance * u * velocity.speed_mps() + self.surge_vr * v * tip_mps,
+            sway_n: self.sway_v * v * u.abs() + self.sway_r * tip_mps * u,
+            yaw_nm: length_m * (self.yaw_v * v * u + self.yaw_r * tip_mps * u.abs()),
+        };
+        linear * area + self.cross_flow.force(velocity, length_m, draught_m, water)
+    }
+}

@@ -1,0 +1,124 @@
+//! Standard manoeuvres on [`Model3`], with the measures of ITTC and IMO resolution MSC.137(76).
+//!
+//! All begin on a straight course north at a speed and with the revolutions that hold it, and count time and
+//! place from the moment of the order. Revolutions are held constant unless the manoeuvre orders others.
+
+mod steady;
+mod stop;
+mod turning;
+mod zig_zag;
+
+pub use steady::{Crabbing, bollard_pull_n, crabbing, self_propulsion_rps};
+pub use stop::{CrashStop, crash_stop};
+pub use turning::{SteadyTurn, TurningCircle, turning_circle};
+pub use zig_zag::{ZigZag, zig_zag};
+
+use std::fmt;
+
+use super::actuator::RateLimited;
+use super::model3::{Model3, Motion};
+use super::quantities::{Controls, Force, Velocity};
+
+/// A manoeuvre that could not be carried through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ManoeuvreError {
+    /// The ship has no propeller.
+    NoPropeller,
+    /// No revolutions within the propeller's range hold the speed.
+    NoBalance {
+        /// The speed [m/s].
+        speed_mps: f64,
+    },
+    /// Something that ends the manoeuvre did not happen in time.
+    NotReached {
+        /// What.
+        what: &'static str,
+        /// How long it was waited for [s].
+        after_s: f64,
+    },
+}
+
+impl fmt::Display for ManoeuvreError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ManoeuvreError::NoPropeller => write!(f, "the ship has no propeller"),
+            ManoeuvreError::NoBalance { speed_mps } => {
+                write!(f, "no revolutions hold a speed of {speed_mps} m/s")
+            }
+            ManoeuvreError::NotReached { what, after_s } => {
+                write!(f, "{what} was not reached within {after_s} s")
+            }
+        }
+    }
+}
+
+impl std::error::Error for ManoeuvreError {}
+
+/// How a manoeuvre begins and is stepped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Approach {
+    /// Speed [m/s].
+    pub speed_mps: f64,
+    /// Revolutions [1/s].
+    pub shaft_rps: f64,
+    /// Rudder amidships, with its rate and stop.
+    pub steering: RateLimited,
+    /// Time step [s].
+    pub step_s: f64,
+}
+
+impl Approach {
+    /// At a speed, with the revolutions that hold it.
+    ///
+    /// # Errors
+    /// As [`self_propulsion_rps`].
+    pub fn at(
+        model: &Model3,
+        speed_mps: f64,
+        steering: RateLimited,
+        step_s: f64,
+    ) -> Result<Approach, ManoeuvreError> {
+        let shaft_rps = self_propulsion_rps(model, speed_mps)?;
+        Ok(Approach { speed_mps, shaft_rps, steering, step_s })
+    }
+}
+
+/// A ship under a manoeuvre.
+struct Trial<'a> {
+    model: &'a Model3,
+    motion: Motion,
+    steering: RateLimited,
+    shaft: RateLimited,
+    step_s: f64,
+    time_s: f64,
+}
+
+impl<'a> Trial<'a> {
+    fn new(model: &'a Model3, approach: &Approach) -> Trial<'a> {
+        Trial {
+            model,
+            motion: Motion {
+                velocity: Velocity { surge_mps: approach.speed_mps, ..Velocity::default() },
+                ..Motion::default()
+            },
+            steering: approach.steering,
+            shaft: RateLimited { value: approach.shaft_rps, rate_per_s: 0.0, stop: f64::INFINITY },
+            step_s: approach.step_s,
+            time_s: 0.0,
+        }
+    }
+
+    /// One step under an order of rudder [rad] and revolutions [1/s]; the controls are those of mid-step.
+    fn advance(&mut self, rudder_rad: f64, shaft_rps: f64) {
+        let half_s = 0.5 * self.step_s;
+        self.steering.step(rudder_rad, half_s);
+        self.shaft.step(shaft_rps, half_s);
+        let controls = Controls { shaft_rps: self.shaft.value, rudder_rad: self.steering.value };
+        self.motion =
+            self.model.runge_kutta(&self.motion, &controls, Force::default(), self.step_s);
+        self.steering.step(rudder_rad, half_s);
+        self.shaft.step(shaft_rps, half_s);
+        self.time_s += self.step_s;
+    }
+}

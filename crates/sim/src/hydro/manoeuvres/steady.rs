@@ -1,0 +1,92 @@
+//! What ends in a steady state: self-propulsion, bollard pull, crabbing.
+
+use super::ManoeuvreError;
+use crate::hydro::model3::{Model3, Motion};
+use crate::hydro::quantities::{Controls, Force, Velocity};
+
+/// Halvings of an interval: enough for every bit of a double.
+const HALVINGS: usize = 60;
+
+/// Revolutions [1/s] at which thrust and resistance balance on a straight course.
+///
+/// # Errors
+/// [`ManoeuvreError::NoPropeller`]; [`ManoeuvreError::NoBalance`] where none between 0 and
+/// 20 speeds a diameter do.
+pub fn self_propulsion_rps(model: &Model3, speed_mps: f64) -> Result<f64, ManoeuvreError> {
+    let propulsion = model.ship().propulsion.as_ref().ok_or(ManoeuvreError::NoPropeller)?;
+    let velocity = Velocity { surge_mps: speed_mps, ..Velocity::default() };
+    let surplus_n = |shaft_rps: f64| {
+        let controls = Controls { shaft_rps, rudder_rad: 0.0 };
+        model.ship().forces(&velocity, &controls, model.water()).surge_n
+    };
+    let (mut low, mut high) = (0.0, 20.0 * speed_mps / propulsion.propeller.diameter_m);
+    let balanced = surplus_n(low) <= 0.0 && surplus_n(high) >= 0.0;
+    if !balanced {
+        return Err(ManoeuvreError::NoBalance { speed_mps });
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if surplus_n(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    Ok(0.5 * (low + high))
+}
+
+/// Pull [N] on a line to a bollard at revolutions [1/s]: the force ahead at rest, less thrust deduction.
+///
+/// # Errors
+/// [`ManoeuvreError::NoPropeller`].
+pub fn bollard_pull_n(model: &Model3, shaft_rps: f64) -> Result<f64, ManoeuvreError> {
+    if model.ship().propulsion.is_none() {
+        return Err(ManoeuvreError::NoPropeller);
+    }
+    let controls = Controls { shaft_rps, rudder_rad: 0.0 };
+    Ok(model.ship().forces(&Velocity::default(), &controls, model.water()).surge_n)
+}
+
+/// What a ship does under a steady side force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crabbing {
+    /// Speed across, to starboard [m/s].
+    pub sway_mps: f64,
+    /// Speed ahead that comes with it [m/s].
+    pub surge_mps: f64,
+    /// Rate of turn that comes with it [rad/s].
+    pub yaw_radps: f64,
+    /// Time to 90 % of the speed across [s].
+    pub rise_s: f64,
+}
+
+/// Pushes a ship at rest with a force at midship, engine stopped, for `duration_s`: thrusters or tugs that
+/// crab her.
+///
+/// # Errors
+/// [`ManoeuvreError::NotReached`] where she is still gaining more than 1 % of her speed across within the
+/// last tenth of the time.
+pub fn crabbing(
+    model: &Model3,
+    push: Force,
+    duration_s: f64,
+    step_s: f64,
+) -> Result<Crabbing, ManoeuvreError> {
+    let steps = (duration_s / step_s).ceil() as usize;
+    let mut motion = Motion::default();
+    let mut sways_mps = Vec::new();
+    for _ in 0..steps {
+        motion = model.runge_kutta(&motion, &Controls::default(), push, step_s);
+        sways_mps.push(motion.velocity.sway_mps);
+    }
+    let sway_mps = motion.velocity.sway_mps;
+    let before_mps = sways_mps.iter().rev().nth(steps / 10).copied().unwrap_or(0.0);
+    let settled = (sway_mps - before_mps).abs() <= 0.01 * sway_mps.abs();
+    if !settled {
+        let what = "a steady speed across";
+        return Err(ManoeuvreError::NotReached { what, after_s: duration_s });
+    }
+    let risen = sways_mps.iter().position(|v| v.abs() >= 0.9 * sway_mps.abs()).unwrap_or(0);
+    Ok(Crabbing {
+        sway_mps,
+        surge_mps: motion.velocity.surge_mps,
+        yaw_radps: motion.velocity.yaw_radps,
+        rise_s: (risen + 1) as f64 * step_s,
+    })
+}

@@ -1,0 +1,90 @@
+//! Zig-zag.
+
+use super::{Approach, ManoeuvreError, Trial};
+use crate::hydro::model3::Model3;
+
+/// Time that each leg may take, in lengths over speed of approach.
+const PATIENCE: f64 = 100.0;
+
+/// The measures of a zig-zag.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ZigZag {
+    /// First overshoot: the greatest heading beyond the check angle after the second execute [rad].
+    pub first_overshoot_rad: f64,
+    /// Second overshoot, after the third execute [rad].
+    pub second_overshoot_rad: f64,
+    /// Time from the first execute to the second [s].
+    pub second_execute_s: f64,
+    /// Distance sailed until the second execute: IMO's initial turning ability [m].
+    pub initial_turning_m: f64,
+}
+
+/// Rudder to `rudder_rad`, over to the other side whenever the heading has changed by `check_rad` (both
+/// angles [rad]; the rudder's sign is the side of the first execute). The 10/10 manoeuvre has both at 10°.
+///
+/// # Errors
+/// [`ManoeuvreError::NotReached`] for a ship that does not answer her rudder.
+pub fn zig_zag(
+    model: &Model3,
+    approach: &Approach,
+    rudder_rad: f64,
+    check_rad: f64,
+) -> Result<ZigZag, ManoeuvreError> {
+    let mut trial = Trial::new(model, approach);
+    let side = 1.0_f64.copysign(rudder_rad);
+    let initial_turning_m = trial.heading_to(rudder_rad, side, check_rad)?;
+    let second_execute_s = trial.time_s;
+    let first = trial.swing(-rudder_rad, side)?;
+    trial.heading_to(-rudder_rad, -side, check_rad)?;
+    let second = trial.swing(rudder_rad, -side)?;
+    Ok(ZigZag {
+        first_overshoot_rad: first - check_rad,
+        second_overshoot_rad: second - check_rad,
+        second_execute_s,
+        initial_turning_m,
+    })
+}
+
+impl Trial<'_> {
+    /// Steps until the heading is `check_rad` to a side; the distance sailed [m].
+    fn heading_to(
+        &mut self,
+        rudder_rad: f64,
+        side: f64,
+        check_rad: f64,
+    ) -> Result<f64, ManoeuvreError> {
+        let patience_s = self.leg_s();
+        let mut sailed_m = 0.0;
+        while side * self.motion.heading_rad < check_rad {
+            if self.time_s > patience_s {
+                let what = "the check angle of a zig-zag";
+                return Err(ManoeuvreError::NotReached { what, after_s: patience_s });
+            }
+            sailed_m += self.motion.velocity.speed_mps() * self.step_s;
+            let shaft_rps = self.shaft.value;
+            self.advance(rudder_rad, shaft_rps);
+        }
+        Ok(sailed_m)
+    }
+
+    /// Steps until the ship swings back; the greatest heading to the side [rad].
+    fn swing(&mut self, rudder_rad: f64, side: f64) -> Result<f64, ManoeuvreError> {
+        let patience_s = self.leg_s();
+        let mut greatest_rad = side * self.motion.heading_rad;
+        while side * self.motion.velocity.yaw_radps > 0.0 {
+            if self.time_s > patience_s {
+                let what = "the overshoot of a zig-zag";
+                return Err(ManoeuvreError::NotReached { what, after_s: patience_s });
+            }
+            let shaft_rps = self.shaft.value;
+            self.advance(rudder_rad, shaft_rps);
+            greatest_rad = greatest_rad.max(side * self.motion.heading_rad);
+        }
+        Ok(greatest_rad)
+    }
+
+    fn leg_s(&self) -> f64 {
+        let length_m = self.model.ship().particulars.length_m;
+        self.time_s + PATIENCE * length_m / self.motion.velocity.speed_mps()
+    }
+}

@@ -1,0 +1,129 @@
+//! The manoeuvring model of a ship with one propeller and one rudder by the MMG standard method
+//! (Yasukawa & Yoshimura, "Introduction of MMG standard method for ship maneuvering predictions",
+//! J. Mar. Sci. Technol. 20, 2015), extended to low speed, astern and bollard.
+//!
+//! [`Mmg`] is plain data; [`Mmg::forces`] is a pure function of the velocity through the water and the
+//! controls. What it gives holds every hydrodynamic term but those that multiply accelerations (the added
+//! mass itself): the Coriolis terms of the added mass are within, the Munk moment is within N_v.
+
+mod polynomial;
+mod wake;
+
+pub use polynomial::{DriftPolynomial, LinearTerms, Polynomial, SwayPolynomial};
+pub use wake::Wake;
+
+pub(crate) use polynomial::coriolis;
+
+use super::added_mass::{AddedMass, shallow_sway_factor};
+use super::blend::Hull;
+use super::error::HydroError;
+use super::particulars::Particulars;
+use super::propeller::Propeller;
+use super::quantities::{Controls, Force, Velocity, Water};
+use super::rudder::{Race, Rudder};
+use super::shallow::{shallow_sway_derivative, shallow_yaw_derivative};
+
+/// A ship's manoeuvring model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mmg {
+    /// Main particulars.
+    pub particulars: Particulars,
+    /// Added mass.
+    pub added_mass: AddedMass,
+    /// Hull coefficients.
+    pub hull: Hull,
+    /// Propeller and rudder; none for a barge or a ship that is driven by other means.
+    pub propulsion: Option<Propulsion>,
+}
+
+/// One propeller with a rudder behind it, on the centre line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Propulsion {
+    /// The propeller in open water.
+    pub propeller: Propeller,
+    /// Thrust deduction t_P. It counts for thrust ahead; the thrust astern of published models is the
+    /// force on the ship.
+    pub thrust_deduction: f64,
+    /// Wake at the propeller.
+    pub wake: Wake,
+    /// The rudder.
+    pub rudder: Rudder,
+}
+
+/// The forces on a ship, part by part.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Parts {
+    /// Hull, with the added mass' Coriolis terms.
+    pub hull: Force,
+    /// Propeller, less thrust deduction.
+    pub propeller: Force,
+    /// Rudder, with what it does to the hull.
+    pub rudder: Force,
+}
+
+impl Mmg {
+    /// Surge and sway force [N] and yaw moment [N m] about midship: X, Y, N.
+    pub fn forces(&self, velocity: &Velocity, controls: &Controls, water: Water) -> Force {
+        let Parts { hull, propeller, rudder } = self.parts(velocity, controls, water);
+        hull + propeller + rudder
+    }
+
+    /// The same, part by part.
+    pub fn parts(&self, velocity: &Velocity, controls: &Controls, water: Water) -> Parts {
+        let ship = &self.particulars;
+        let hull = self.hull.force(velocity, ship, &self.added_mass, water);
+        let Some(propulsion) = &self.propulsion else {
+            return Parts { hull, ..Parts::default() };
+        };
+        let race = propulsion.race(velocity, controls.shaft_rps, ship.length_m, water);
+        Parts {
+            hull,
+            propeller: propulsion.driving_force(&race),
+            rudder: propulsion.rudder.force(
+                velocity,
+                &race,
+                controls.rudder_rad,
+                ship.length_m,
+                water,
+            ),
+        }
+    }
+
+    /// The same ship in water of a depth: added mass in sway and yaw by Ankudinov's factor, Y_v and N_r by
+    /// Taimuri's. The yaw factor of the added mass is taken equal to the sway factor, for want of another.
+    ///
+    /// # Errors
+    /// [`HydroError::Aground`] or [`HydroError::OutOfRange`] where the water is too shallow for the formulas.
+    pub fn at_depth(&self, depth_m: f64) -> Result<Mmg, HydroError> {
+        let ship = &self.particulars;
+        let mass = shallow_sway_factor(ship, depth_m)?;
+        let sway = shallow_sway_derivative(ship, depth_m)?;
+        let yaw = shallow_yaw_derivative(ship, depth_m)?;
+        let added_mass = self.added_mass.scaled(1.0, mass, mass);
+        let mut hull = self.hull;
+        hull.low_speed.sway_v *= sway;
+        hull.low_speed.yaw_r *= yaw;
+        hull.under_way = hull
+            .under_way
+            .map(|p| p.with_linear_scaled(sway, yaw, &self.added_mass, &added_mass, ship));
+        Ok(Mmg { added_mass, hull, ..*self })
+    }
+}
+
+impl Propulsion {
+    /// What the propeller meets and does.
+    fn race(&self, velocity: &Velocity, shaft_rps: f64, length_m: f64, water: Water) -> Race {
+        let advance_mps = velocity.surge_mps * self.wake.remaining(velocity, length_m);
+        Race {
+            advance_mps,
+            thrust_n: self.propeller.thrust_n(advance_mps, shaft_rps, water),
+            diameter_m: self.propeller.diameter_m,
+        }
+    }
+
+    /// X_P = (1 − t_P)T ahead, T astern.
+    fn driving_force(&self, race: &Race) -> Force {
+        let surge_n = race.thrust_n - self.thrust_deduction * race.thrust_n.max(0.0);
+        Force { surge_n, ..Force::default() }
+    }
+}

@@ -1,0 +1,216 @@
+//! The two forms in which MMG hull polynomials are published.
+
+use crate::hydro::added_mass::AddedMass;
+use crate::hydro::particulars::Particulars;
+use crate::hydro::quantities::{Force, Velocity, Water};
+
+/// Hull polynomial of a ship under way, by ½ρLdU² (moments by another L).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Polynomial {
+    /// In v' = v/U and r' = rL/U (Yasukawa & Yoshimura 2015). Holds no term of the added mass.
+    Sway(SwayPolynomial),
+    /// In the drift angle β [rad] and r' (the form of Yoshimura & Masumoto). Xβr holds −m'y and Yr holds
+    /// −m'x: the added mass' Coriolis terms are within.
+    Drift(DriftPolynomial),
+}
+
+/// Coefficients over v' and r'.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(
+    missing_docs,
+    reason = "each is named as in the method: its index is its powers of v' and r'"
+)]
+pub struct SwayPolynomial {
+    /// R'₀, positive.
+    pub resistance: f64,
+    pub x_vv: f64,
+    pub x_vr: f64,
+    pub x_rr: f64,
+    pub x_vvvv: f64,
+    pub y_v: f64,
+    pub y_r: f64,
+    pub y_vvv: f64,
+    pub y_vvr: f64,
+    pub y_vrr: f64,
+    pub y_rrr: f64,
+    pub n_v: f64,
+    pub n_r: f64,
+    pub n_vvv: f64,
+    pub n_vvr: f64,
+    pub n_vrr: f64,
+    pub n_rrr: f64,
+}
+
+/// Coefficients over β and r'.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(
+    missing_docs,
+    reason = "each is named as in the method: its index is its powers of β and r'"
+)]
+pub struct DriftPolynomial {
+    /// X'₀, negative.
+    pub x_0: f64,
+    pub x_bb: f64,
+    pub x_br: f64,
+    pub x_rr: f64,
+    pub x_bbbb: f64,
+    pub y_b: f64,
+    pub y_r: f64,
+    pub y_bbb: f64,
+    pub y_bbr: f64,
+    pub y_brr: f64,
+    pub y_rrr: f64,
+    pub n_b: f64,
+    pub n_r: f64,
+    pub n_bbb: f64,
+    pub n_bbr: f64,
+    pub n_brr: f64,
+    pub n_rrr: f64,
+}
+
+/// The linear terms, in one convention for both forms: over v' and r', without added mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearTerms {
+    /// X'₀, negative.
+    pub ahead: f64,
+    /// X'vr.
+    pub surge_vr: f64,
+    /// Y'v.
+    pub sway_v: f64,
+    /// Y'r.
+    pub sway_r: f64,
+    /// N'v.
+    pub yaw_v: f64,
+    /// N'r.
+    pub yaw_r: f64,
+}
+
+impl Polynomial {
+    /// Force at midship *with* the added mass' Coriolis terms, X + m_y v r and Y − m_x u r, so that both
+    /// forms mean the same. The ship must have way on (U > 0).
+    pub(crate) fn force(
+        &self,
+        velocity: &Velocity,
+        ship: &Particulars,
+        added: &AddedMass,
+        water: Water,
+    ) -> Force {
+        let speed_mps = velocity.speed_mps();
+        let yaw = velocity.yaw_radps * ship.length_m / speed_mps;
+        let area = 0.5 * water.density_kgpm3 * ship.length_m * ship.draught_m;
+        let (shape, coriolis) = match self {
+            Polynomial::Sway(p) => {
+                (p.shape(velocity.sway_mps / speed_mps, yaw), coriolis(velocity, added, water))
+            }
+            Polynomial::Drift(p) => (p.shape(velocity.drift_rad(), yaw), Force::default()),
+        };
+        let force = Force { surge_n: shape[0], sway_n: shape[1], yaw_nm: shape[2] * ship.length_m };
+        force * (area * speed_mps * speed_mps) + coriolis
+    }
+
+    /// The linear terms, freed of added mass.
+    pub fn linear(&self, ship: &Particulars, added: &AddedMass) -> LinearTerms {
+        match self {
+            Polynomial::Sway(p) => LinearTerms {
+                ahead: -p.resistance,
+                surge_vr: p.x_vr,
+                sway_v: p.y_v,
+                sway_r: p.y_r,
+                yaw_v: p.n_v,
+                yaw_r: p.n_r,
+            },
+            // β = −v' where it is small.
+            Polynomial::Drift(p) => LinearTerms {
+                ahead: p.x_0,
+                surge_vr: -(p.x_br + added.sway_m3 / ship.mass_unit_m3()),
+                sway_v: -p.y_b,
+                sway_r: p.y_r + added.surge_m3 / ship.mass_unit_m3(),
+                yaw_v: -p.n_b,
+                yaw_r: p.n_r,
+            },
+        }
+    }
+
+    /// The same with the linear terms of Yv and Nr multiplied: what shallow water does to them.
+    pub(crate) fn with_linear_scaled(
+        &self,
+        sway: f64,
+        yaw: f64,
+        before: &AddedMass,
+        after: &AddedMass,
+        ship: &Particulars,
+    ) -> Polynomial {
+        match *self {
+            Polynomial::Sway(p) => {
+                Polynomial::Sway(SwayPolynomial { y_v: p.y_v * sway, n_r: p.n_r * yaw, ..p })
+            }
+            Polynomial::Drift(p) => Polynomial::Drift(DriftPolynomial {
+                y_b: p.y_b * sway,
+                n_r: p.n_r * yaw,
+                // The added mass within grows too.
+                x_br: p.x_br - (after.sway_m3 - before.sway_m3) / ship.mass_unit_m3(),
+                y_r: p.y_r - (after.surge_m3 - before.surge_m3) / ship.mass_unit_m3(),
+                ..p
+            }),
+        }
+    }
+}
+
+/// The added mass' Coriolis terms as MMG has them, (m_y v r, −m_x u r, 0): the Munk moment
+/// (m_x − m_y)uv is within N_v and must not come again.
+pub(crate) fn coriolis(velocity: &Velocity, added: &AddedMass, water: Water) -> Force {
+    let turn = water.density_kgpm3 * velocity.yaw_radps;
+    Force {
+        surge_n: added.sway_m3 * velocity.sway_mps * turn,
+        sway_n: -added.surge_m3 * velocity.surge_mps * turn,
+        yaw_nm: 0.0,
+    }
+}
+
+impl SwayPolynomial {
+    /// X', Y', N' over v' and r'.
+    fn shape(&self, v: f64, r: f64) -> [f64; 3] {
+        let (vv, vr, rr) = (v * v, v * r, r * r);
+        [
+            -self.resistance
+                + self.x_vv * vv
+                + self.x_vr * vr
+                + self.x_rr * rr
+                + self.x_vvvv * vv * vv,
+            self.y_v * v
+                + self.y_r * r
+                + self.y_vvv * vv * v
+                + self.y_vvr * vv * r
+                + self.y_vrr * v * rr
+                + self.y_rrr * rr * r,
+            self.n_v * v
+                + self.n_r * r
+                + self.n_vvv * vv * v
+                + self.n_vvr * vv * r
+                + self.n_vrr * v * rr
+                + self.n_rrr * rr * r,
+        ]
+    }
+}
+
+impl DriftPolynomial {
+    /// X', Y', N' over β and r'.
+    fn shape(&self, b: f64, r: f64) -> [f64; 3] {
+        let (bb, br, rr) = (b * b, b * r, r * r);
+        [
+            self.x_0 + self.x_bb * bb + self.x_br * br + self.x_rr * rr + self.x_bbbb * bb * bb,
+            self.y_b * b
+                + self.y_r * r
+                + self.y_bbb * bb * b
+                + self.y_bbr * bb * r
+                + self.y_brr * b * rr
+                + self.y_rrr * rr * r,
+            self.n_b * b
+                + self.n_r * r
+                + self.n_bbb * bb * b
+                + self.n_bbr * bb * r
+                + self.n_brr * b * rr
+                + self.n_rrr * rr * r,
+        ]
+    }
+}

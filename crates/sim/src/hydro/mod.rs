@@ -1,0 +1,67 @@
+//! The ship in the water: hull, propellers, rudders and thrusters as pure functions, and a fast model of
+//! manoeuvring in three degrees of freedom.
+//!
+//! The whole in one page:
+//!
+//! | what | where |
+//! |---|---|
+//! | main particulars, checked | [`Particulars`] |
+//! | added mass from particulars, shallow-water factor | [`zhou_added_mass`], [`clarke_added_mass`], [`shallow_sway_factor`] |
+//! | hull under way: MMG polynomials in v', r' or in β, r' | [`Polynomial`] |
+//! | hull at low speed, astern, crabbing: cross-flow drag | [`LowSpeedHull`], [`CrossFlow`] |
+//! | one hull force without a jump | [`Hull`] |
+//! | propeller in four quadrants | [`Propeller`] |
+//! | rudder behind a propeller that does anything | [`Rudder`] |
+//! | tunnel and azimuth thrusters | [`TunnelThruster`], [`AzimuthThruster`] |
+//! | rudder machine, shaft, lag, telegraph | [`actuator`] |
+//! | all of it on one ship | [`Mmg`], [`Mmg::forces`] |
+//! | shallow water: derivatives, squat, current | [`shallow`] |
+//! | equations of motion, two integrators | [`Model3`] |
+//! | published ships | [`vessels`] |
+//! | turning circle, zig-zag, crash stop, crabbing, bollard pull | [`manoeuvres`] |
+//!
+//! Conventions: SI; x forward, y to starboard, yaw and rudder positive to starboard, everything about
+//! midship; velocity is that *through the water*. Every force is a continuous function of velocity,
+//! revolutions and rudder, through rest and through all quadrants (`tests/hydro_continuity.rs`).
+//!
+//! ```
+//! use fenderline_sim::hydro::{Model3, Water, manoeuvres, vessels};
+//! let vessel = vessels::kvlcc2();
+//! let model = Model3::new(vessel.ship, Water::SEA);
+//! let approach = manoeuvres::Approach::at(&model, vessel.approach_mps, vessel.steering, 0.5)?;
+//! let turn = manoeuvres::turning_circle(&model, &approach, 35_f64.to_radians())?;
+//! assert!((turn.advance_m / 320.0 - 3.03).abs() < 0.03);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod actuator;
+pub mod manoeuvres;
+pub mod shallow;
+pub mod vessels;
+
+mod added_mass;
+mod blend;
+mod error;
+mod low_speed;
+mod mmg;
+mod model3;
+mod particulars;
+mod propeller;
+mod propeller_series;
+mod quantities;
+mod rudder;
+mod thruster;
+
+pub use added_mass::{AddedMass, clarke_added_mass, shallow_sway_factor, zhou_added_mass};
+pub use blend::{Hull, polynomial_weight};
+pub use error::HydroError;
+pub use low_speed::{CrossFlow, LowSpeedHull, hoerner_drag_coefficient};
+pub use mmg::{
+    DriftPolynomial, LinearTerms, Mmg, Parts, Polynomial, Propulsion, SwayPolynomial, Wake,
+};
+pub use model3::{Model3, Motion};
+pub use particulars::Particulars;
+pub use propeller::{Propeller, Series};
+pub use quantities::{Controls, Force, Velocity, Water};
+pub use rudder::{Race, Rudder};
+pub use thruster::{AzimuthThruster, TunnelThruster, tunnel_effect};

@@ -1,0 +1,89 @@
+//! A hull's main particulars, checked once.
+
+use super::error::{HydroError, within};
+
+/// Main particulars as they are given. [`Particulars::check`] refuses what no ship can have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Particulars {
+    /// Length between perpendiculars L [m].
+    pub length_m: f64,
+    /// Moulded beam B [m].
+    pub beam_m: f64,
+    /// Mean draught d [m].
+    pub draught_m: f64,
+    /// Displaced volume ∇ [m³].
+    pub volume_m3: f64,
+    /// Centre of gravity forward of midship xG [m].
+    pub centre_of_gravity_m: f64,
+    /// Radius of gyration in yaw about the centre of gravity, over L.
+    pub yaw_gyradius_ratio: f64,
+}
+
+impl Particulars {
+    /// From a block coefficient instead of a volume, with the centre of gravity amidships and a
+    /// gyradius of 0.25 L (the usual assumption of the MMG method).
+    ///
+    /// # Errors
+    /// As [`Particulars::check`].
+    pub fn from_block(
+        length_m: f64,
+        beam_m: f64,
+        draught_m: f64,
+        block_coefficient: f64,
+    ) -> Result<Particulars, HydroError> {
+        within("block coefficient", block_coefficient, 0.1, 1.0)?;
+        Particulars {
+            length_m,
+            beam_m,
+            draught_m,
+            volume_m3: block_coefficient * length_m * beam_m * draught_m,
+            centre_of_gravity_m: 0.0,
+            yaw_gyradius_ratio: 0.25,
+        }
+        .check()
+    }
+
+    /// The same particulars, where a ship can have them.
+    ///
+    /// # Errors
+    /// [`HydroError::OutOfRange`], naming the first that is impossible: dimensions that are not positive,
+    /// a block coefficient outside 0.1 to 1, a beam above the length, a centre of gravity outside the
+    /// ship, a gyradius outside 0.05 to 0.6 L.
+    pub fn check(self) -> Result<Particulars, HydroError> {
+        within("length between perpendiculars [m]", self.length_m, 0.1, 5000.0)?;
+        within("beam [m]", self.beam_m, 0.01, self.length_m)?;
+        within("draught [m]", self.draught_m, 0.001, self.length_m)?;
+        within("displaced volume [m³]", self.volume_m3, 0.0, f64::MAX)?;
+        within("block coefficient", self.block_coefficient(), 0.1, 1.0)?;
+        let half_m = 0.5 * self.length_m;
+        within(
+            "centre of gravity forward of midship [m]",
+            self.centre_of_gravity_m,
+            -half_m,
+            half_m,
+        )?;
+        within("yaw gyradius over length", self.yaw_gyradius_ratio, 0.05, 0.6)?;
+        Ok(self)
+    }
+
+    /// Block coefficient Cb = ∇/(L B d).
+    pub fn block_coefficient(&self) -> f64 {
+        self.volume_m3 / (self.length_m * self.beam_m * self.draught_m)
+    }
+
+    /// ½ L² d [m³]: what MMG coefficients of mass are multiplied with, before the density.
+    pub fn mass_unit_m3(&self) -> f64 {
+        0.5 * self.length_m * self.length_m * self.draught_m
+    }
+
+    /// ½ L⁴ d [m⁵]: the same for moments of inertia.
+    pub fn inertia_unit_m5(&self) -> f64 {
+        self.mass_unit_m3() * self.length_m * self.length_m
+    }
+
+    /// Moment of inertia in yaw about the centre of gravity, over the density [m⁵].
+    pub fn yaw_inertia_m5(&self) -> f64 {
+        let gyradius_m = self.yaw_gyradius_ratio * self.length_m;
+        self.volume_m3 * gyradius_m * gyradius_m
+    }
+}

@@ -1,0 +1,139 @@
+//! A propeller in all four quadrants of advance and revolutions.
+//!
+//! With vp = 0.7πnD and va the speed of advance, β_p = atan2(va, vp) and
+//! T = ½ρ c_T(β_p)(va² + vp²) πD²/4, Q likewise with another D. In this form nothing is divided by n
+//! or by va: thrust is continuous through zero revolutions and zero speed.
+//!
+//! c_T is the ship's own polynomial K_T = k₀ + k₁J + k₂J² where it was measured (0 ≤ β_p ≤ 30°), the
+//! four-quadrant series of a Wageningen B4-70 where nothing is known of the ship's own propeller
+//! (β_p < −25° or > 60°, and everything astern), and a smooth mixture between. The mixture is ours.
+//! c_Q is the series' everywhere, as no torque is published with the manoeuvring models.
+
+use std::f64::consts::PI;
+
+use super::propeller_series::{B4_70_PITCH_0_8, B4_70_PITCH_1_0, Harmonics};
+use super::quantities::{Water, smooth_step};
+
+/// sin β_p between which the own polynomial comes in (−25° to 0°).
+const OWN_FROM: [f64; 2] = [-0.422_618_261_740_699_44, 0.0];
+/// sin β_p between which it goes out again (30° to 60°).
+const OWN_TO: [f64; 2] = [0.5, 0.866_025_403_784_438_6];
+
+/// The series propeller that stands for the quadrants in which the ship's own was not measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Series {
+    /// Wageningen B4-70, pitch ratio 0.8.
+    B4Pitch08,
+    /// Wageningen B4-70, pitch ratio 1.0.
+    B4Pitch10,
+}
+
+impl Series {
+    fn harmonics(self) -> &'static Harmonics {
+        match self {
+            Series::B4Pitch08 => &B4_70_PITCH_0_8,
+            Series::B4Pitch10 => &B4_70_PITCH_1_0,
+        }
+    }
+}
+
+/// A fixed-pitch propeller in open water.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Propeller {
+    /// Diameter D [m].
+    pub diameter_m: f64,
+    /// Own K_T polynomial [k₀, k₁, k₂] over J in the first quadrant; the series' where it is not known.
+    pub thrust_polynomial: Option<[f64; 3]>,
+    /// The series for the other quadrants and for torque.
+    pub series: Series,
+}
+
+impl Propeller {
+    /// Thrust [N], positive ahead, at a speed of advance [m/s] and revolutions [1/s] of either sign.
+    pub fn thrust_n(&self, advance_mps: f64, shaft_rps: f64, water: Water) -> f64 {
+        let flow = self.flow(advance_mps, shaft_rps);
+        if flow.speed_squared == 0.0 {
+            return 0.0;
+        }
+        self.pressure_area(&flow, water) * self.thrust_coefficient(flow.cos, flow.sin)
+    }
+
+    /// Torque that the shaft has to give [N m], at a speed of advance [m/s] and revolutions [1/s].
+    pub fn torque_nm(&self, advance_mps: f64, shaft_rps: f64, water: Water) -> f64 {
+        let flow = self.flow(advance_mps, shaft_rps);
+        if flow.speed_squared == 0.0 {
+            return 0.0;
+        }
+        let [_, torque] = series_coefficients(self.series, flow.cos, flow.sin);
+        self.pressure_area(&flow, water) * self.diameter_m * torque
+    }
+
+    /// ½ρ (va² + vp²) πD²/4 [N].
+    fn pressure_area(&self, flow: &Flow, water: Water) -> f64 {
+        let disc_m2 = 0.25 * PI * self.diameter_m * self.diameter_m;
+        0.5 * water.density_kgpm3 * flow.speed_squared * disc_m2
+    }
+
+    fn flow(&self, advance_mps: f64, shaft_rps: f64) -> Flow {
+        let blade_mps = 0.7 * PI * shaft_rps * self.diameter_m;
+        let speed_squared = advance_mps * advance_mps + blade_mps * blade_mps;
+        let speed_mps = speed_squared.sqrt();
+        Flow { speed_squared, cos: blade_mps / speed_mps, sin: advance_mps / speed_mps }
+    }
+
+    /// c_T at β_p, given by its cosine and sine.
+    fn thrust_coefficient(&self, cos: f64, sin: f64) -> f64 {
+        let Some(polynomial) = self.thrust_polynomial else {
+            return series_thrust(self.series, cos, sin);
+        };
+        let own = own_weight(cos, sin);
+        // The series costs thirty times what the polynomial does, and is not wanted most of the time.
+        if own == 1.0 {
+            return polynomial_coefficient(polynomial, cos, sin);
+        }
+        let series = series_thrust(self.series, cos, sin);
+        if own == 0.0 {
+            return series;
+        }
+        own * polynomial_coefficient(polynomial, cos, sin) + (1.0 - own) * series
+    }
+}
+
+struct Flow {
+    speed_squared: f64,
+    cos: f64,
+    sin: f64,
+}
+
+/// Weight of the ship's own polynomial, smooth over β_p.
+fn own_weight(cos: f64, sin: f64) -> f64 {
+    if cos <= 0.0 {
+        return 0.0;
+    }
+    let comes = smooth_step((sin - OWN_FROM[0]) / (OWN_FROM[1] - OWN_FROM[0]));
+    let goes = smooth_step((sin - OWN_TO[0]) / (OWN_TO[1] - OWN_TO[0]));
+    comes * (1.0 - goes)
+}
+
+/// 8K_T/(π(J² + (0.7π)²)), which is a quadratic form in cos β_p and sin β_p: J = 0.7π tan β_p.
+fn polynomial_coefficient([k0, k1, k2]: [f64; 3], cos: f64, sin: f64) -> f64 {
+    let revolutions = cos / (0.7 * PI);
+    8.0 / PI * (k0 * revolutions * revolutions + k1 * revolutions * sin + k2 * sin * sin)
+}
+
+/// Σ A cos kβ + B sin kβ for thrust alone, harmonics by their recurrence.
+fn series_thrust(series: Series, cos: f64, sin: f64) -> f64 {
+    series_coefficients(series, cos, sin)[0]
+}
+
+/// [c_T, c_Q] of the series.
+fn series_coefficients(series: Series, cos: f64, sin: f64) -> [f64; 2] {
+    let (mut cos_k, mut sin_k) = (1.0, 0.0);
+    let (mut thrust, mut torque) = (0.0, 0.0);
+    for [thrust_cos, thrust_sin, torque_cos, torque_sin] in series.harmonics() {
+        thrust += thrust_cos * cos_k + thrust_sin * sin_k;
+        torque += torque_cos * cos_k + torque_sin * sin_k;
+        (cos_k, sin_k) = (cos_k * cos - sin_k * sin, sin_k * cos + cos_k * sin);
+    }
+    [thrust * 1e-2, torque * -1e-3]
+}

@@ -1,0 +1,98 @@
+//! Velocities and forces in the ship's own axes: x forward, y to starboard, moments positive to
+//! starboard, all about midship.
+
+use std::ops::{Add, Mul};
+
+/// Velocity through the water at midship.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Velocity {
+    /// Forward [m/s].
+    pub surge_mps: f64,
+    /// To starboard [m/s].
+    pub sway_mps: f64,
+    /// Bow to starboard [rad/s].
+    pub yaw_radps: f64,
+}
+
+impl Velocity {
+    /// Speed through the water U = √(u² + v²) [m/s].
+    pub fn speed_mps(&self) -> f64 {
+        (self.surge_mps * self.surge_mps + self.sway_mps * self.sway_mps).sqrt()
+    }
+
+    /// Drift angle β = atan2(−v, u) [rad]: positive where the ship slides to port. 0 at rest.
+    pub fn drift_rad(&self) -> f64 {
+        libm::atan2(-self.sway_mps, self.surge_mps)
+    }
+}
+
+/// A force at midship and the moment about it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Force {
+    /// Forward [N].
+    pub surge_n: f64,
+    /// To starboard [N].
+    pub sway_n: f64,
+    /// Bow to starboard [N m].
+    pub yaw_nm: f64,
+}
+
+impl Force {
+    /// A force in the plane that acts at a point `along_m` forward and `across_m` to starboard of midship.
+    pub fn at(surge_n: f64, sway_n: f64, along_m: f64, across_m: f64) -> Force {
+        Force { surge_n, sway_n, yaw_nm: along_m * sway_n - across_m * surge_n }
+    }
+}
+
+impl Add for Force {
+    type Output = Force;
+
+    fn add(self, other: Force) -> Force {
+        Force {
+            surge_n: self.surge_n + other.surge_n,
+            sway_n: self.sway_n + other.sway_n,
+            yaw_nm: self.yaw_nm + other.yaw_nm,
+        }
+    }
+}
+
+impl Mul<f64> for Force {
+    type Output = Force;
+
+    fn mul(self, factor: f64) -> Force {
+        Force {
+            surge_n: self.surge_n * factor,
+            sway_n: self.sway_n * factor,
+            yaw_nm: self.yaw_nm * factor,
+        }
+    }
+}
+
+/// The water: what every force is proportional to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Water {
+    /// Density [kg/m³].
+    pub density_kgpm3: f64,
+}
+
+impl Water {
+    /// Sea water, 1025 kg/m³.
+    pub const SEA: Water = Water { density_kgpm3: 1025.0 };
+    /// Fresh water of a towing tank, 1000 kg/m³.
+    pub const FRESH: Water = Water { density_kgpm3: 1000.0 };
+}
+
+/// What the bridge has set and the machinery has reached.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Controls {
+    /// Shaft revolutions, positive ahead [1/s].
+    pub shaft_rps: f64,
+    /// Rudder angle; positive turns a ship that goes ahead to starboard [rad].
+    pub rudder_rad: f64,
+}
+
+/// 3t² − 2t³ between 0 and 1, flat outside: no kink at either end.
+pub(super) fn smooth_step(t: f64) -> f64 {
+    let t = t.clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
