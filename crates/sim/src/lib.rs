@@ -52,12 +52,15 @@
 #![forbid(unsafe_code)]
 
 pub mod berthing;
+pub mod environment;
 
 mod error;
 mod fender;
 mod gather;
 mod integrate;
 mod ledger;
+mod random;
+mod range;
 mod record;
 mod rigid_body;
 mod setup;
@@ -66,6 +69,7 @@ mod summary;
 
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, Rated};
+pub use range::OutOfRange;
 pub use record::{ContactBook, Energy, StepRecord};
 pub use setup::{
     BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
