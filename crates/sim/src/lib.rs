@@ -57,12 +57,15 @@ pub mod berthing;
 pub mod control;
 pub mod external;
 pub mod hydro;
+pub mod environment;
 
 mod error;
 mod fender;
 mod gather;
 mod integrate;
 mod ledger;
+mod random;
+mod range;
 mod record;
 mod rigid_body;
 mod setup;
@@ -72,6 +75,7 @@ mod world;
 
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, Rated};
+pub use range::OutOfRange;
 pub use record::{ContactBook, Energy, StepRecord};
 pub use setup::{
     BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,

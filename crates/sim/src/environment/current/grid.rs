@@ -1,0 +1,63 @@
+//! Current on a grid in space and time.
+
+use fenderline_contact::{Vec2, vec2};
+
+use super::check_velocity;
+use crate::environment::error::EnvironmentError;
+use crate::environment::table::{check_axis, place};
+
+/// Velocities at the crossings of a grid, at one or several times: linear in time, bilinear in space.
+///
+/// Beyond the edges of the grid and before the first and after the last time the value at the edge is
+/// held: a ship that leaves the grid meets the current of its border.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurrentGrid {
+    times_s: Vec<f64>,
+    north_m: Vec<f64>,
+    east_m: Vec<f64>,
+    /// East fastest, then north, then time.
+    velocities_mps: Vec<Vec2>,
+}
+
+impl CurrentGrid {
+    /// From its three axes and the velocities, east fastest, then north, then time.
+    ///
+    /// # Errors
+    /// An axis that is empty or does not increase, a number of velocities that is not the product of the
+    /// three, a current above 15 m/s.
+    pub fn new(
+        times_s: Vec<f64>,
+        north_m: Vec<f64>,
+        east_m: Vec<f64>,
+        velocities_mps: Vec<Vec2>,
+    ) -> Result<CurrentGrid, EnvironmentError> {
+        check_axis("times of the current [s]", times_s.iter().copied(), 1)?;
+        check_axis("northings of the current [m]", north_m.iter().copied(), 1)?;
+        check_axis("eastings of the current [m]", east_m.iter().copied(), 1)?;
+        let expected = times_s.len() * north_m.len() * east_m.len();
+        if velocities_mps.len() != expected {
+            let found = velocities_mps.len();
+            return Err(EnvironmentError::Length { table: "the current's grid", expected, found });
+        }
+        velocities_mps.iter().try_for_each(|velocity| check_velocity(*velocity))?;
+        Ok(CurrentGrid { times_s, north_m, east_m, velocities_mps })
+    }
+
+    /// Velocity at a place and a time [m/s].
+    #[must_use]
+    pub fn at(&self, position_m: Vec2, t_s: f64) -> Vec2 {
+        let time = place(self.times_s.len(), |i| self.times_s[i], t_s);
+        let north = place(self.north_m.len(), |i| self.north_m[i], position_m.x);
+        let east = place(self.east_m.len(), |i| self.east_m[i], position_m.y);
+        let value = |t: usize, n: usize, e: usize| {
+            self.velocities_mps[(t * self.north_m.len() + n) * self.east_m.len() + e]
+        };
+        let on_line = |t, n| mix(value(t, n, east.low), value(t, n, east.high), east.share);
+        let on_plane = |t| mix(on_line(t, north.low), on_line(t, north.high), north.share);
+        mix(on_plane(time.low), on_plane(time.high), time.share)
+    }
+}
+
+fn mix(low: Vec2, high: Vec2, share: f64) -> Vec2 {
+    vec2(low.x + share * (high.x - low.x), low.y + share * (high.y - low.y))
+}

@@ -1,0 +1,53 @@
+//! Current: the same everywhere, by depth, or on a grid in space and time.
+//!
+//! Velocities are those that the water moves with, north and east [m/s]. A ship's forces come from her
+//! velocity relative to [`Current::velocity`].
+
+mod grid;
+mod profile;
+
+use fenderline_contact::Vec2;
+
+use super::error::EnvironmentError;
+use crate::range::{OutOfRange, within};
+pub use grid::CurrentGrid;
+pub use profile::CurrentProfile;
+
+/// A current.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Current {
+    /// The same everywhere and always [m/s].
+    Uniform(Vec2),
+    /// The same at every place, another one at every depth.
+    Layered(CurrentProfile),
+    /// By place and time, the same at every depth.
+    Grid(CurrentGrid),
+}
+
+impl Current {
+    /// A current that is the same everywhere.
+    ///
+    /// # Errors
+    /// One above 15 m/s; the strongest tidal stream is about 11 m/s (Saltstraumen; recalled).
+    pub fn uniform(velocity_mps: Vec2) -> Result<Current, EnvironmentError> {
+        check_velocity(velocity_mps)?;
+        Ok(Current::Uniform(velocity_mps))
+    }
+
+    /// Velocity that a hull of a draught meets at a place and a time [m/s]: by depth, the mean over the
+    /// draught.
+    #[must_use]
+    pub fn velocity(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {
+        match self {
+            Current::Uniform(velocity_mps) => *velocity_mps,
+            Current::Layered(profile) => profile.mean_over(draught_m),
+            Current::Grid(grid) => grid.at(position_m, t_s),
+        }
+    }
+}
+
+pub(super) fn check_velocity(velocity_mps: Vec2) -> Result<(), OutOfRange> {
+    within("current to the north [m/s]", velocity_mps.x, -15.0, 15.0)?;
+    within("current to the east [m/s]", velocity_mps.y, -15.0, 15.0)?;
+    Ok(())
+}

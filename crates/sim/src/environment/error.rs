@@ -1,0 +1,51 @@
+//! What can be wrong with an environment.
+
+use std::fmt;
+
+use crate::range::OutOfRange;
+
+/// An environment that cannot be simulated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum EnvironmentError {
+    /// A number outside its range.
+    OutOfRange(OutOfRange),
+    /// The entries of a table's axis do not increase.
+    NotIncreasing {
+        /// Which axis.
+        axis: &'static str,
+        /// Index of the first entry that is not above the one before it.
+        entry: usize,
+    },
+    /// A table has not as many entries as it needs.
+    Length {
+        /// Which.
+        table: &'static str,
+        /// As many it should have (at least, for an axis).
+        expected: usize,
+        /// As many it has.
+        found: usize,
+    },
+}
+
+impl fmt::Display for EnvironmentError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EnvironmentError::OutOfRange(error) => error.fmt(f),
+            EnvironmentError::NotIncreasing { axis, entry } => {
+                write!(f, "{axis} must increase, but entry {entry} does not")
+            }
+            EnvironmentError::Length { table, expected, found } => {
+                write!(f, "{table} needs {expected} entries, but has {found}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for EnvironmentError {}
+
+impl From<OutOfRange> for EnvironmentError {
+    fn from(error: OutOfRange) -> EnvironmentError {
+        EnvironmentError::OutOfRange(error)
+    }
+}

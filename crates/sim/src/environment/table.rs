@@ -1,0 +1,62 @@
+//! Linear interpolation on an axis that increases.
+
+use super::error::EnvironmentError;
+use crate::range::within;
+
+/// Checks an axis: as many entries as `least` or more, all finite, each above the one before.
+pub(super) fn check_axis(
+    axis: &'static str,
+    entries: impl ExactSizeIterator<Item = f64>,
+    least: usize,
+) -> Result<(), EnvironmentError> {
+    if entries.len() < least {
+        return Err(EnvironmentError::Length {
+            table: axis,
+            expected: least,
+            found: entries.len(),
+        });
+    }
+    let mut last = f64::NEG_INFINITY;
+    for (entry, value) in entries.enumerate() {
+        within(axis, value, -1e12, 1e12)?;
+        if value <= last {
+            return Err(EnvironmentError::NotIncreasing { axis, entry });
+        }
+        last = value;
+    }
+    Ok(())
+}
+
+/// Where a value lies on an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    /// Index of the entry at or below.
+    pub(super) low: usize,
+    /// Index of the entry at or above.
+    pub(super) high: usize,
+    /// Weight of the upper one, 0 to 1.
+    pub(super) share: f64,
+}
+
+/// The place of a value on an axis of `count` entries; before the first and beyond the last it is held
+/// at them.
+pub(super) fn place(count: usize, at: impl Fn(usize) -> f64, value: f64) -> Place {
+    let last = count - 1;
+    if value <= at(0) {
+        return Place { low: 0, high: 0, share: 0.0 };
+    }
+    if value >= at(last) {
+        return Place { low: last, high: last, share: 0.0 };
+    }
+    // Invariant: at(low) ≤ value < at(high).
+    let (mut low, mut high) = (0, last);
+    while high - low > 1 {
+        let middle = low.midpoint(high);
+        if at(middle) <= value {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Place { low, high, share: (value - at(low)) / (at(high) - at(low)) }
+}

@@ -1,0 +1,1 @@
+//! Placeholder until the waves are written.

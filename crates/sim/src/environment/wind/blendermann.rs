@@ -1,0 +1,100 @@
+//! Blendermann's four parameters.
+
+use core::f64::consts::FRAC_PI_2;
+
+use super::windage::{ShipWindage, WindCoefficients};
+use crate::range::{OutOfRange, within};
+
+/// Blendermann, "Parameter identification of wind loads on ships", J. Wind Eng. Ind. Aerodyn. 51 (1994).
+///
+/// With CDl = CDlAF·A_F/A_L and den = 1 − ½δ(1 − CDl/CDt) sin²2γ: CX = −CDlAF·cosγ/den (on A_F),
+/// CY = CDt·sinγ/den, CN = (s_L/L − 0.18(γ − π/2))·CY. Source: found (Fossen's toolbox, which prints the
+/// formulas and the table of types). That code takes γ − π/2 of a negative γ too, which breaks port
+/// against starboard; here it is |γ| and the result is mirrored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blendermann {
+    /// Parameters of the type of ship.
+    pub kind: BlendermannType,
+}
+
+/// Parameters of one type of ship.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlendermannType {
+    /// Name of the type.
+    pub name: &'static str,
+    /// CDt, drag across.
+    pub across: f64,
+    /// CDlAF, drag along in winds from forward of the beam, on the frontal area.
+    pub along_from_ahead: f64,
+    /// CDlAF in winds from abaft the beam.
+    pub along_from_astern: f64,
+    /// δ, cross-force parameter.
+    pub cross_force: f64,
+    /// κ, rolling-moment factor.
+    pub roll_factor: f64,
+}
+
+const fn kind(name: &'static str, p: [f64; 5]) -> BlendermannType {
+    BlendermannType {
+        name,
+        across: p[0],
+        along_from_ahead: p[1],
+        along_from_astern: p[2],
+        cross_force: p[3],
+        roll_factor: p[4],
+    }
+}
+
+/// Blendermann's table: CDt, CDlAF(0), CDlAF(π), δ, κ. Found in Fossen's toolbox; the original was not
+/// read. The drilling vessel's CDlAF are means of a range.
+pub static BLENDERMANN_TYPES: [BlendermannType; 17] = [
+    kind("car carrier", [0.95, 0.55, 0.60, 0.80, 1.2]),
+    kind("cargo vessel, loaded", [0.85, 0.65, 0.55, 0.40, 1.7]),
+    kind("cargo vessel, container on deck", [0.85, 0.55, 0.50, 0.40, 1.4]),
+    kind("container ship, loaded", [0.90, 0.55, 0.55, 0.40, 1.4]),
+    kind("destroyer", [0.85, 0.60, 0.65, 0.65, 1.1]),
+    kind("diving support vessel", [0.90, 0.60, 0.80, 0.55, 1.7]),
+    kind("drilling vessel", [1.00, 0.85, 0.925, 0.10, 1.7]),
+    kind("ferry", [0.90, 0.45, 0.50, 0.80, 1.1]),
+    kind("fishing vessel", [0.95, 0.70, 0.70, 0.40, 1.1]),
+    kind("gas tanker", [0.70, 0.60, 0.65, 0.50, 1.1]),
+    kind("offshore supply vessel", [0.90, 0.55, 0.80, 0.55, 1.2]),
+    kind("passenger liner", [0.90, 0.40, 0.40, 0.80, 1.2]),
+    kind("research vessel", [0.85, 0.55, 0.65, 0.60, 1.4]),
+    kind("speed boat", [0.90, 0.55, 0.60, 0.60, 1.1]),
+    kind("tanker, loaded", [0.70, 0.90, 0.55, 0.40, 3.1]),
+    kind("tanker, in ballast", [0.70, 0.75, 0.55, 0.40, 2.2]),
+    kind("tender", [0.85, 0.55, 0.55, 0.65, 1.1]),
+];
+
+impl Blendermann {
+    /// The parameters of a type of [`BLENDERMANN_TYPES`]; `None` for a name that is not there.
+    #[must_use]
+    pub fn of_type(name: &str) -> Option<Blendermann> {
+        let kind = BLENDERMANN_TYPES.iter().find(|kind| kind.name == name)?;
+        Some(Blendermann { kind: *kind })
+    }
+
+    pub(super) fn check(&self) -> Result<(), OutOfRange> {
+        let k = &self.kind;
+        within("wind drag across CDt", k.across, 0.1, 3.0)?;
+        within("wind drag along CDl from ahead", k.along_from_ahead, 0.0, 3.0)?;
+        within("wind drag along CDl from astern", k.along_from_astern, 0.0, 3.0)?;
+        within("cross-force parameter δ", k.cross_force, 0.0, 1.0)?;
+        within("rolling-moment factor κ", k.roll_factor, 0.0, 10.0)?;
+        Ok(())
+    }
+
+    /// At an angle from 0 to π. The step from one CDlAF to the other at 90° is not felt: cos γ and
+    /// sin 2γ vanish there.
+    pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
+        let k = &self.kind;
+        let along = if angle_rad <= FRAC_PI_2 { k.along_from_ahead } else { k.along_from_astern };
+        let along_on_lateral = along * ship.frontal_m2 / ship.lateral_m2;
+        let double = libm::sin(2.0 * angle_rad);
+        let den = 1.0 - 0.5 * k.cross_force * (1.0 - along_on_lateral / k.across) * double * double;
+        let sway = k.across * libm::sin(angle_rad) / den;
+        let arm = ship.centroid_forward_m / ship.length_m - 0.18 * (angle_rad - FRAC_PI_2);
+        WindCoefficients { surge: -along * libm::cos(angle_rad) / den, sway, yaw: arm * sway }
+    }
+}

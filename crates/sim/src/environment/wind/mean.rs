@@ -1,0 +1,120 @@
+//! The mean wind and its growth with height.
+
+use fenderline_contact::{Vec2, vec2};
+
+use super::gust::Gusts;
+use crate::environment::error::EnvironmentError;
+use crate::range::{OutOfRange, within};
+
+/// Height that wind speeds are stated at [m].
+pub(super) const REFERENCE_HEIGHT_M: f64 = 10.0;
+
+/// A steady wind at 10 m and its profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeanWind {
+    /// Mean speed 10 m above the water [m/s].
+    pub speed_mps: f64,
+    /// Where it comes from, clockwise from north [rad].
+    pub from_rad: f64,
+    /// How it grows with height.
+    pub profile: WindProfile,
+}
+
+/// Growth of the mean wind with height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum WindProfile {
+    /// The same at every height.
+    Uniform,
+    /// U(z) = U₁₀ (z/10)^exponent; 1/7 is customary, 0.11 to 0.14 over the open sea (recalled).
+    Power {
+        /// Exponent.
+        exponent: f64,
+    },
+    /// U(z) = U₁₀ ln(z/z₀)/ln(10/z₀), the logarithmic law (textbooks; recalled).
+    Logarithmic {
+        /// z₀ [m]; 0.0002 m over open sea (recalled).
+        roughness_m: f64,
+    },
+}
+
+impl MeanWind {
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// A wind above 120 m/s or an impossible profile. The strongest gust that was ever measured is about
+    /// 113 m/s (recalled).
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        within("wind speed [m/s]", self.speed_mps, 0.0, 120.0)?;
+        within("wind direction [rad]", self.from_rad, -100.0, 100.0)?;
+        match self.profile {
+            WindProfile::Uniform => {}
+            WindProfile::Power { exponent } => {
+                within("exponent of the wind profile", exponent, 0.0, 1.0)?;
+            }
+            WindProfile::Logarithmic { roughness_m } => {
+                within("roughness length [m]", roughness_m, 1e-6, 0.5)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Mean speed at a height [m/s]. The laws do not hold close to the surface: below 1 m the speed is
+    /// that at 1 m.
+    #[must_use]
+    pub fn speed_at(&self, height_m: f64) -> f64 {
+        let z_m = height_m.max(1.0);
+        let factor = match self.profile {
+            WindProfile::Uniform => 1.0,
+            WindProfile::Power { exponent } => libm::pow(z_m / REFERENCE_HEIGHT_M, exponent),
+            WindProfile::Logarithmic { roughness_m } => {
+                libm::log(z_m / roughness_m) / libm::log(REFERENCE_HEIGHT_M / roughness_m)
+            }
+        };
+        self.speed_mps * factor
+    }
+
+    /// Direction that the wind blows towards, north and east.
+    fn towards(&self) -> Vec2 {
+        vec2(-libm::cos(self.from_rad), -libm::sin(self.from_rad))
+    }
+}
+
+/// A mean wind with or without gusts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wind {
+    mean: MeanWind,
+    gusts: Option<Gusts>,
+}
+
+impl Wind {
+    /// A steady wind.
+    ///
+    /// # Errors
+    /// As [`MeanWind::check`].
+    pub fn steady(mean: MeanWind) -> Result<Wind, EnvironmentError> {
+        mean.check()?;
+        Ok(Wind { mean, gusts: None })
+    }
+
+    /// A wind with gusts about its mean. The gusts keep the direction and are the same all over the ship.
+    ///
+    /// # Errors
+    /// As [`MeanWind::check`].
+    pub fn gusty(mean: MeanWind, gusts: Gusts) -> Result<Wind, EnvironmentError> {
+        mean.check()?;
+        Ok(Wind { mean, gusts: Some(gusts) })
+    }
+
+    /// The mean wind.
+    #[must_use]
+    pub fn mean(&self) -> &MeanWind {
+        &self.mean
+    }
+
+    /// Velocity of the air at a height above the water and a time, north and east [m/s].
+    #[must_use]
+    pub fn velocity(&self, height_m: f64, t_s: f64) -> Vec2 {
+        let gust_mps = self.gusts.as_ref().map_or(0.0, |gusts| gusts.speed_mps(t_s));
+        self.mean.towards() * (self.mean.speed_at(height_m) + gust_mps)
+    }
+}

@@ -1,0 +1,26 @@
+//! Wind: mean, profile and gusts, and what it does to a ship.
+//!
+//! [`Wind::velocity`] gives the air's velocity at a height and a time; [`RelativeWind::of`] what a ship
+//! feels of it; [`ShipWindage::force`] the force.
+//!
+//! The angle γ is that of the wind's origin from the bow, positive where it comes over the *port* side,
+//! so that γ > 0 pushes to starboard, Y > 0 (the convention of Fossen's toolbox, found).
+
+mod blendermann;
+mod fujiwara;
+mod gust;
+mod isherwood;
+mod mean;
+mod relative;
+mod spectrum;
+mod windage;
+
+pub use super::harmonics::Realisation;
+pub use blendermann::{BLENDERMANN_TYPES, Blendermann, BlendermannType};
+pub use fujiwara::Fujiwara;
+pub use gust::Gusts;
+pub use isherwood::Isherwood;
+pub use mean::{MeanWind, Wind, WindProfile};
+pub use relative::RelativeWind;
+pub use spectrum::{GustSpectrum, surface_drag};
+pub use windage::{ShipWindage, WindCoefficients, WindMethod};

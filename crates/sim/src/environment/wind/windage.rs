@@ -1,0 +1,112 @@
+//! A ship in the wind: force from coefficients.
+
+use core::f64::consts::{PI, TAU};
+
+use super::blendermann::Blendermann;
+use super::fujiwara::Fujiwara;
+use super::isherwood::Isherwood;
+use super::relative::RelativeWind;
+use crate::range::{OutOfRange, within};
+
+/// Wind areas of a ship and the method that turns them into forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShipWindage {
+    /// Length overall [m].
+    pub length_m: f64,
+    /// Beam [m].
+    pub beam_m: f64,
+    /// Frontal projected area above the water [m²].
+    pub frontal_m2: f64,
+    /// Lateral projected area above the water [m²].
+    pub lateral_m2: f64,
+    /// Centroid of the lateral area forward of midship [m].
+    pub centroid_forward_m: f64,
+    /// Centroid of the lateral area above the waterline [m].
+    pub centroid_height_m: f64,
+    /// How the coefficients are found.
+    pub method: WindMethod,
+}
+
+/// How wind coefficients are found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum WindMethod {
+    /// Isherwood 1972: regression over merchant ships.
+    Isherwood(Isherwood),
+    /// Blendermann 1994: four parameters of a type of ship.
+    Blendermann(Blendermann),
+    /// Fujiwara et al. 1998: regression of a Fourier series in the angle.
+    Fujiwara(Fujiwara),
+}
+
+/// Coefficients for one angle: X = ½ρV²·CX·A_F, Y = ½ρV²·CY·A_L, N = ½ρV²·CN·A_L·L.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WindCoefficients {
+    /// CX; negative in a head wind.
+    pub surge: f64,
+    /// CY; positive with the wind over the port side.
+    pub sway: f64,
+    /// CN about midship.
+    pub yaw: f64,
+}
+
+impl ShipWindage {
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// The first that no ship has, by its name.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        within("length overall [m]", self.length_m, 0.1, 2000.0)?;
+        within("beam [m]", self.beam_m, 0.05, 500.0)?;
+        within("frontal wind area [m²]", self.frontal_m2, 1e-4, 1e6)?;
+        within("lateral wind area [m²]", self.lateral_m2, 1e-4, 1e6)?;
+        let half_m = 0.5 * self.length_m;
+        let forward_m = self.centroid_forward_m;
+        within("centroid of the lateral area forward of midship [m]", forward_m, -half_m, half_m)?;
+        within("height of the lateral area's centroid [m]", self.centroid_height_m, 1e-3, 200.0)?;
+        match &self.method {
+            WindMethod::Isherwood(method) => method.check(),
+            WindMethod::Blendermann(method) => method.check(),
+            WindMethod::Fujiwara(method) => method.check(),
+        }
+    }
+
+    /// Coefficients at an angle γ [rad]. They are computed for |γ| from 0 to π and mirrored, so that port
+    /// and starboard agree at every angle, 180° among them.
+    #[must_use]
+    pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
+        let wrapped_rad = libm::remainder(angle_rad, TAU);
+        let one_side = match &self.method {
+            WindMethod::Isherwood(m) => m.coefficients(self, wrapped_rad.abs()),
+            WindMethod::Blendermann(m) => m.coefficients(self, wrapped_rad.abs()),
+            WindMethod::Fujiwara(m) => m.coefficients(self, wrapped_rad.abs()),
+        };
+        // Straight from ahead or astern there is no side to push to.
+        let side =
+            if wrapped_rad == 0.0 || wrapped_rad.abs() >= PI { 0.0 } else { wrapped_rad.signum() };
+        WindCoefficients { sway: side * one_side.sway, yaw: side * one_side.yaw, ..one_side }
+    }
+
+    /// Force and moment about midship, [X, Y, N] in [N, N, N·m], in air of a density [kg/m³] (1.224 at
+    /// 15 °C).
+    #[must_use]
+    pub fn force(&self, relative: &RelativeWind, air_density_kgpm3: f64) -> [f64; 3] {
+        let c = self.coefficients(relative.angle_rad);
+        let pressure_npm2 = 0.5 * air_density_kgpm3 * relative.speed_mps * relative.speed_mps;
+        [
+            pressure_npm2 * c.surge * self.frontal_m2,
+            pressure_npm2 * c.sway * self.lateral_m2,
+            pressure_npm2 * c.yaw * self.lateral_m2 * self.length_m,
+        ]
+    }
+
+    /// Heeling moment about the waterline that goes with a side force, positive to starboard [N·m]: the
+    /// force at the centroid of the lateral area, times κ by Blendermann (K = κ·s_H·Y).
+    #[must_use]
+    pub fn roll_moment_nm(&self, sway_n: f64) -> f64 {
+        let factor = match &self.method {
+            WindMethod::Blendermann(method) => method.kind.roll_factor,
+            WindMethod::Isherwood(_) | WindMethod::Fujiwara(_) => 1.0,
+        };
+        factor * self.centroid_height_m * sway_n
+    }
+}
