@@ -54,7 +54,7 @@ pub(crate) fn setup(
         fenders,
         berthing,
         loads,
-        world: WorldSetup { providers },
+        world: WorldSetup { providers, ..WorldSetup::default() },
     })
 }
 

@@ -99,7 +99,7 @@ fn full() -> Json {
         "fender": {
             "of a type": {
                 "on": "b", "position": [1, 0], "facing": "-90 deg", "width": "2 m",
-                "face_height": 3, "material": "m", "type": "cone", "height": "1.2 m",
+                "face_height": 3, "above_water": "2 m", "material": "m", "type": "cone", "height": "1.2 m",
                 "rated_reaction": "900 kN", "count": 2, "temperature": 10, "tolerance": "-10 %",
                 "velocity_factor": false, "angle_factor": true, "hull": "large tanker"
             },

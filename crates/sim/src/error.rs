@@ -28,6 +28,18 @@ pub enum SetupError {
     },
     /// A particular of the berthing that no ship has.
     Berthing(BerthingError),
+    /// An order to a thruster that the vessel does not have.
+    NoThruster {
+        /// The index of the vessel.
+        vessel: usize,
+        /// That of the thruster.
+        thruster: usize,
+    },
+    /// A vessel with the paper's contact method, which knows one mass for all directions.
+    VesselByPaperMethod {
+        /// The index of her body.
+        body: usize,
+    },
     /// A load or pair names a body that is not there, or a load a fixed one.
     BadBody {
         /// What names it.
@@ -44,6 +56,12 @@ impl fmt::Display for SetupError {
             SetupError::OutOfRange { field, value } => write!(f, "{field} is {value}"),
             SetupError::DuplicateName { what, name } => {
                 write!(f, "two {what} are named `{name}`")
+            }
+            SetupError::NoThruster { vessel, thruster } => {
+                write!(f, "vessel {vessel} has no thruster {thruster}")
+            }
+            SetupError::VesselByPaperMethod { body } => {
+                write!(f, "body {body} is a vessel: the paper's method has no mass matrix for her")
             }
             SetupError::Berthing(error) => write!(f, "the berthing's {error}"),
             SetupError::BadBody { owner, body } => {

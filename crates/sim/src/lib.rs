@@ -55,9 +55,9 @@
 pub mod attitude;
 pub mod berthing;
 pub mod control;
+pub mod environment;
 pub mod external;
 pub mod hydro;
-pub mod environment;
 
 mod error;
 mod fender;
@@ -83,4 +83,7 @@ pub use setup::{
 };
 pub use simulation::Simulation;
 pub use summary::PairSummary;
-pub use world::{ProviderSetup, WorldSetup};
+pub use world::{
+    Action, Environment, Float, Order, Pilots, ProviderSetup, Station, VesselForces, VesselOrders,
+    VesselSetup, VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
+};

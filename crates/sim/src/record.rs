@@ -2,6 +2,8 @@
 
 use fenderline_contact::{BodyState, Contact, Event, Wrench};
 
+use crate::world::{VesselForces, VesselState, WorldEvent};
+
 /// One step, seen at its start: states at `t_s`, the forces that act from there on.
 #[derive(Clone, Copy, Debug)]
 pub struct StepRecord<'a> {
@@ -24,6 +26,12 @@ pub struct StepRecord<'a> {
     pub events: &'a [Event],
     /// The energy ledger at the end of the step.
     pub energy: Energy,
+    /// Controls and attitude of the vessels at the end of the step, in the order of the set-up.
+    pub vessels: &'a [VesselState],
+    /// Where the forces on each vessel came from in this step.
+    pub vessel_forces: &'a [VesselForces],
+    /// What happened in the world.
+    pub world_events: &'a [WorldEvent],
 }
 
 /// What one contact did in one step, over all the integrator's stages and the engine's sub-steps: a

@@ -10,6 +10,10 @@ pub(crate) struct Inertia {
     pub(crate) surge_kg: f64,
     pub(crate) sway_kg: f64,
     pub(crate) yaw_kgm2: f64,
+    /// Coupling of sway and yaw about the centre of gravity [kg·m].
+    pub(crate) coupling_kgm: f64,
+    /// The Coriolis and centripetal terms of the added mass are among its loads already.
+    pub(crate) turning_is_loaded: bool,
     pub(crate) fixed: bool,
 }
 
@@ -19,7 +23,14 @@ impl Inertia {
     /// limiter's promise of γV⁰ would not be kept. The coupled method takes each as it is.
     pub(crate) fn of(mass: Option<&MassProperties>, method: Method) -> Inertia {
         let Some(m) = mass else {
-            return Inertia { surge_kg: 0.0, sway_kg: 0.0, yaw_kgm2: 0.0, fixed: true };
+            return Inertia {
+                surge_kg: 0.0,
+                sway_kg: 0.0,
+                yaw_kgm2: 0.0,
+                coupling_kgm: 0.0,
+                turning_is_loaded: false,
+                fixed: true,
+            };
         };
         let (added_surge_kg, added_sway_kg) = match method {
             Method::Coupled => (m.added_surge_kg, m.added_sway_kg),
@@ -32,6 +43,20 @@ impl Inertia {
             surge_kg: m.mass_kg + added_surge_kg,
             sway_kg: m.mass_kg + added_sway_kg,
             yaw_kgm2: m.yaw_inertia_kgm2 + m.added_yaw_kgm2,
+            coupling_kgm: 0.0,
+            turning_is_loaded: false,
+            fixed: false,
+        }
+    }
+
+    /// A vessel's, from her mass matrix about the centre of gravity; her loads hold the turning terms.
+    pub(crate) fn of_vessel(matrix: &[[f64; 3]; 3]) -> Inertia {
+        Inertia {
+            surge_kg: matrix[0][0],
+            sway_kg: matrix[1][1],
+            yaw_kgm2: matrix[2][2],
+            coupling_kgm: matrix[1][2],
+            turning_is_loaded: true,
             fixed: false,
         }
     }
@@ -41,11 +66,11 @@ impl Inertia {
         if self.fixed {
             return Mobility::Fixed;
         }
-        if self.surge_kg == self.sway_kg {
+        if self.surge_kg == self.sway_kg && self.coupling_kgm == 0.0 {
             return Mobility::Free { mass_kg: self.surge_kg, yaw_inertia_kgm2: self.yaw_kgm2 };
         }
-        let matrix =
-            [[self.surge_kg, 0.0, 0.0], [0.0, self.sway_kg, 0.0], [0.0, 0.0, self.yaw_kgm2]];
+        let c = self.coupling_kgm;
+        let matrix = [[self.surge_kg, 0.0, 0.0], [0.0, self.sway_kg, c], [0.0, c, self.yaw_kgm2]];
         Mobility::Massive { matrix }
     }
 
@@ -55,7 +80,7 @@ impl Inertia {
     /// them); nothing where the mass is the same in all directions.
     pub(crate) fn momentum_wrench(&self, state: &BodyState) -> Wrench {
         let difference_kg = self.sway_kg - self.surge_kg;
-        if difference_kg == 0.0 {
+        if difference_kg == 0.0 || self.turning_is_loaded {
             return Wrench::default();
         }
         let rotation = state.pose().rotation;
@@ -72,26 +97,30 @@ impl Inertia {
         if self.fixed {
             return (Vec2::ZERO, 0.0);
         }
-        if self.surge_kg == self.sway_kg {
+        if self.surge_kg == self.sway_kg && self.coupling_kgm == 0.0 {
             let inverse = 1.0 / self.surge_kg;
             return (wrench.force_n * inverse, wrench.moment_nm / self.yaw_kgm2);
         }
         let turning = self.momentum_wrench(state);
         let rotation = state.pose().rotation;
         let own = rotation.apply_inverse(wrench.force_n + turning.force_n);
-        (
-            rotation.apply(vec2(own.x / self.surge_kg, own.y / self.sway_kg)),
-            (wrench.moment_nm + turning.moment_nm) / self.yaw_kgm2,
-        )
+        let moment_nm = wrench.moment_nm + turning.moment_nm;
+        let c = self.coupling_kgm;
+        let determinant = self.sway_kg * self.yaw_kgm2 - c * c;
+        let sway = (own.y * self.yaw_kgm2 - moment_nm * c) / determinant;
+        let yaw = (moment_nm * self.sway_kg - own.y * c) / determinant;
+        (rotation.apply(vec2(own.x / self.surge_kg, sway)), yaw)
     }
 
     /// Kinetic energy [J].
     pub(crate) fn kinetic_j(&self, state: &BodyState) -> f64 {
-        let translation_j = if self.surge_kg == self.sway_kg {
+        let translation_j = if self.surge_kg == self.sway_kg && self.coupling_kgm == 0.0 {
             self.surge_kg * state.velocity_mps.length_squared()
         } else {
             let uv = state.pose().rotation.apply_inverse(state.velocity_mps);
-            self.surge_kg * uv.x * uv.x + self.sway_kg * uv.y * uv.y
+            self.surge_kg * uv.x * uv.x
+                + self.sway_kg * uv.y * uv.y
+                + 2.0 * self.coupling_kgm * uv.y * state.yaw_rate_radps
         };
         0.5 * (translation_j + self.yaw_kgm2 * state.yaw_rate_radps * state.yaw_rate_radps)
     }

@@ -15,6 +15,7 @@ use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
+use crate::world::{Action, VesselState, World, mass_matrix};
 
 /// Weights of the four stages of classical Runge–Kutta.
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
@@ -35,6 +36,7 @@ pub struct Simulation {
     summaries: Summaries,
     fender_summaries: FenderSummaries,
     study: Option<Study>,
+    world: World,
     buffers: Buffers,
 }
 
@@ -65,8 +67,7 @@ impl Simulation {
     pub fn new(setup: Setup) -> Result<Simulation, SetupError> {
         let steps_total = count_steps(&setup)?;
         setup.loads.iter().try_for_each(|load| check_load(load, &setup))?;
-        let inertias: Vec<Inertia> =
-            setup.bodies.iter().map(|b| Inertia::of(b.mass.as_ref(), setup.method)).collect();
+        let inertias = inertias(&setup)?;
         let model = build_model(&setup, &inertias)?;
         let states: Vec<BodyState> = setup.bodies.iter().map(initial_state).collect();
         let count = states.len();
@@ -91,6 +92,7 @@ impl Simulation {
             summaries: Summaries::default(),
             fender_summaries: FenderSummaries::new(setup.fenders.len()),
             study: study(&setup)?,
+            world: World::new(&setup.world),
             index: 0,
             setup,
             model,
@@ -161,6 +163,12 @@ impl Simulation {
         self.fender_summaries.all.iter().flatten()
     }
 
+    /// The vessels now, in the order of the set-up.
+    #[must_use]
+    pub fn vessels(&self) -> &[VesselState] {
+        &self.world.vessels
+    }
+
     /// The berthing by formula and as it came out; `None` where the set-up asks for none, or no fender
     /// was touched yet. An error where ship or speed is none that the formulas are for.
     #[must_use]
@@ -191,10 +199,17 @@ impl Simulation {
         if self.setup.integrator == Integrator::Rk4 {
             self.buffers.backup.copy_from(&self.memory);
         }
-        // Stages 1–5: the contact engine.
+        let world_before = (!self.setup.world.vessels.is_empty()).then(|| self.world.clone());
+        // What acts besides contact, and stages 1–5: the contact engine.
         gather_loads(&self.setup.loads, t_s, step_s, &mut self.buffers.loads);
         add_external(&self.buffers.external, &mut self.buffers.loads);
-        self.contact().map_err(|cause| SimError { t_s, cause })?;
+        self.world.step(&self.setup.world, &self.states, t_s, step_s, &mut self.buffers.loads);
+        if let Err(cause) = self.contact() {
+            if let Some(world) = world_before {
+                self.world = world;
+            }
+            return Err(SimError { t_s, cause });
+        }
         // Stages 6 and 7: everything that acts on each body, and the next states.
         self.buffers.before.clone_from(&self.states);
         match self.setup.integrator {
@@ -207,10 +222,16 @@ impl Simulation {
             Integrator::Rk4 => {
                 if let Err(cause) = self.runge_kutta() {
                     self.memory.copy_from(&self.buffers.backup);
+                    if let Some(world) = world_before {
+                        self.world = world;
+                    }
                     return Err(SimError { t_s, cause });
                 }
             }
         }
+        let contacts = self.work.contacts();
+        let (world, fenders) = (&self.setup.world, &self.setup.fenders);
+        self.world.settle(world, fenders, contacts, &self.buffers.before, step_s);
         // Stage 8: what happened.
         self.book();
         let record = StepRecord {
@@ -223,6 +244,9 @@ impl Simulation {
             wrenches: self.work.wrenches(),
             events: self.work.events(),
             energy: self.ledger.energy,
+            vessels: &self.world.vessels,
+            vessel_forces: &self.world.forces,
+            world_events: &self.world.events,
         };
         self.summaries.book(&record);
         self.fender_summaries.book(&self.setup.fenders, record.contacts, t_s);
@@ -394,6 +418,33 @@ fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
         return Err(SetupError::OutOfRange { field: "a load's time", value: f64::NAN });
     }
     Ok(())
+}
+
+/// The inertia of each body. A vessel has that of her model.
+fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
+    let of_body = |body: &crate::setup::BodySetup| Inertia::of(body.mass.as_ref(), setup.method);
+    let mut inertias: Vec<Inertia> = setup.bodies.iter().map(of_body).collect();
+    let density_kgpm3 = setup.world.environment.water_density_kgpm3;
+    for vessel in &setup.world.vessels {
+        if setup.bodies.get(vessel.body).is_none_or(|body| body.mass.is_none()) {
+            return Err(SetupError::BadBody { owner: "vessel", body: vessel.body });
+        }
+        if setup.method == Method::Paper {
+            return Err(SetupError::VesselByPaperMethod { body: vessel.body });
+        }
+        inertias[vessel.body] = Inertia::of_vessel(&mass_matrix(&vessel.ship, density_kgpm3));
+    }
+    for order in &setup.world.orders {
+        let Some(vessel) = setup.world.vessels.get(order.vessel) else {
+            return Err(SetupError::BadBody { owner: "order", body: order.vessel });
+        };
+        if let Action::Thruster(index, _) = order.action
+            && index >= vessel.thrusters.len()
+        {
+            return Err(SetupError::NoThruster { vessel: order.vessel, thruster: index });
+        }
+    }
+    Ok(inertias)
 }
 
 /// The study of a berthing, its particulars checked.

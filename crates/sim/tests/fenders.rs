@@ -45,6 +45,7 @@ fn fender(name: &str, along_m: f64, height_m: f64, rated_reaction_n: f64) -> Fen
         facing_rad: -FRAC_PI_2,
         width_m: 2.0,
         height_m: 3.0,
+        above_water_m: 2.0,
         projection_m: height_m,
         rated: Rated::of(&law, 0.72 * height_m),
         stop: Some(Stop {

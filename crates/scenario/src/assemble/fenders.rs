@@ -80,6 +80,7 @@ impl Assembly<'_, '_> {
             facing_rad: *table.given("facing").number(),
             width_m,
             height_m: given("face_height").unwrap_or(width_m),
+            above_water_m: given("above_water").unwrap_or(0.0),
             projection_m,
             law: performance.law,
             material,

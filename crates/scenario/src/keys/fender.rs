@@ -53,6 +53,13 @@ pub(super) static FENDER: TableSpec = TableSpec {
             examples: &["\"3 m\""],
         },
         KeySpec {
+            name: "above_water",
+            kind: Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -100.0, high: 100.0 }),
+            absent: Means("at the waterline"),
+            doc: "Middle of its face above the still waterline: where its force heels a vessel.",
+            examples: &["\"2 m\""],
+        },
+        KeySpec {
             name: "projection",
             kind: Kind::Quantity(SIZE),
             absent: Means("the height of its type"),

@@ -1,5 +1,132 @@
 //! The world around the bodies of a set-up: everything that acts on them besides contact and plain loads.
+//!
+//! [`WorldSetup`] is the constant part. Each step, before contact, `World::step` takes the orders that are
+//! due, lets the pilots order, moves rudders, shafts and thrusters, and adds the wrench of hull, propeller,
+//! rudder, thrusters and wind to each vessel's body. After contact, `World::settle` heels and trims the
+//! vessels by all horizontal forces at the height where they act.
 
+mod environment;
+mod event;
+mod order;
+mod pilot;
 mod setup;
+mod vessel;
 
+use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
+
+use self::pilot::Abilities;
+use crate::fender::FenderSetup;
+
+pub use environment::Environment;
+pub use event::{WorldEvent, WorldEventKind};
+pub use order::{Action, Order, Station};
+pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
+pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, mass_matrix};
+
+/// What changes of a world: plain data, but for what can be found again.
+#[derive(Clone, Debug)]
+pub(crate) struct World {
+    pub(crate) vessels: Vec<VesselState>,
+    pub(crate) forces: Vec<VesselForces>,
+    pub(crate) events: Vec<WorldEvent>,
+    abilities: Vec<Abilities>,
+    /// Orders sorted by time, and how many have been taken.
+    orders: Vec<Order>,
+    taken: usize,
+    /// Vessels that had an order beyond a stop in the last step: told once.
+    clamped: Vec<bool>,
+    helpers_n: Vec<f64>,
+}
+
+impl World {
+    pub(crate) fn new(setup: &WorldSetup) -> World {
+        let water = setup.environment.density();
+        let mut orders = setup.orders.clone();
+        orders.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
+        World {
+            vessels: setup.vessels.iter().map(VesselState::new).collect(),
+            forces: vec![VesselForces::default(); setup.vessels.len()],
+            events: Vec::new(),
+            abilities: setup.vessels.iter().map(|v| Abilities::of(v, water)).collect(),
+            orders,
+            taken: 0,
+            clamped: vec![false; setup.vessels.len()],
+            helpers_n: Vec::new(),
+        }
+    }
+
+    /// Adds to each body's load what its vessel feels in the step that begins at `states`.
+    pub(crate) fn step(
+        &mut self,
+        setup: &WorldSetup,
+        states: &[BodyState],
+        t_s: f64,
+        step_s: f64,
+        loads: &mut [Wrench],
+    ) {
+        self.events.clear();
+        self.take_orders(setup, states, t_s, step_s);
+        for (index, vessel) in setup.vessels.iter().enumerate() {
+            let (state, own) = (&states[vessel.body], &mut self.vessels[index]);
+            let abilities = &self.abilities[index];
+            pilot::pilot(own, vessel, abilities, state, &[], &mut self.helpers_n, step_s);
+            let clamped = own.act(step_s);
+            if clamped && !self.clamped[index] {
+                self.events.push(WorldEvent { who: index, kind: WorldEventKind::OrderClamped });
+            }
+            self.clamped[index] = clamped;
+            let forces = vessel.forces(own, state, &setup.environment, t_s);
+            let wrench = vessel.wrench(&forces, state, &setup.environment, t_s);
+            loads[vessel.body].force_n += wrench.force_n;
+            loads[vessel.body].moment_nm += wrench.moment_nm;
+            self.forces[index] = forces;
+        }
+    }
+
+    fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64, step_s: f64) {
+        // An order counts from the step in which its time lies.
+        while let Some(order) = self.orders.get(self.taken).filter(|o| o.at_s < t_s + step_s) {
+            let vessel = &setup.vessels[order.vessel];
+            pilot::take(
+                &order.action,
+                &mut self.vessels[order.vessel],
+                vessel,
+                &self.abilities[order.vessel],
+                &states[vessel.body],
+            );
+            self.taken += 1;
+        }
+    }
+
+    /// Heels and trims the vessels after a step, by their own forces and by contact at the fenders' height.
+    pub(crate) fn settle(
+        &mut self,
+        setup: &WorldSetup,
+        fenders: &[FenderSetup],
+        contacts: &[Contact],
+        states: &[BodyState],
+        step_s: f64,
+    ) {
+        for (index, vessel) in setup.vessels.iter().enumerate() {
+            let Some(float) = &vessel.float else { continue };
+            let mut drive = vessel.drive(&self.forces[index], float);
+            let attitude = Rotation::from_angle(states[vessel.body].heading_rad);
+            for contact in contacts {
+                let [one, two] = [contact.body_1.0 as usize, contact.body_2.0 as usize];
+                let sign = match vessel.body {
+                    body if body == one => 1.0,
+                    body if body == two => -1.0,
+                    _ => continue,
+                };
+                // A fender's own height; outlines press at the waterline.
+                let height_m =
+                    contact.fender.map_or(0.0, |id| fenders[id.0 as usize].above_water_m);
+                let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
+                drive.add(own.x, own.y, height_m - float.gravity_above_water_m);
+            }
+            let state = &mut self.vessels[index];
+            state.attitude = state.attitude.after(&float.hydrostatics, &drive, step_s);
+        }
+    }
+}

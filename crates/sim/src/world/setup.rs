@@ -1,8 +1,18 @@
 //! The constant part of a world.
 
+use super::environment::Environment;
+use super::order::Order;
+use super::vessel::VesselSetup;
+
 /// What surrounds the bodies of a [`crate::Setup`]; empty by default.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WorldSetup {
+    /// Wind, current and water.
+    pub environment: Environment,
+    /// Bodies that are vessels.
+    pub vessels: Vec<VesselSetup>,
+    /// Timed orders to the vessels.
+    pub orders: Vec<Order>,
     /// Programs that put forces on bodies.
     pub providers: Vec<ProviderSetup>,
 }

@@ -3,6 +3,7 @@
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use super::environment::Environment;
+use super::pilot::Pilots;
 use crate::attitude::{Attitude, Drive, Hydrostatics};
 use crate::environment::wind::{RelativeWind, ShipWindage};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
@@ -62,6 +63,8 @@ pub struct VesselState {
     pub shaft: RateLimited,
     /// Thrusters now.
     pub thrusters: Vec<Lag>,
+    /// Pilots that are on.
+    pub pilots: Pilots,
     /// Heave, roll and pitch, without first-order wave motion.
     pub attitude: Attitude,
 }
@@ -104,6 +107,7 @@ impl VesselState {
                 Lag { value: 0.0, time_constant_s: setup.thruster_lag_s };
                 setup.thrusters.len()
             ],
+            pilots: Pilots::default(),
             attitude: Attitude::default(),
         }
     }
@@ -133,8 +137,7 @@ impl VesselSetup {
     ) -> VesselForces {
         let velocity = self.velocity(state, environment, t_s);
         let water = environment.density();
-        let controls =
-            Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
+        let controls = Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
         let parts = self.ship.parts(&velocity, &controls, water);
         let thrusters = self
             .thrusters
@@ -157,7 +160,8 @@ impl VesselSetup {
     fn velocity(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Velocity {
         let draught_m = self.ship.particulars.draught_m;
         let current = environment.current(state.position_m, t_s, draught_m);
-        let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps - current);
+        let own =
+            Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps - current);
         let yaw_radps = state.yaw_rate_radps;
         let sway_mps = own.y - self.ship.particulars.centre_of_gravity_m * yaw_radps;
         Velocity { surge_mps: own.x, sway_mps, yaw_radps }
@@ -193,8 +197,7 @@ impl VesselSetup {
         let density = environment.density().density_kgpm3;
         let r = velocity.yaw_radps;
         let sway_of_gravity_mps = velocity.sway_mps + ahead_m * r;
-        let surge_n =
-            surge_n - density * self.ship.added_mass.surge_m3 * sway_of_gravity_mps * r;
+        let surge_n = surge_n - density * self.ship.added_mass.surge_m3 * sway_of_gravity_mps * r;
         let sway_n = sway_n + density * self.ship.added_mass.sway_m3 * velocity.surge_mps * r;
         let own = vec2(surge_n, sway_n);
         Wrench {
@@ -227,13 +230,8 @@ pub fn mass_matrix(ship: &Mmg, density_kgpm3: f64) -> [[f64; 3]; 3] {
     let (surge_kg, sway_kg) = (density_kgpm3 * added.surge_m3, density_kgpm3 * added.sway_m3);
     let ahead_m = hull.centre_of_gravity_m;
     let coupling = -sway_kg * ahead_m;
-    let yaw =
-        density_kgpm3 * (hull.yaw_inertia_m5() + added.yaw_m5) + sway_kg * ahead_m * ahead_m;
-    [
-        [mass_kg + surge_kg, 0.0, 0.0],
-        [0.0, mass_kg + sway_kg, coupling],
-        [0.0, coupling, yaw],
-    ]
+    let yaw = density_kgpm3 * (hull.yaw_inertia_m5() + added.yaw_m5) + sway_kg * ahead_m * ahead_m;
+    [[mass_kg + surge_kg, 0.0, 0.0], [0.0, mass_kg + sway_kg, coupling], [0.0, coupling, yaw]]
 }
 
 /// Where a point of a ship is, north, east and above the still water [m].

@@ -1,0 +1,190 @@
+//! A vessel's pilots: what turns standing orders for a course, a speed or a place into rudder, engine and
+//! thruster orders, step by step.
+
+use fenderline_contact::BodyState;
+
+use super::order::{Action, Station};
+use super::vessel::{VesselSetup, VesselState, mass_matrix};
+use crate::control::{
+    CoursePilot, Demand, Gains, LateralDevice, SpeedPilot, StationPilot, allocate,
+};
+use crate::hydro::{Controls, Velocity, Water};
+
+/// The pilots that a vessel has on: plain data.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pilots {
+    /// On the rudder.
+    pub course: Option<CoursePilot>,
+    /// On the engine.
+    pub speed: Option<SpeedPilot>,
+    /// On everything.
+    pub station: Option<StationPilot>,
+}
+
+/// What the pilots need to know of a ship, found once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Abilities {
+    /// Force at rest at full revolutions astern (negative) and ahead [N].
+    bollard_n: [f64; 2],
+    /// Speed at full revolutions ahead [m/s].
+    full_speed_mps: f64,
+    /// Mass in surge and sway, inertia in yaw, added mass included.
+    inertia: [f64; 3],
+}
+
+impl Abilities {
+    pub(crate) fn of(setup: &VesselSetup, water: Water) -> Abilities {
+        let surge_n = |surge_mps: f64, shaft_rps: f64| {
+            let velocity = Velocity { surge_mps, ..Velocity::default() };
+            let controls = Controls { shaft_rps, rudder_rad: 0.0 };
+            setup.ship.forces(&velocity, &controls, water).surge_n
+        };
+        let full_rps = setup.shaft.stop;
+        // Thrust falls and resistance grows with speed: the balance by halving.
+        let (mut low, mut high) = (0.0, 30.0);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if surge_n(middle, full_rps) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let matrix = mass_matrix(&setup.ship, water.density_kgpm3);
+        Abilities {
+            bollard_n: [surge_n(0.0, -full_rps), surge_n(0.0, full_rps)],
+            full_speed_mps: high,
+            inertia: [matrix[0][0], matrix[1][1], matrix[2][2]],
+        }
+    }
+
+    /// Revolutions over full ones for a force at rest: thrust goes with their square.
+    fn revolutions(&self, surge_n: f64) -> f64 {
+        let [astern_n, ahead_n] = self.bollard_n;
+        if surge_n >= 0.0 {
+            libm::sqrt(surge_n / ahead_n.max(1.0)).min(1.0)
+        } else {
+            -libm::sqrt(surge_n / astern_n.min(-1.0)).min(1.0)
+        }
+    }
+}
+
+/// Takes one order.
+pub(crate) fn take(
+    action: &Action,
+    vessel: &mut VesselState,
+    setup: &VesselSetup,
+    abilities: &Abilities,
+    state: &BodyState,
+) {
+    let speed_mps = state.velocity_mps.length();
+    let pilots = &mut vessel.pilots;
+    match *action {
+        Action::Rudder(angle_rad) => {
+            (pilots.course, pilots.station) = (None, None);
+            vessel.orders.rudder_rad = angle_rad;
+        }
+        Action::Engine(share) => {
+            (pilots.speed, pilots.station) = (None, None);
+            vessel.orders.shaft = share;
+        }
+        Action::Thruster(index, power) => {
+            pilots.station = None;
+            vessel.orders.thrusters[index] = power;
+        }
+        Action::Course(heading_rad) => {
+            pilots.station = None;
+            let length_m = setup.ship.particulars.length_m;
+            let stop_rad = setup.rudder.stop;
+            pilots.course = Some(CoursePilot::of_ship(heading_rad, length_m, speed_mps, stop_rad));
+        }
+        Action::Speed(wanted_mps) => {
+            pilots.station = None;
+            pilots.speed = Some(SpeedPilot {
+                speed_mps: wanted_mps,
+                full_speed_mps: abilities.full_speed_mps,
+                integral_s: 120.0,
+                integral: 0.0,
+            });
+        }
+        Action::Station(station) => {
+            (pilots.course, pilots.speed) = (None, None);
+            let steady = pilots.station.map_or([0.0; 3], |before| before.steady);
+            pilots.station = Some(station_pilot(&station, abilities, setup, steady));
+        }
+        Action::Hands => *pilots = Pilots::default(),
+    }
+}
+
+fn station_pilot(
+    station: &Station,
+    abilities: &Abilities,
+    setup: &VesselSetup,
+    steady: [f64; 3],
+) -> StationPilot {
+    let [surge, sway] = station.fastest_mps;
+    StationPilot {
+        position_m: station.position_m,
+        heading_rad: station.heading_rad,
+        gains: Gains {
+            inertia: abilities.inertia,
+            period_s: 240.0,
+            damping: 0.9,
+            integral_s: 300.0,
+            // Her ends no faster by turning than she goes sideways.
+            fastest: [surge, sway, 2.0 * sway / setup.ship.particulars.length_m],
+        },
+        steady,
+    }
+}
+
+/// Sets the orders of this step. `helpers` are what else pushes her sideways (tugs); their shares are
+/// written to `helpers_n`.
+pub(crate) fn pilot(
+    vessel: &mut VesselState,
+    setup: &VesselSetup,
+    abilities: &Abilities,
+    state: &BodyState,
+    helpers: &[LateralDevice],
+    helpers_n: &mut Vec<f64>,
+    step_s: f64,
+) {
+    helpers_n.clear();
+    let attitude = fenderline_contact::Rotation::from_angle(state.heading_rad);
+    let surge_mps = attitude.apply_inverse(state.velocity_mps).x;
+    if let Some(course) = &vessel.pilots.course {
+        vessel.orders.rudder_rad =
+            course.rudder_rad(state.heading_rad, state.yaw_rate_radps, surge_mps);
+    }
+    if let Some(speed) = &mut vessel.pilots.speed {
+        vessel.orders.shaft = speed.revolutions(surge_mps, step_s);
+    }
+    let Some(station) = &mut vessel.pilots.station else { return };
+    let ahead_m = setup.ship.particulars.centre_of_gravity_m;
+    let mut devices: Vec<LateralDevice> = setup
+        .thrusters
+        .iter()
+        .map(|thruster| LateralDevice {
+            forward_m: thruster.along_m - ahead_m,
+            limits_n: [-thruster.bollard_n, thruster.bollard_n],
+        })
+        .collect();
+    devices.extend_from_slice(helpers);
+    let [astern_n, ahead_n] = abilities.bollard_n;
+    let reach = |device: &LateralDevice| device.limits_n[1].max(-device.limits_n[0]);
+    let largest = Demand {
+        surge_n: ahead_n.min(-astern_n),
+        sway_n: devices.iter().map(reach).sum(),
+        yaw_nm: devices.iter().map(|d| reach(d) * d.forward_m.abs()).sum(),
+    };
+    let demand = station.demand(state, &largest, step_s);
+    vessel.orders.shaft = abilities.revolutions(demand.surge_n);
+    vessel.orders.rudder_rad = 0.0;
+    let mut forces_n = vec![0.0; devices.len()];
+    allocate(&devices, demand.sway_n, demand.yaw_nm, &mut forces_n);
+    let own = setup.thrusters.len();
+    for (index, thruster) in setup.thrusters.iter().enumerate() {
+        vessel.orders.thrusters[index] = forces_n[index] / thruster.bollard_n;
+    }
+    helpers_n.extend_from_slice(&forces_n[own..]);
+}

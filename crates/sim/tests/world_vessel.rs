@@ -1,0 +1,124 @@
+//! A vessel in the simulation against the three-degree-of-freedom model that the manoeuvres are validated
+//! with, in still water and in a current.
+
+mod support;
+
+use fenderline_contact::{Vec2, vec2};
+use fenderline_sim::environment::current::Current;
+use fenderline_sim::hydro::actuator::RateLimited;
+use fenderline_sim::hydro::{Model3, Water, manoeuvres, vessels};
+use fenderline_sim::{
+    Action, Environment, Integrator, MassProperties, Method, Order, Setup, Simulation, VesselSetup,
+    WorldSetup,
+};
+use support::{fixed, rectangle};
+
+/// KVLCC2 at full scale on a northerly course, her rudder put over at once.
+fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
+    let vessel = vessels::kvlcc2();
+    let model = Model3::new(vessel.ship, Water::SEA);
+    let approach = manoeuvres::Approach::at(&model, vessel.approach_mps, vessel.steering, 0.5)
+        .expect("she goes");
+    let mut body = fixed("kvlcc2", rectangle(320.0, 58.0));
+    body.mass = Some(MassProperties { mass_kg: 1.0, yaw_inertia_kgm2: 1.0, ..Default::default() });
+    body.velocity.surge_mps = vessel.approach_mps + current_mps.x;
+    body.velocity.sway_mps = current_mps.y;
+    let shaft_rps = approach.shaft_rps;
+    let setup = Setup {
+        step_s,
+        duration_s: 900.0,
+        integrator: Integrator::SemiImplicit,
+        method: Method::Coupled,
+        bodies: vec![body],
+        materials: vec![],
+        pairs: vec![],
+        every_other_pair: None,
+        fenders: vec![],
+        berthing: None,
+        loads: vec![],
+        world: WorldSetup {
+            environment: Environment {
+                current: Some(Current::uniform(current_mps).expect("a current")),
+                ..Environment::default()
+            },
+            vessels: vec![VesselSetup {
+                body: 0,
+                ship: vessel.ship,
+                rudder: vessel.steering,
+                shaft: RateLimited { value: shaft_rps, rate_per_s: 0.1, stop: shaft_rps },
+                thrusters: vec![],
+                thruster_lag_s: 0.0,
+                windage: None,
+                float: None,
+            }],
+            orders: vec![Order {
+                at_s: 0.0,
+                vessel: 0,
+                action: Action::Rudder(rudder_deg.to_radians()),
+            }],
+            ..WorldSetup::default()
+        },
+    };
+    (setup, approach.shaft_rps)
+}
+
+/// Advance and tactical diameter of midship [m].
+fn circle(setup: Setup, current_mps: Vec2) -> (f64, f64) {
+    let ahead_m = setup.world.vessels[0].ship.particulars.centre_of_gravity_m;
+    let mut simulation = Simulation::new(setup).expect("a good set-up");
+    let midship = |state: &fenderline_contact::BodyState, t_s: f64| {
+        state.pose().apply(vec2(-ahead_m, 0.0)) - current_mps * t_s
+    };
+    let start = midship(&simulation.states()[0], 0.0);
+    let (mut advance_m, mut diameter_m) = (f64::NAN, f64::NAN);
+    let mut before = (0.0, start);
+    while !simulation.is_done() {
+        simulation.step().expect("a good step");
+        let state = simulation.states()[0];
+        let (heading, place) = (state.heading_rad.abs(), midship(&state, simulation.time_s()));
+        let crossed = |at: f64| before.0 < at && heading >= at;
+        let between = |at: f64| {
+            before.1 + (place - before.1) * ((at - before.0) / (heading - before.0)) - start
+        };
+        if crossed(core::f64::consts::FRAC_PI_2) {
+            advance_m = between(core::f64::consts::FRAC_PI_2).x;
+        }
+        if crossed(core::f64::consts::PI) {
+            diameter_m = between(core::f64::consts::PI).y.abs();
+            break;
+        }
+        before = (heading, place);
+    }
+    (advance_m, diameter_m)
+}
+
+#[test]
+fn a_vessel_turns_in_the_simulation_as_in_the_model_that_was_validated() {
+    let vessel = vessels::kvlcc2();
+    let model = Model3::new(vessel.ship, Water::SEA);
+    let approach = manoeuvres::Approach::at(&model, vessel.approach_mps, vessel.steering, 0.5)
+        .expect("she goes");
+    for rudder_deg in [35.0, -35.0_f64] {
+        let turn = manoeuvres::turning_circle(&model, &approach, rudder_deg.to_radians()).unwrap();
+        // Forces are held through a step: the error falls with it.
+        for (step_s, tolerance) in [(0.1, 0.002), (1.0, 0.02)] {
+            let (advance_m, diameter_m) =
+                circle(kvlcc2(rudder_deg, Vec2::ZERO, step_s).0, Vec2::ZERO);
+            let off = |ours: f64, theirs: f64| (ours / theirs - 1.0).abs();
+            assert!(off(advance_m, turn.advance_m) < tolerance, "{advance_m}, {}", turn.advance_m);
+            assert!(
+                off(diameter_m, turn.tactical_diameter_m.abs()) < tolerance,
+                "{diameter_m}, {}",
+                turn.tactical_diameter_m
+            );
+        }
+    }
+}
+
+#[test]
+fn a_uniform_current_carries_a_manoeuvre_along_and_changes_nothing_else() {
+    let still = circle(kvlcc2(35.0, Vec2::ZERO, 0.5).0, Vec2::ZERO);
+    let current_mps = vec2(0.7, -1.1);
+    let carried = circle(kvlcc2(35.0, current_mps, 0.5).0, current_mps);
+    assert!((still.0 - carried.0).abs() < 1e-6 && (still.1 - carried.1).abs() < 1e-6);
+}
