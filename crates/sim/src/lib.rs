@@ -64,6 +64,7 @@ mod fender;
 mod gather;
 mod integrate;
 mod ledger;
+pub mod mooring;
 mod random;
 mod range;
 mod record;

@@ -74,7 +74,7 @@ fn blendermann_of_the_container_ship() {
 
 /// ISO 15016's later regression (Fujiwara 2005, found) has C_LF = 0.922 − 0.507 A_L/(L·B) − 1.162 x_L/L in a
 /// head wind. On the Esso Osaka model, whose particulars the found code has, the two regressions agree to
-/// 5 %; 10 % is the scatter that each of them states about its own ships (recalled). On the container ship
+/// 5 %; 10 % leaves room for two regressions, and none for a wrong sign. On the container ship
 /// with her high deck load they are a third apart, 0.78 and 0.59, whatever superstructure is assumed for
 /// her; Isherwood has 0.47 and Blendermann 0.55 there.
 #[test]

@@ -1,0 +1,23 @@
+//! How long a wave is.
+
+use super::GRAVITY_MPS2;
+
+/// Wave number k [rad/m] of a wave of ω > 0 [rad/s] in water of a depth > 0 [m]: ω² = g k tanh(kh) (linear
+/// theory), by Newton's method from above the root, where it cannot overshoot.
+#[must_use]
+pub fn wave_number(frequency_radps: f64, depth_m: f64) -> f64 {
+    let deep = frequency_radps * frequency_radps / GRAVITY_MPS2;
+    // In x = kh: x tanh x = deep·h = d. max(d, √d) ≤ x; x tanh x is convex enough there for Newton.
+    let d = deep * depth_m;
+    let mut x = d.max(d.sqrt());
+    for _ in 0..50 {
+        let tanh = libm::tanh(x);
+        let slope = tanh + x * (1.0 - tanh * tanh);
+        let next = x - (x * tanh - d) / slope;
+        if (next - x).abs() <= 2.0 * f64::EPSILON * x {
+            return next / depth_m;
+        }
+        x = next;
+    }
+    x / depth_m
+}

@@ -1,0 +1,75 @@
+//! First-order motion: the sea through a ship's response operators.
+
+use fenderline_contact::Vec2;
+
+use super::box_ship::BoxShip;
+use super::complex::Complex;
+use super::rao::RaoTable;
+use super::sea::Sea;
+
+/// How a ship answers a wave.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MotionResponse {
+    /// A table, computed or measured elsewhere.
+    Table(RaoTable),
+    /// The built-in estimate; to be shown to users as one.
+    Estimate(BoxShip),
+}
+
+/// Where a ship is in the waves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShipInWaves {
+    /// Midship, north and east [m].
+    pub position_m: Vec2,
+    /// Velocity, north and east [m/s].
+    pub velocity_mps: Vec2,
+    /// Heading [rad].
+    pub heading_rad: f64,
+}
+
+/// Motion of a ship by the waves alone, to be superposed: surge, sway, heave down [m], roll to starboard,
+/// pitch bow up, yaw [rad].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FirstOrderMotion {
+    /// The motion.
+    pub motion: [f64; 6],
+    /// Its rate, with the ship's speed through the waves in it.
+    pub rate: [f64; 6],
+}
+
+impl MotionResponse {
+    fn at(&self, frequency_radps: f64, direction_rad: f64, ahead_mps: f64) -> [Complex; 6] {
+        match self {
+            MotionResponse::Table(table) => table.at(frequency_radps, direction_rad),
+            MotionResponse::Estimate(ship) => ship.at(frequency_radps, direction_rad, ahead_mps),
+        }
+    }
+}
+
+/// The motion of a ship at a time: Σ Re{H(ω, μ)·a·e^{i(ωt − k·x + ε)}} at her midship. Because her place is
+/// in it, the frequency of encounter comes by itself.
+#[must_use]
+pub fn first_order_motion(
+    sea: &Sea,
+    response: &MotionResponse,
+    ship: &ShipInWaves,
+    t_s: f64,
+) -> FirstOrderMotion {
+    let direction_rad = sea.towards_rad() - ship.heading_rad;
+    let (sin, cos) = (libm::sin(ship.heading_rad), libm::cos(ship.heading_rad));
+    let ahead_mps = ship.velocity_mps.x * cos + ship.velocity_mps.y * sin;
+    let mut sum = FirstOrderMotion::default();
+    for c in &sea.components {
+        let operators = response.at(c.frequency_radps, direction_rad, ahead_mps);
+        let angle_rad = c.angle_rad(ship.position_m, t_s);
+        let wave = Complex::new(libm::cos(angle_rad), libm::sin(angle_rad)) * c.amplitude_m;
+        let encounter_radps = c.frequency_radps - c.number_radpm.dot(ship.velocity_mps);
+        for (k, operator) in operators.into_iter().enumerate() {
+            let moved = operator * wave;
+            sum.motion[k] += moved.re;
+            // d/dt Re{z e^{iω_e t}} = −ω_e Im{…}.
+            sum.rate[k] -= encounter_radps * moved.im;
+        }
+    }
+    sum
+}

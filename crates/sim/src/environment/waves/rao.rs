@@ -1,0 +1,78 @@
+//! Response amplitude operators as a table.
+
+use core::f64::consts::{PI, TAU};
+
+use super::complex::Complex;
+use crate::environment::error::EnvironmentError;
+use crate::environment::table::{check_axis, place};
+use crate::range::within;
+
+/// Response amplitude operators of a ship that is the same on both sides: complex amplitude of each motion
+/// for a wave of 1 m amplitude, by frequency and direction.
+///
+/// Between entries the complex numbers are mixed in straight lines; before the first and beyond the last
+/// frequency the entry at the edge is held, so that a table should reach from where the ship follows the
+/// wave to where she no longer moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RaoTable {
+    frequencies_radps: Vec<f64>,
+    directions_rad: Vec<f64>,
+    /// Direction fastest.
+    operators: Vec<[Complex; 6]>,
+}
+
+impl RaoTable {
+    /// From the waves' own frequencies [rad/s] (not those of encounter), directions μ from 0 to π [rad], and
+    /// operators, direction fastest: surge, sway, heave down [m/m], roll, pitch bow up, yaw [rad/m].
+    ///
+    /// # Errors
+    /// Axes that do not increase, directions that do not reach from 0 to π, a wrong number of operators, an
+    /// operator that is not finite.
+    pub fn new(
+        frequencies_radps: Vec<f64>,
+        directions_rad: Vec<f64>,
+        operators: Vec<[Complex; 6]>,
+    ) -> Result<RaoTable, EnvironmentError> {
+        check_axis("frequencies of the response [rad/s]", frequencies_radps.iter().copied(), 1)?;
+        check_axis("directions of the response [rad]", directions_rad.iter().copied(), 2)?;
+        within("first direction of the response [rad]", directions_rad[0], -1e-9, 1e-9)?;
+        let last = directions_rad[directions_rad.len() - 1];
+        within("last direction of the response [rad]", last, PI - 1e-3, PI + 1e-3)?;
+        let expected = frequencies_radps.len() * directions_rad.len();
+        if operators.len() != expected {
+            let found = operators.len();
+            return Err(EnvironmentError::Length {
+                table: "the response's table",
+                expected,
+                found,
+            });
+        }
+        for part in operators.iter().flatten().flat_map(|c| [c.re, c.im]) {
+            within("response amplitude operator", part, -1e3, 1e3)?;
+        }
+        Ok(RaoTable { frequencies_radps, directions_rad, operators })
+    }
+
+    /// The operators for a wave of a frequency that runs towards μ from the bow; from starboard the mirror
+    /// of those from port: sway, roll and yaw change their sign.
+    #[must_use]
+    pub fn at(&self, frequency_radps: f64, direction_rad: f64) -> [Complex; 6] {
+        let wrapped_rad = libm::remainder(direction_rad, TAU);
+        let columns = self.directions_rad.len();
+        let row =
+            place(self.frequencies_radps.len(), |i| self.frequencies_radps[i], frequency_radps);
+        let column = place(columns, |i| self.directions_rad[i], wrapped_rad.abs());
+        let side = if wrapped_rad < 0.0 { -1.0 } else { 1.0 };
+        std::array::from_fn(|motion| {
+            let entry = |r: usize, c: usize| self.operators[r * columns + c][motion];
+            let on_row = |r| mix(entry(r, column.low), entry(r, column.high), column.share);
+            let mixed = mix(on_row(row.low), on_row(row.high), row.share);
+            let sideways = motion == 1 || motion == 3 || motion == 5;
+            if sideways { mixed * side } else { mixed }
+        })
+    }
+}
+
+fn mix(low: Complex, high: Complex, share: f64) -> Complex {
+    low * (1.0 - share) + high * share
+}

@@ -1,0 +1,140 @@
+//! A sea: long-crested harmonics.
+
+use core::f64::consts::TAU;
+
+use fenderline_contact::{Vec2, vec2};
+
+use super::dispersion::wave_number;
+use super::jonswap::Jonswap;
+use crate::environment::error::EnvironmentError;
+use crate::environment::harmonics::Realisation;
+use crate::range::within;
+
+/// The band of a JONSWAP sea in multiples of ω_p; outside of it lie 0.3 % of the energy, which the
+/// harmonics within get besides.
+const BAND: [f64; 2] = [0.5, 4.0];
+
+/// One regular wave.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RegularWave {
+    /// Height from trough to crest [m].
+    pub height_m: f64,
+    /// Period [s].
+    pub period_s: f64,
+    /// Phase ε at t = 0 in the origin [rad]; 0 is a crest.
+    pub phase_rad: f64,
+}
+
+/// A sum of harmonics that run in one direction; a pure function of place and time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sea {
+    towards_rad: f64,
+    pub(super) components: Vec<Component>,
+}
+
+/// One harmonic of a sea.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Component {
+    pub(super) frequency_radps: f64,
+    pub(super) amplitude_m: f64,
+    pub(super) phase_rad: f64,
+    /// k, north and east [rad/m].
+    pub(super) number_radpm: Vec2,
+}
+
+impl Component {
+    /// ωt − k·x + ε.
+    pub(super) fn angle_rad(&self, position_m: Vec2, t_s: f64) -> f64 {
+        self.frequency_radps * t_s - self.number_radpm.dot(position_m) + self.phase_rad
+    }
+}
+
+impl Sea {
+    /// One regular wave that runs towards a direction, clockwise from north, in water of a depth [m].
+    ///
+    /// # Errors
+    /// A wave that is none, or steeper than 1/7, at which waves break.
+    pub fn regular(
+        wave: RegularWave,
+        towards_rad: f64,
+        depth_m: f64,
+    ) -> Result<Sea, EnvironmentError> {
+        within("wave period [s]", wave.period_s, 0.5, 40.0)?;
+        within("phase of the wave [rad]", wave.phase_rad, -100.0, 100.0)?;
+        check_place(towards_rad, depth_m)?;
+        let frequency_radps = TAU / wave.period_s;
+        let number = wave_number(frequency_radps, depth_m);
+        within("wave height [m]", wave.height_m, 0.0, TAU / number / 7.0)?;
+        let component = Component {
+            frequency_radps,
+            amplitude_m: 0.5 * wave.height_m,
+            phase_rad: wave.phase_rad,
+            number_radpm: number_towards(number, towards_rad),
+        };
+        Ok(Sea { towards_rad, components: vec![component] })
+    }
+
+    /// A JONSWAP sea that runs towards a direction, in water of a depth [m] (which sets the lengths of the
+    /// waves, not their spectrum). Scaled so that 4√m₀ is Hs exactly: the spectrum's own m₀ is 0.2 %
+    /// too great at γ 3.3, because its A is an approximation.
+    ///
+    /// # Errors
+    /// A sea that is none.
+    pub fn jonswap(
+        spectrum: &Jonswap,
+        towards_rad: f64,
+        depth_m: f64,
+        realisation: Realisation,
+    ) -> Result<Sea, EnvironmentError> {
+        spectrum.check()?;
+        check_place(towards_rad, depth_m)?;
+        realisation.check()?;
+        let [low, high] = BAND.map(|multiple| multiple * spectrum.peak_radps());
+        let harmonics = realisation.harmonics_of(|w| spectrum.density(w), low, high);
+        let energy_m2: f64 = harmonics.iter().map(|h| 0.5 * h.amplitude * h.amplitude).sum();
+        let scale = if energy_m2 > 0.0 { 0.25 * spectrum.height_m / energy_m2.sqrt() } else { 0.0 };
+        let component = |h: &crate::environment::harmonics::Harmonic| Component {
+            frequency_radps: h.frequency,
+            amplitude_m: scale * h.amplitude,
+            phase_rad: h.phase_rad,
+            number_radpm: number_towards(wave_number(h.frequency, depth_m), towards_rad),
+        };
+        Ok(Sea { towards_rad, components: harmonics.iter().map(component).collect() })
+    }
+
+    /// Direction that the waves run towards, clockwise from north [rad].
+    #[must_use]
+    pub fn towards_rad(&self) -> f64 {
+        self.towards_rad
+    }
+
+    /// Elevation of the surface at a place and a time [m].
+    #[must_use]
+    pub fn elevation_m(&self, position_m: Vec2, t_s: f64) -> f64 {
+        let heights =
+            self.components.iter().map(|c| c.amplitude_m * libm::cos(c.angle_rad(position_m, t_s)));
+        heights.sum()
+    }
+
+    /// m₀ = Σ½a² [m²].
+    #[must_use]
+    pub fn variance_m2(&self) -> f64 {
+        self.components.iter().map(|c| 0.5 * c.amplitude_m * c.amplitude_m).sum()
+    }
+
+    /// 4√m₀ [m].
+    #[must_use]
+    pub fn significant_height_m(&self) -> f64 {
+        4.0 * self.variance_m2().sqrt()
+    }
+}
+
+fn check_place(towards_rad: f64, depth_m: f64) -> Result<(), EnvironmentError> {
+    within("direction of the waves [rad]", towards_rad, -100.0, 100.0)?;
+    within("depth of the water [m]", depth_m, 0.1, 12_000.0)?;
+    Ok(())
+}
+
+fn number_towards(number: f64, towards_rad: f64) -> Vec2 {
+    vec2(libm::cos(towards_rad), libm::sin(towards_rad)) * number
+}

@@ -1,0 +1,159 @@
+//! The elastic catenary: a heavy cable between two points, hanging or partly on the bottom.
+
+use super::solve::root;
+
+/// A uniform cable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cable {
+    /// Unstretched length [m], above 0.
+    pub length_m: f64,
+    /// EA [N], above 0.
+    pub axial_stiffness_n: f64,
+    /// Weight per unstretched length in water (or air) [N/m], above 0.
+    pub weight_npm: f64,
+}
+
+/// A cable in equilibrium between two points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Catenary {
+    /// Horizontal tension H, the same all along (the bottom has no friction) [N].
+    pub horizontal_n: f64,
+    /// Vertical pull of the cable on its upper end, downwards [N].
+    pub upper_vertical_n: f64,
+    /// Vertical pull of the cable on its lower end, upwards; negative where it hangs below that end [N].
+    pub lower_vertical_n: f64,
+    /// Unstretched length that lies on the bottom [m].
+    pub on_bottom_m: f64,
+}
+
+impl Catenary {
+    /// Tension at the upper end [N], the greatest of the cable.
+    #[must_use]
+    pub fn upper_tension_n(&self) -> f64 {
+        libm::hypot(self.horizontal_n, self.upper_vertical_n)
+    }
+}
+
+/// Value, and slopes against H and V, of the cable's horizontal and vertical extent.
+struct Extent {
+    x: f64,
+    x_h: f64,
+    x_v: f64,
+    z: f64,
+    z_h: f64,
+    z_v: f64,
+}
+
+/// The equilibrium of a cable whose upper end is `span_m` ≥ 0 away horizontally from the lower one and
+/// `rise_m` ≥ 0 above it. With `on_bottom` the lower end lies on a level bottom without friction.
+///
+/// The elastic catenary: x = H/w·[asinh(V/H) − asinh((V−wL)/H)] + HL/EA,
+/// z = (√(H²+V²) − √(H²+(V−wL)²))/w + (VL − ½wL²)/EA; with the part L − V/w on the bottom
+/// x = L − V/w + H/w·asinh(V/H) + HL/EA, z = (√(H²+V²) − H)/w + V²/(2EAw) (Jonkman's quasi-static
+/// module, as MoorPy has it: found). For each H the V that gives the rise is found, and H so that the span
+/// comes out; both are monotonic, so that bracketed Newton cannot fail.
+#[must_use]
+pub fn catenary(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Catenary {
+    if on_bottom && let Some(slack) = lying(cable, span_m, rise_m) {
+        return slack;
+    }
+    if span_m <= 1e-9 * cable.length_m {
+        return plumb(cable, rise_m);
+    }
+    let at = |h: f64| {
+        let v = vertical_for(cable, h, rise_m, on_bottom);
+        let e = extent(cable, h, v, on_bottom);
+        let along = if e.z_v > 0.0 { e.x_v * e.z_h / e.z_v } else { 0.0 };
+        (e.x - span_m, e.x_h - along)
+    };
+    let weight_n = cable.weight_npm * cable.length_m;
+    let (mut low, mut high) = (weight_n, weight_n);
+    while at(low).0 > 0.0 {
+        low *= 0.125;
+    }
+    while at(high).0 < 0.0 {
+        high *= 8.0;
+    }
+    let h = root(at, low, high);
+    let v = vertical_for(cable, h, rise_m, on_bottom);
+    let lies = on_bottom && v < weight_n;
+    Catenary {
+        horizontal_n: h,
+        upper_vertical_n: v,
+        lower_vertical_n: if lies { 0.0 } else { v - weight_n },
+        on_bottom_m: if lies { cable.length_m - v / cable.weight_npm } else { 0.0 },
+    }
+}
+
+/// Slack on the bottom: what rises hangs plumb, the rest is long enough to lie across. `None` where it is
+/// not.
+fn lying(cable: &Cable, span_m: f64, rise_m: f64) -> Option<Catenary> {
+    let (w, ea) = (cable.weight_npm, cable.axial_stiffness_n);
+    // s + ws²/(2EA) = rise, without cancellation.
+    let hanging_m = 2.0 * rise_m / (1.0 + (1.0 + 2.0 * w * rise_m / ea).sqrt());
+    (cable.length_m - hanging_m >= span_m).then_some(Catenary {
+        horizontal_n: 0.0,
+        upper_vertical_n: w * hanging_m,
+        lower_vertical_n: 0.0,
+        on_bottom_m: cable.length_m - hanging_m,
+    })
+}
+
+/// Both ends above each other: two plumb legs, or one that is stretched.
+fn plumb(cable: &Cable, rise_m: f64) -> Catenary {
+    let (l, w, ea) = (cable.length_m, cable.weight_npm, cable.axial_stiffness_n);
+    let stretched_m = l + 0.5 * w * l * l / ea;
+    let v = if rise_m < stretched_m {
+        0.5 * w * (l + rise_m / (1.0 + 0.5 * w * l / ea))
+    } else {
+        (rise_m - l) * ea / l + 0.5 * w * l
+    };
+    Catenary {
+        horizontal_n: 0.0,
+        upper_vertical_n: v,
+        lower_vertical_n: v - w * l,
+        on_bottom_m: 0.0,
+    }
+}
+
+/// V at the upper end for a given H, so that the cable rises as it should.
+fn vertical_for(cable: &Cable, h: f64, rise_m: f64, on_bottom: bool) -> f64 {
+    let weight_n = cable.weight_npm * cable.length_m;
+    let at = |v: f64| {
+        let e = extent(cable, h, v, on_bottom);
+        (e.z - rise_m, e.z_v)
+    };
+    let low = if on_bottom { 0.0 } else { 0.5 * weight_n };
+    let mut high = weight_n;
+    while at(high).0 < 0.0 {
+        high *= 8.0;
+    }
+    root(at, low, high)
+}
+
+fn extent(cable: &Cable, h: f64, v: f64, on_bottom: bool) -> Extent {
+    let (l, w, ea) = (cable.length_m, cable.weight_npm, cable.axial_stiffness_n);
+    let upper = libm::hypot(h, v);
+    if on_bottom && v < w * l {
+        let rise = libm::asinh(v / h);
+        return Extent {
+            x: l - v / w + h / w * rise + h * l / ea,
+            x_h: (rise - v / upper) / w + l / ea,
+            x_v: (h / upper - 1.0) / w,
+            z: v * v / (upper + h) / w + 0.5 * v * v / (ea * w),
+            z_h: (h / upper - 1.0) / w,
+            z_v: v / (upper * w) + v / (ea * w),
+        };
+    }
+    let v2 = v - w * l;
+    let lower = libm::hypot(h, v2);
+    let turn = libm::asinh(v / h) - libm::asinh(v2 / h);
+    Extent {
+        x: h / w * turn + h * l / ea,
+        x_h: (turn - v / upper + v2 / lower) / w + l / ea,
+        x_v: (h / upper - h / lower) / w,
+        z: (v - v2) * (v + v2) / (upper + lower) / w + (v * l - 0.5 * w * l * l) / ea,
+        z_h: (h / upper - h / lower) / w,
+        z_v: (v / upper - v2 / lower) / w + l / ea,
+    }
+}

@@ -1,0 +1,72 @@
+//! What can be wrong with a mooring line.
+
+use std::fmt;
+
+use crate::range::OutOfRange;
+
+/// A line that cannot be simulated.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MooringError {
+    /// A number outside its range.
+    OutOfRange {
+        /// The line.
+        line: String,
+        /// What.
+        error: OutOfRange,
+    },
+    /// The line is shorter than the distance of its ends.
+    TooShort {
+        /// The line.
+        line: String,
+        /// Its length [m].
+        length_m: f64,
+        /// Distance of its ends [m].
+        span_m: f64,
+    },
+    /// A tension that the line cannot be fitted with: above what it holds, or below what its own weight
+    /// gives it, or reached only with nothing but the tail outboard.
+    Pretension {
+        /// The line.
+        line: String,
+        /// The tension [N].
+        tension_n: f64,
+    },
+}
+
+impl fmt::Display for MooringError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            MooringError::OutOfRange { line, error } => write!(f, "line `{line}`: {error}"),
+            MooringError::TooShort { line, length_m, span_m } => write!(
+                f,
+                "line `{line}` is {length_m} m long, but its ends are {span_m} m apart; make it longer or \
+                 give a pretension instead"
+            ),
+            MooringError::Pretension { line, tension_n } => {
+                write!(f, "line `{line}` cannot be fitted with a tension of {tension_n} N")
+            }
+        }
+    }
+}
+
+impl std::error::Error for MooringError {}
+
+/// A rope's curve that does not start at (0, 0), does not increase, or goes beyond 10 in strain or load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RopeError {
+    /// Index of the first point that is wrong or missing.
+    pub point: usize,
+}
+
+impl fmt::Display for RopeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "a rope's curve starts at (0, 0) and increases, but point {} does not",
+            self.point
+        )
+    }
+}
+
+impl std::error::Error for RopeError {}

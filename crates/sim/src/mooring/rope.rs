@@ -1,0 +1,103 @@
+//! Ropes: tension over strain.
+
+use std::borrow::Cow;
+
+use super::error::RopeError;
+
+/// Tension over strain, as a share of the break load: straight lines between points, the first (0, 0).
+/// Beyond the last point the last line goes on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RopeCurve {
+    /// (strain, share of the break load).
+    points: Cow<'static, [[f64; 2]]>,
+}
+
+/// A rope of a break load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rope {
+    /// Line design break force [N].
+    pub break_load_n: f64,
+    /// How it stretches.
+    pub curve: RopeCurve,
+}
+
+impl RopeCurve {
+    /// From points (strain, share of the break load), two or more.
+    ///
+    /// # Errors
+    /// A first point that is not (0, 0), a column that does not increase, a number above 10.
+    pub fn new(points: Vec<[f64; 2]>) -> Result<RopeCurve, RopeError> {
+        if points.first() != Some(&[0.0, 0.0]) {
+            return Err(RopeError { point: 0 });
+        }
+        if points.len() < 2 {
+            return Err(RopeError { point: 1 });
+        }
+        let good =
+            |a: &[f64; 2], b: &[f64; 2]| b[0] > a[0] && b[1] > a[1] && b[0] <= 10.0 && b[1] <= 10.0;
+        match points.windows(2).position(|two| !good(&two[0], &two[1])) {
+            Some(before) => Err(RopeError { point: before + 1 }),
+            None => Ok(RopeCurve { points: Cow::Owned(points) }),
+        }
+    }
+
+    const fn built_in(points: &'static [[f64; 2]]) -> RopeCurve {
+        RopeCurve { points: Cow::Borrowed(points) }
+    }
+
+    /// Steel wire rope with a steel core: 0.8 % at half of the break load, 1.8 % at break (recalled;
+    /// a public page has 1 to 2 % in use).
+    #[must_use]
+    pub const fn wire() -> RopeCurve {
+        RopeCurve::built_in(&[[0.0, 0.0], [0.008, 0.5], [0.018, 1.0]])
+    }
+
+    /// High-modulus polyethylene: 2 % at half of the break load, 3.5 % at break (found in one public
+    /// table, no maker's; worn in).
+    #[must_use]
+    pub const fn hmpe() -> RopeCurve {
+        RopeCurve::built_in(&[[0.0, 0.0], [0.020, 0.5], [0.035, 1.0]])
+    }
+
+    /// Polyester: 6.5 % at half of the break load, 12 % at break (found in the same table).
+    #[must_use]
+    pub const fn polyester() -> RopeCurve {
+        RopeCurve::built_in(&[[0.0, 0.0], [0.065, 0.5], [0.12, 1.0]])
+    }
+
+    /// Nylon, as tails are made of: 15 % at half of the break load, 25 % at break (found in the same
+    /// table).
+    #[must_use]
+    pub const fn nylon() -> RopeCurve {
+        RopeCurve::built_in(&[[0.0, 0.0], [0.15, 0.5], [0.25, 1.0]])
+    }
+
+    /// Share of the break load at a strain; 0 where the rope is slack.
+    #[must_use]
+    pub fn share(&self, strain: f64) -> f64 {
+        if strain <= 0.0 {
+            return 0.0;
+        }
+        let [a, b] = self.piece(0, strain);
+        a[1] + (b[1] - a[1]) * (strain - a[0]) / (b[0] - a[0])
+    }
+
+    /// Strain at a share of the break load.
+    #[must_use]
+    pub fn strain(&self, share: f64) -> f64 {
+        let [a, b] = self.piece(1, share);
+        a[0] + (b[0] - a[0]) * (share - a[1]) / (b[1] - a[1])
+    }
+
+    /// The shares at which the curve has a corner.
+    pub(super) fn corners(&self) -> impl Iterator<Item = f64> {
+        self.points.iter().map(|point| point[1])
+    }
+
+    /// The straight piece whose `column` a value lies in.
+    fn piece(&self, column: usize, value: f64) -> [&[f64; 2]; 2] {
+        let last = self.points.len() - 1;
+        let upper = (1..last).find(|&k| self.points[k][column] >= value).unwrap_or(last);
+        [&self.points[upper - 1], &self.points[upper]]
+    }
+}

@@ -1,0 +1,27 @@
+//! A root within a bracket.
+
+/// The root of an increasing function in [low, high], f(low) ≤ 0 ≤ f(high), by Newton's method kept inside
+/// the bracket by bisection: at most 200 evaluations, and the same bits for the same input. `f` gives value
+/// and slope.
+pub(super) fn root(f: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64) -> f64 {
+    let mut x = low.midpoint(high);
+    for _ in 0..200 {
+        let (value, slope) = f(x);
+        if value == 0.0 {
+            return x;
+        }
+        if value < 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - value / slope;
+        // NaN and infinity (no slope) fail the comparison as well.
+        let next = if newton > low && newton < high { newton } else { low.midpoint(high) };
+        if (next - x).abs() <= 4.0 * f64::EPSILON * x.abs() {
+            return next;
+        }
+        x = next;
+    }
+    x
+}

@@ -1,0 +1,257 @@
+//! Waves against linear theory, the energy of their spectrum, and limits of ship motion that need no data.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use fenderline_contact::vec2;
+use fenderline_sim::environment::waves::*;
+use proptest::prelude::*;
+
+const G: f64 = 9.806_65;
+const SHEET: Jonswap = Jonswap { height_m: 2.0, peak_period_s: 8.0, peak_enhancement: 3.3 };
+
+fn sea(harmonics: usize, seed: u64) -> Sea {
+    Sea::jonswap(&SHEET, 0.0, 1000.0, Realisation { harmonics, seed }).unwrap()
+}
+
+/// Design sheet §4: Hs 2 m, Tp 8 s, γ 3.3: m₀ 0.2503, 4√m₀ 2.001. That is the integral to 4 rad/s; the tail
+/// beyond, 0.2054 (ω_p/ω)⁴ in closed form, brings 0.2506. Trapezoids of 1e-4 rad/s.
+#[test]
+fn the_spectrum_holds_the_sheets_energy() {
+    let dw = 1e-4;
+    let m0_to = |radps: f64| -> f64 {
+        (2000..(radps / dw) as u32).map(|k| SHEET.density(dw * f64::from(k)) * dw).sum()
+    };
+    let m0 = m0_to(4.0);
+    println!("m0 {m0:.5} to 4 rad/s, {:.5} to 20 rad/s, 4√m0 {:.4}", m0_to(20.0), 4.0 * m0.sqrt());
+    assert!((m0 - 0.2503).abs() < 0.5e-4, "{m0}");
+    assert!((4.0 * m0.sqrt() - 2.001).abs() < 0.5e-3);
+    let tail = 0.3125 * (1.0 - 0.287 * 3.3_f64.ln()) * (SHEET.peak_radps() / 4.0).powi(4);
+    assert!((m0_to(20.0) - m0 - tail).abs() < 1e-5);
+}
+
+/// γ = 1 is Pierson–Moskowitz, whose m₀ is Hs²/16 in closed form; the peak lies at ω_p.
+#[test]
+fn without_enhancement_it_is_pierson_moskowitz() {
+    let sea = Jonswap { peak_enhancement: 1.0, ..SHEET };
+    let dw = 1e-4;
+    let m0: f64 = (1..=500_000).map(|k| sea.density(dw * f64::from(k)) * dw).sum();
+    // The tail beyond 50 rad/s: below 1e-5.
+    assert!((m0 / 0.25 - 1.0).abs() < 1e-4, "{m0}");
+    let wp = SHEET.peak_radps();
+    assert!(SHEET.density(wp) > SHEET.density(1.01 * wp));
+    assert!(SHEET.density(wp) > SHEET.density(0.99 * wp));
+}
+
+/// However many harmonics: 4√m₀ is Hs to rounding.
+#[test]
+fn a_sea_keeps_its_significant_height() {
+    for harmonics in [1, 10, 200] {
+        assert!((sea(harmonics, 5).significant_height_m() - 2.0).abs() < 1e-12);
+    }
+    let calm = Jonswap { height_m: 0.0, ..SHEET };
+    let realisation = Realisation { harmonics: 20, seed: 1 };
+    let calm = Sea::jonswap(&calm, 0.0, 50.0, realisation).unwrap();
+    assert_eq!(calm.elevation_m(vec2(3.0, 4.0), 5.0), 0.0);
+}
+
+/// The record: 100 000 s at 2 Hz, 60 harmonics, each turning thousands of times: deviation to 2 %.
+#[test]
+fn a_long_record_has_the_height_of_its_spectrum() {
+    let sea = sea(60, 9);
+    let n = 200_000;
+    let squares: f64 =
+        (0..n).map(|k| sea.elevation_m(vec2(0.0, 0.0), 0.5 * f64::from(k)).powi(2)).sum();
+    let height_m = 4.0 * (squares / f64::from(n)).sqrt();
+    assert!((height_m / 2.0 - 1.0).abs() < 0.02, "{height_m}");
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bits() {
+    let at = |seed| sea(40, seed).elevation_m(vec2(12.0, -7.0), 345.6).to_bits();
+    assert_eq!(at(2), at(2));
+    assert_ne!(at(2), at(3));
+}
+
+/// ω² = gk tanh kh to rounding, deep and shallow.
+#[test]
+fn waves_are_as_long_as_the_dispersion_says() {
+    for depth_m in [0.5, 5.0, 12.0, 50.0, 5000.0] {
+        for frequency in [0.05, 0.3, 0.8, 2.0, 10.0] {
+            let k = wave_number(frequency, depth_m);
+            let back = (G * k * (k * depth_m).tanh()).sqrt();
+            assert!((back / frequency - 1.0).abs() < 1e-12, "{depth_m} {frequency}");
+        }
+    }
+    // Long waves run at √(gh).
+    assert!((0.001 / wave_number(0.001, 10.0) / (G * 10.0).sqrt() - 1.0).abs() < 1e-5);
+}
+
+/// Crest in the origin at t = 0, one length and one period on again, and it runs towards the east.
+#[test]
+fn a_regular_wave_runs_where_it_should() {
+    let wave = RegularWave { height_m: 2.0, period_s: 8.0, phase_rad: 0.0 };
+    let sea = Sea::regular(wave, FRAC_PI_2, 20.0).unwrap();
+    let length_m = TAU / wave_number(TAU / 8.0, 20.0);
+    assert!((sea.elevation_m(vec2(0.0, 0.0), 0.0) - 1.0).abs() < 1e-12);
+    assert!((sea.elevation_m(vec2(77.0, length_m), 0.0) - 1.0).abs() < 1e-9);
+    assert!((sea.elevation_m(vec2(0.0, 0.25 * length_m), 2.0) - 1.0).abs() < 1e-9);
+    assert!((sea.variance_m2() - 0.5).abs() < 1e-12);
+}
+
+/// The container ship of the design sheet: 298 × 46 × 9 m, Cb 0.694, roll 16.5 s at GM 5 m.
+const SHIP: BoxShip = BoxShip {
+    length_m: 298.0,
+    beam_m: 46.0,
+    draught_m: 9.0,
+    block_coefficient: 0.694,
+    roll_period_s: 16.5,
+    roll_damping: 0.15,
+};
+
+/// In very long waves a ship does what the surface does: heave the elevation, pitch and roll the slope.
+/// ω = 0.02 rad/s: wave of 154 km; what is left is of order kL = 0.012.
+#[test]
+fn in_long_waves_the_ship_follows_the_surface() {
+    let w = 0.02;
+    let k = w * w / G;
+    for direction_rad in [0.0, 0.7, FRAC_PI_2, 2.5, PI] {
+        let [_, _, heave, roll, pitch, _] = SHIP.at(w, direction_rad, 0.0);
+        assert!((heave.re + 1.0).abs() < 0.02 && heave.im.abs() < 0.02, "{heave:?}");
+        // ζ = cos(ωt − kx cos μ − ky sin μ): ∂ζ/∂x = k cos μ sin ωt = Re(−i k cos μ e^{iωt}); bow up with it,
+        // starboard down against ∂ζ/∂y.
+        assert!((pitch.im + k * direction_rad.cos()).abs() < 0.02 * k, "{pitch:?}");
+        assert!((roll.im - k * direction_rad.sin()).abs() < 0.02 * k, "{roll:?}");
+    }
+}
+
+/// Waves a tenth of the ship's length move her by less than 2 % of what they are.
+#[test]
+fn short_waves_leave_her_alone() {
+    let w = (TAU * G / 29.8).sqrt();
+    let [_, _, heave, _, pitch, _] = SHIP.at(w, PI, 0.0);
+    assert!(heave.modulus() < 0.02, "{heave:?}");
+    assert!(pitch.modulus() < 0.02 * w * w / G, "{pitch:?}");
+}
+
+/// Roll answers most near its period, by about 1/(2ζ) of the effective slope.
+#[test]
+fn she_rolls_at_her_period() {
+    let roll = |w: f64| SHIP.at(w, FRAC_PI_2, 0.0)[3].modulus() * G / (w * w);
+    let natural = TAU / 16.5;
+    assert!(roll(natural) > 2.5 && roll(natural) < 1.0 / 0.3 + 1e-9, "{}", roll(natural));
+    assert!(roll(natural) > roll(0.7 * natural) && roll(natural) > roll(1.5 * natural));
+}
+
+fn still(heading_rad: f64) -> ShipInWaves {
+    let zero = vec2(0.0, 0.0);
+    ShipInWaves { position_m: zero, velocity_mps: zero, heading_rad }
+}
+
+/// Waves from port and from starboard: the same heave and pitch, opposite roll, for both responses.
+#[test]
+fn port_and_starboard_mirror_each_other() {
+    let directions: Vec<f64> = (0..=12).map(|k| f64::from(k) * PI / 12.0).collect();
+    let frequencies: Vec<f64> = (1..=40).map(|k| 0.05 * f64::from(k)).collect();
+    let mut operators = vec![];
+    for &w in &frequencies {
+        operators.extend(directions.iter().map(|&mu| SHIP.at(w, mu, 0.0)));
+    }
+    let table = RaoTable::new(frequencies, directions, operators).unwrap();
+    for response in [MotionResponse::Table(table), MotionResponse::Estimate(SHIP)] {
+        for mu in [0.3, 1.2, 2.9] {
+            let port = first_order_motion(&sea(30, 1), &response, &still(-mu), 12.3).motion;
+            let starboard = first_order_motion(&sea(30, 1), &response, &still(mu), 12.3).motion;
+            for k in [0, 2, 4] {
+                assert!((port[k] - starboard[k]).abs() < 1e-12);
+            }
+            assert!((port[3] + starboard[3]).abs() < 1e-12);
+        }
+    }
+}
+
+/// At the entries of a table its own numbers; between and beyond them finite and continuous.
+#[test]
+fn a_table_gives_its_entries() {
+    let entry = |k: f64| [Complex::new(k, -k); 6];
+    let table = RaoTable::new(
+        vec![0.5, 1.0],
+        vec![0.0, FRAC_PI_2, PI],
+        (0..6).map(|k| entry(f64::from(k))).collect(),
+    )
+    .unwrap();
+    assert_eq!(table.at(1.0, FRAC_PI_2)[0], Complex::new(4.0, -4.0));
+    assert_eq!(table.at(0.75, FRAC_PI_2)[2], Complex::new(2.5, -2.5));
+    assert_eq!(table.at(0.5, -FRAC_PI_2)[1], Complex::new(-1.0, 1.0));
+    assert_eq!(table.at(99.0, 0.0)[0], Complex::new(3.0, -3.0));
+}
+
+/// The rate is the derivative of the motion, for a ship under way through a sea: central differences of
+/// 1e-4 s, error of order ω³h²/6 below 1e-7.
+#[test]
+fn rates_are_the_derivatives_of_motions() {
+    let response = MotionResponse::Estimate(SHIP);
+    let velocity_mps = vec2(4.0, 3.0);
+    let at = |t_s: f64| {
+        let ship =
+            ShipInWaves { position_m: velocity_mps * t_s, velocity_mps, heading_rad: 0.6435 };
+        first_order_motion(&sea(30, 8), &response, &ship, t_s)
+    };
+    let (h, t) = (1e-4, 77.7);
+    let (before, now, after) = (at(t - h), at(t), at(t + h));
+    for k in 0..6 {
+        let slope = (after.motion[k] - before.motion[k]) / (2.0 * h);
+        assert!((slope - now.rate[k]).abs() < 1e-6, "{k}: {slope} {}", now.rate[k]);
+    }
+}
+
+/// Design sheet §4: ρgHs²L/16 abeam = 1025·9.80665·4·298/16; nothing to the side from ahead; and a regular
+/// wave of amplitude a pushes a wall with ½ρga² a metre.
+#[test]
+fn mean_drift_is_that_of_a_wall() {
+    let hull = DriftHull { length_m: 298.0, beam_m: 46.0, bow_length_m: 60.0 };
+    let [_, y_n, _] = mean_drift(&sea(100, 1), &hull, -FRAC_PI_2, 1025.0);
+    assert!((y_n / (1025.0 * G * 4.0 * 298.0 / 16.0) - 1.0).abs() < 1e-9);
+    let [x_n, y_n, _] = mean_drift(&sea(100, 1), &hull, PI, 1025.0);
+    let stawave = 1025.0 * G * 4.0 * 46.0 * (46.0_f64 / 60.0).sqrt() / 16.0;
+    assert!((x_n / -stawave - 1.0).abs() < 1e-9 && y_n.abs() < 1e-6);
+    let wave = RegularWave { height_m: 2.0, period_s: 5.0, phase_rad: 0.0 };
+    let regular = Sea::regular(wave, FRAC_PI_2, 100.0).unwrap();
+    let [_, y_n, _] = mean_drift(&regular, &hull, 0.0, 1025.0);
+    assert!((y_n / (0.5 * 1025.0 * G * 298.0) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn absurd_seas_are_refused_by_name() {
+    let realisation = Realisation { harmonics: 10, seed: 0 };
+    let high = Jonswap { height_m: 1e6, ..SHEET };
+    let error = Sea::jonswap(&high, 0.0, 10.0, realisation).unwrap_err().to_string();
+    assert_eq!(error, "significant wave height [m] must be between 0 and 30, but is 1000000");
+    assert!(Sea::jonswap(&SHEET, f64::NAN, 10.0, realisation).is_err());
+    assert!(Sea::jonswap(&SHEET, 0.0, 0.0, realisation).is_err());
+    let steep = RegularWave { height_m: 10.0, period_s: 4.0, phase_rad: 0.0 };
+    assert!(Sea::regular(steep, 0.0, 10.0).unwrap_err().to_string().contains("wave height"));
+    let one = vec![[Complex::default(); 6]; 2];
+    assert!(RaoTable::new(vec![1.0], vec![0.0, 1.0], one.clone()).is_err());
+    assert!(RaoTable::new(vec![1.0], vec![0.0, PI], one[..1].to_vec()).is_err());
+    assert!(RaoTable::new(vec![1.0], vec![0.0, PI], one).is_ok());
+    assert!(SHIP.check().is_ok());
+    assert!(BoxShip { draught_m: 1.0, ..SHIP }.check().is_err());
+}
+
+proptest! {
+    /// Finite for any ship, wave, direction and speed; no motion beyond ten times the wave.
+    #[test]
+    fn the_estimate_is_finite(
+        w in 0.01..6.0_f64,
+        mu in -7.0..7.0_f64,
+        speed_mps in -5.0..15.0_f64,
+        draught_m in 4.0..20.0_f64,
+    ) {
+        let ship = BoxShip { draught_m, ..SHIP };
+        prop_assert!(ship.check().is_ok());
+        let operators = ship.at(w, mu, speed_mps);
+        let heave = operators[2].modulus();
+        prop_assert!(heave.is_finite() && heave < 10.0, "{}", heave);
+        prop_assert!(operators.iter().all(|o| o.modulus().is_finite()));
+    }
+}
