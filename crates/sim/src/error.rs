@@ -5,6 +5,7 @@ use std::fmt;
 use fenderline_contact::{ModelError, StepError};
 
 use crate::berthing::BerthingError;
+use crate::mooring::MooringError;
 
 /// A set-up that cannot be simulated.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +29,8 @@ pub enum SetupError {
     },
     /// A particular of the berthing that no ship has.
     Berthing(BerthingError),
+    /// A line that cannot be made fast where the bodies are at the start.
+    Line(MooringError),
     /// An order to a thruster that the vessel does not have.
     NoThruster {
         /// The index of the vessel.
@@ -57,6 +60,7 @@ impl fmt::Display for SetupError {
             SetupError::DuplicateName { what, name } => {
                 write!(f, "two {what} are named `{name}`")
             }
+            SetupError::Line(error) => error.fmt(f),
             SetupError::NoThruster { vessel, thruster } => {
                 write!(f, "vessel {vessel} has no thruster {thruster}")
             }

@@ -85,6 +85,7 @@ pub use setup::{
 pub use simulation::Simulation;
 pub use summary::PairSummary;
 pub use world::{
-    Action, Environment, Float, Order, Pilots, ProviderSetup, Station, VesselForces, VesselOrders,
-    VesselSetup, VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
+    Action, Environment, Float, LineEnd, Mooring, MooringSetup, Order, Pilots, ProviderSetup,
+    Station, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent, WorldEventKind,
+    WorldSetup, mass_matrix,
 };

@@ -15,7 +15,7 @@ use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
-use crate::world::{Action, VesselState, World, mass_matrix};
+use crate::world::{Action, LineEnd, VesselState, World, mass_matrix};
 
 /// Weights of the four stages of classical Runge–Kutta.
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
@@ -70,6 +70,7 @@ impl Simulation {
         let inertias = inertias(&setup)?;
         let model = build_model(&setup, &inertias)?;
         let states: Vec<BodyState> = setup.bodies.iter().map(initial_state).collect();
+        check_lines(&setup, &states)?;
         let count = states.len();
         let memory = Memory::new(&model);
         let buffers = Buffers {
@@ -199,7 +200,7 @@ impl Simulation {
         if self.setup.integrator == Integrator::Rk4 {
             self.buffers.backup.copy_from(&self.memory);
         }
-        let world_before = (!self.setup.world.vessels.is_empty()).then(|| self.world.clone());
+        let world_before = self.setup.world.changes().then(|| self.world.clone());
         // What acts besides contact, and stages 1–5: the contact engine.
         gather_loads(&self.setup.loads, t_s, step_s, &mut self.buffers.loads);
         add_external(&self.buffers.external, &mut self.buffers.loads);
@@ -246,6 +247,7 @@ impl Simulation {
             energy: self.ledger.energy,
             vessels: &self.world.vessels,
             vessel_forces: &self.world.forces,
+            lines: &self.world.lines,
             world_events: &self.world.events,
         };
         self.summaries.book(&record);
@@ -435,6 +437,12 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
         inertias[vessel.body] = Inertia::of_vessel(&mass_matrix(&vessel.ship, density_kgpm3));
     }
     for order in &setup.world.orders {
+        if let Action::Winch(line, _) | Action::LetGo(line) = order.action {
+            if line >= setup.world.lines.len() {
+                return Err(SetupError::BadBody { owner: "line's order", body: line });
+            }
+            continue;
+        }
         let Some(vessel) = setup.world.vessels.get(order.vessel) else {
             return Err(SetupError::BadBody { owner: "order", body: order.vessel });
         };
@@ -445,6 +453,25 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
         }
     }
     Ok(inertias)
+}
+
+/// Lines between bodies that are there; those that are fast from the start on can be.
+fn check_lines(setup: &Setup, states: &[BodyState]) -> Result<(), SetupError> {
+    for line in &setup.world.lines {
+        let far = match line.end {
+            LineEnd::OnBody { body, .. } => body,
+            LineEnd::Fixed(_) => line.ship,
+        };
+        for body in [line.ship, far] {
+            if body >= setup.bodies.len() {
+                return Err(SetupError::BadBody { owner: "line", body });
+            }
+        }
+        if line.from_s <= 0.0 {
+            line.check(states).map_err(SetupError::Line)?;
+        }
+    }
+    Ok(())
 }
 
 /// The study of a berthing, its particulars checked.

@@ -14,4 +14,10 @@ pub struct WorldEvent {
 pub enum WorldEventKind {
     /// An order of a vessel was beyond a stop, or no number: the stop was ordered. Told when it begins.
     OrderClamped,
+    /// A line could not be made fast where its ends were: too short, or no such pretension.
+    LineNotMadeFast,
+    /// A line parted.
+    LineParted,
+    /// The brake of a line's winch renders. Told when it begins.
+    LineRenders,
 }

@@ -7,6 +7,7 @@
 
 mod environment;
 mod event;
+mod line;
 mod order;
 mod pilot;
 mod setup;
@@ -19,6 +20,7 @@ use crate::fender::FenderSetup;
 
 pub use environment::Environment;
 pub use event::{WorldEvent, WorldEventKind};
+pub use line::{LineEnd, Mooring, MooringSetup};
 pub use order::{Action, Order, Station};
 pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
@@ -29,6 +31,7 @@ pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, ma
 pub(crate) struct World {
     pub(crate) vessels: Vec<VesselState>,
     pub(crate) forces: Vec<VesselForces>,
+    pub(crate) lines: Vec<Mooring>,
     pub(crate) events: Vec<WorldEvent>,
     abilities: Vec<Abilities>,
     /// Orders sorted by time, and how many have been taken.
@@ -47,6 +50,7 @@ impl World {
         World {
             vessels: setup.vessels.iter().map(VesselState::new).collect(),
             forces: vec![VesselForces::default(); setup.vessels.len()],
+            lines: setup.lines.iter().map(|_| Mooring::new()).collect(),
             events: Vec::new(),
             abilities: setup.vessels.iter().map(|v| Abilities::of(v, water)).collect(),
             orders,
@@ -82,11 +86,26 @@ impl World {
             loads[vessel.body].moment_nm += wrench.moment_nm;
             self.forces[index] = forces;
         }
+        for (index, (mooring, line)) in self.lines.iter_mut().zip(&setup.lines).enumerate() {
+            mooring.step(index, line, states, (t_s, step_s), loads, &mut self.events);
+        }
     }
 
     fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64, step_s: f64) {
         // An order counts from the step in which its time lies.
         while let Some(order) = self.orders.get(self.taken).filter(|o| o.at_s < t_s + step_s) {
+            self.taken += 1;
+            match order.action {
+                Action::Winch(line, winch) => {
+                    self.lines[line].order = winch;
+                    continue;
+                }
+                Action::LetGo(line) => {
+                    self.lines[line].let_go();
+                    continue;
+                }
+                _ => {}
+            }
             let vessel = &setup.vessels[order.vessel];
             pilot::take(
                 &order.action,
@@ -95,7 +114,6 @@ impl World {
                 &self.abilities[order.vessel],
                 &states[vessel.body],
             );
-            self.taken += 1;
         }
     }
 

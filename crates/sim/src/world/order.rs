@@ -2,6 +2,8 @@
 
 use fenderline_contact::Vec2;
 
+use crate::mooring::WinchOrder;
+
 /// An order at a time of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Order {
@@ -30,6 +32,10 @@ pub enum Action {
     Station(Station),
     /// Pilots off; controls stay where they are.
     Hands,
+    /// A line's winch, by the line's index.
+    Winch(usize, WinchOrder),
+    /// A line is cast off, by its index.
+    LetGo(usize),
 }
 
 /// Where a ship shall go, and how fast at most.

@@ -113,6 +113,7 @@ pub(crate) fn take(
             pilots.station = Some(station_pilot(&station, abilities, setup, steady));
         }
         Action::Hands => *pilots = Pilots::default(),
+        Action::Winch(..) | Action::LetGo(_) => unreachable!("lines take their orders themselves"),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The constant part of a world.
 
 use super::environment::Environment;
+use super::line::MooringSetup;
 use super::order::Order;
 use super::vessel::VesselSetup;
 
@@ -13,8 +14,17 @@ pub struct WorldSetup {
     pub vessels: Vec<VesselSetup>,
     /// Timed orders to the vessels.
     pub orders: Vec<Order>,
+    /// Mooring lines.
+    pub lines: Vec<MooringSetup>,
     /// Programs that put forces on bodies.
     pub providers: Vec<ProviderSetup>,
+}
+
+impl WorldSetup {
+    /// Has it anything that changes in a step?
+    pub(crate) fn changes(&self) -> bool {
+        !(self.vessels.is_empty() && self.lines.is_empty())
+    }
 }
 
 /// A program that puts a force on a body each step: see [`crate::external`].

@@ -1,6 +1,6 @@
 //! A ship in her water and wind: from her state and controls to the wrench on her body.
 
-use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
+use fenderline_contact::{BodyState, Rotation, Wrench, vec2};
 
 use super::environment::Environment;
 use super::pilot::Pilots;
@@ -232,10 +232,4 @@ pub fn mass_matrix(ship: &Mmg, density_kgpm3: f64) -> [[f64; 3]; 3] {
     let coupling = -sway_kg * ahead_m;
     let yaw = density_kgpm3 * (hull.yaw_inertia_m5() + added.yaw_m5) + sway_kg * ahead_m * ahead_m;
     [[mass_kg + surge_kg, 0.0, 0.0], [0.0, mass_kg + sway_kg, coupling], [0.0, coupling, yaw]]
-}
-
-/// Where a point of a ship is, north, east and above the still water [m].
-pub(crate) fn point_m(state: &BodyState, at_m: Vec2, above_water_m: f64) -> [f64; 3] {
-    let place = state.pose().apply(at_m);
-    [place.x, place.y, above_water_m]
 }

@@ -1,0 +1,140 @@
+//! Mooring lines in a run: who is fast to what, and from when.
+
+use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
+
+use super::event::{WorldEvent, WorldEventKind};
+use crate::mooring::{Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder};
+
+/// A mooring line of a set-up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MooringSetup {
+    /// The line itself.
+    pub line: LineSetup,
+    /// Index of the body that has the winch or the bitts.
+    pub ship: usize,
+    /// Fairlead in that body's frame [m], and above the still water [m].
+    pub fairlead_m: Vec2,
+    /// Height of the fairlead above the still water [m].
+    pub fairlead_above_water_m: f64,
+    /// What the other end is fast to.
+    pub end: LineEnd,
+    /// When it is made fast [s].
+    pub from_s: f64,
+}
+
+/// What the far end of a line is fast to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LineEnd {
+    /// A bollard or an anchor: north, east and above the still water [m].
+    Fixed([f64; 3]),
+    /// Another body, a quay's too: its index, the place in its frame and the height above the still
+    /// water [m].
+    OnBody {
+        /// Index into [`crate::Setup::bodies`].
+        body: usize,
+        /// Place in the body's frame [m].
+        at_m: Vec2,
+        /// Height above the still water [m].
+        above_water_m: f64,
+    },
+}
+
+/// A line during a run: plain data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mooring {
+    /// The line, once it is made fast.
+    pub line: Option<(Line, LineState)>,
+    /// Its order to the winch.
+    pub order: WinchOrder,
+    /// Its forces in the last step.
+    pub load: LineLoad,
+    /// It was let go, or could not be made fast.
+    pub gone: bool,
+    rendering: bool,
+}
+
+impl Mooring {
+    pub(crate) fn new() -> Mooring {
+        Mooring {
+            line: None,
+            order: WinchOrder::Hold,
+            load: LineLoad::default(),
+            gone: false,
+            rendering: false,
+        }
+    }
+
+    /// Casts it off.
+    pub(crate) fn let_go(&mut self) {
+        (self.line, self.gone, self.load) = (None, true, LineLoad::default());
+    }
+
+    /// Makes it fast when it is time, lets the winch work, and puts its forces on both ends' bodies.
+    pub(crate) fn step(
+        &mut self,
+        index: usize,
+        setup: &MooringSetup,
+        states: &[BodyState],
+        (t_s, step_s): (f64, f64),
+        loads: &mut [Wrench],
+        events: &mut Vec<WorldEvent>,
+    ) {
+        if self.gone || t_s + step_s <= setup.from_s {
+            return;
+        }
+        let ends = setup.ends(states);
+        if self.line.is_none() {
+            match Line::new(setup.line.clone(), &ends) {
+                Ok(made) => self.line = Some(made),
+                Err(_) => {
+                    self.gone = true;
+                    events.push(WorldEvent { who: index, kind: WorldEventKind::LineNotMadeFast });
+                    return;
+                }
+            }
+        }
+        let Some((line, state)) = &mut self.line else { return };
+        let was_parted = state.parted;
+        self.load = line.step(state, &ends, self.order, step_s);
+        if state.parted && !was_parted {
+            events.push(WorldEvent { who: index, kind: WorldEventKind::LineParted });
+        }
+        let renders = self.load.winch.rendered_m > 0.0;
+        if renders && !self.rendering {
+            events.push(WorldEvent { who: index, kind: WorldEventKind::LineRenders });
+        }
+        self.rendering = renders;
+        let put = |loads: &mut [Wrench], body: usize, at_m: Vec2, force_n: [f64; 3]| {
+            let force_n = vec2(force_n[0], force_n[1]);
+            let arm_m = states[body].pose().rotation.apply(at_m);
+            loads[body].force_n += force_n;
+            loads[body].moment_nm += arm_m.cross(force_n);
+        };
+        put(loads, setup.ship, setup.fairlead_m, self.load.on_ship_n);
+        if let LineEnd::OnBody { body, at_m, .. } = setup.end {
+            put(loads, body, at_m, self.load.on_shore_n);
+        }
+    }
+}
+
+impl MooringSetup {
+    /// Where the two ends are. Heave and roll do not move a fairlead: lines are long beside them.
+    fn ends(&self, states: &[BodyState]) -> LineEnds {
+        let at = |body: usize, at_m: Vec2, above_m: f64| {
+            let place = states[body].pose().apply(at_m);
+            [place.x, place.y, above_m]
+        };
+        LineEnds {
+            ship_m: at(self.ship, self.fairlead_m, self.fairlead_above_water_m),
+            shore_m: match self.end {
+                LineEnd::Fixed(place) => place,
+                LineEnd::OnBody { body, at_m, above_water_m } => at(body, at_m, above_water_m),
+            },
+        }
+    }
+
+    /// Could it be made fast where the bodies are at the start? For lines that are fast from the start on.
+    pub(crate) fn check(&self, states: &[BodyState]) -> Result<(), crate::mooring::MooringError> {
+        Line::new(self.line.clone(), &self.ends(states)).map(|_| ())
+    }
+}
