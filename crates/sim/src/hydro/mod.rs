@@ -18,6 +18,7 @@
 //! | shallow water: derivatives, squat, current | [`shallow`] |
 //! | equations of motion, two integrators | [`Model3`] |
 //! | published ships | [`vessels`] |
+//! | any ship from her main particulars | [`estimated`] |
 //! | turning circle, zig-zag, crash stop, crabbing, bollard pull | [`manoeuvres`] |
 //!
 //! Conventions: SI; x forward, y to starboard, yaw and rudder positive to starboard, everything about
@@ -42,6 +43,7 @@ pub mod vessels;
 mod added_mass;
 mod blend;
 mod error;
+mod estimate;
 mod low_speed;
 mod mmg;
 mod model3;
@@ -55,6 +57,7 @@ mod thruster;
 pub use added_mass::{AddedMass, clarke_added_mass, shallow_sway_factor, zhou_added_mass};
 pub use blend::{Hull, polynomial_weight};
 pub use error::HydroError;
+pub use estimate::{SternGear, estimated};
 pub use low_speed::{CrossFlow, LowSpeedHull, hoerner_drag_coefficient};
 pub use mmg::{
     DriftPolynomial, LinearTerms, Mmg, Parts, Polynomial, Propulsion, SwayPolynomial, Wake,
