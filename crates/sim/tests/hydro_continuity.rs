@@ -89,7 +89,7 @@ fn no_jump_through_all_drift_angles_and_yaw_rates() {
         each_control(|controls| {
             for tip_mps in [-3.0, 0.0, 0.4] {
                 let at = |t: f64| {
-                    let (sin, cos) = (TAU * t).sin_cos();
+                    let (sin, cos) = libm::sincos(TAU * t);
                     let yaw_radps = tip_mps / length_m;
                     forces(
                         &ship,
@@ -168,7 +168,7 @@ fn no_jump_through_the_four_quadrants_of_a_propeller() {
     ] {
         let propeller = Propeller { diameter_m: 8.0, thrust_polynomial, series };
         let at = |t: f64| {
-            let (sin, cos) = (TAU * t).sin_cos();
+            let (sin, cos) = libm::sincos(TAU * t);
             let (advance_mps, shaft_rps) = (5.0 * sin, 0.5 * cos);
             Force {
                 surge_n: propeller.thrust_n(advance_mps, shaft_rps, Water::SEA),
@@ -210,7 +210,8 @@ fn the_polynomial_alone_counts_in_a_hard_turn_and_not_at_all_when_crabbing() {
         polynomial_weight(&Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / 100.0 }, 100.0)
     };
     // KVLCC2 at 35°: β 20°, r' 0.9.
-    assert_eq!(of(20_f64.to_radians().cos(), -20_f64.to_radians().sin(), 0.9), 1.0);
+    let (sin, cos) = libm::sincos(20_f64.to_radians());
+    assert_eq!(of(cos, -sin, 0.9), 1.0);
     assert_eq!(of(0.05, 0.5, 0.0), 0.0);
     assert_eq!(of(0.05, 0.0, 0.5), 0.0);
     assert_eq!(of(-3.0, 0.0, 0.0), 0.0);
@@ -231,8 +232,8 @@ proptest! {
     ) {
         let Vessel { ship, .. } = if second { kcs() } else { kvlcc2() };
         let length_m = ship.particulars.length_m;
-        let speed_mps = 10_f64.powf(speed_exponent);
-        let near = 10_f64.powf(exponent);
+        let speed_mps = libm::exp10(speed_exponent);
+        let near = libm::exp10(exponent);
         let of = |s: [f64; 4]| {
             let velocity = Velocity { surge_mps: s[0], sway_mps: s[1], yaw_radps: s[2] / length_m };
             forces(&ship, velocity, Controls { shaft_rps: s[3] / 9.0, rudder_rad })
