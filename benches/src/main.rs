@@ -5,6 +5,7 @@
 //! cargo run --release -p fenderline-bench -- clip [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- step [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- accuracy [--markdown] [--out FILE]
+//! cargo run --release -p fenderline-bench -- mmg [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- instructions SCENE METHOD N
 //! cargo run --release -p fenderline-bench -- callgrind
 //! ```
@@ -13,6 +14,7 @@ mod accuracy;
 mod callgrind;
 mod clip;
 mod engine;
+mod mmg;
 mod ours;
 mod paths;
 mod peers;
@@ -35,6 +37,7 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench step [--markdown] [--rounds N]   a whole step of the engine
        fenderline-bench accuracy [--markdown] [--out FILE]
                                                          forces, depths and speeds at five time steps
+       fenderline-bench mmg [--markdown] [--rounds N]    steps a second of a ship in three degrees of freedom
        fenderline-bench instructions SCENE METHOD N      N warm steps, to be counted by a profiler
        fenderline-bench callgrind                        instructions a warm step, by valgrind
 SCENE is tug, ship, pairs-1000 or pairs-10000; METHOD is coupled, paper or rapier2d;
@@ -64,6 +67,10 @@ fn run(arguments: &[&str]) -> Result<(), String> {
         ["step", options @ ..] => {
             let (style, rounds) = options_of(options)?;
             println!("{}", step::bench(rounds).printed(style));
+        }
+        ["mmg", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", mmg::bench(rounds).printed(style));
         }
         ["accuracy", options @ ..] => accuracy_table(options)?,
         ["instructions", scene, method, steps] => {

@@ -17,9 +17,9 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
        cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
-       cargo xtask bench [clip|step|accuracy|callgrind]...
+       cargo xtask bench [clip|step|accuracy|mmg|callgrind]...
                                           times and answers against the peers, instructions a step
-                                          (all four)";
+                                          (all five)";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

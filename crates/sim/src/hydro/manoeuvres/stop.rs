@@ -24,6 +24,9 @@ pub struct CrashStop {
 /// Orders revolutions astern (negative) with the rudder amidships, the shaft changing by
 /// `shaft_rate_rps2` a second, until no way ahead is left.
 ///
+/// The shaft follows its order whatever torque it takes: a diesel that cannot turn a large ship's propeller
+/// astern at speed stops her later than this.
+///
 /// Nothing in the model makes a right-handed propeller astern swing the ship: heading and lateral way come
 /// out zero on a symmetric ship, which real ones are not.
 ///

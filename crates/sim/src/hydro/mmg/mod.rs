@@ -41,9 +41,10 @@ pub struct Mmg {
 pub struct Propulsion {
     /// The propeller in open water.
     pub propeller: Propeller,
-    /// Thrust deduction t_P. It counts for thrust ahead; the thrust astern of published models is the
-    /// force on the ship.
+    /// Thrust deduction t_P, of thrust ahead.
     pub thrust_deduction: f64,
+    /// Thrust deduction of thrust astern: what the race that meets the hull takes away.
+    pub thrust_deduction_astern: f64,
     /// Wake at the propeller.
     pub wake: Wake,
     /// The rudder.
@@ -121,9 +122,10 @@ impl Propulsion {
         }
     }
 
-    /// X_P = (1 − t_P)T ahead, T astern.
+    /// X_P = (1 − t)T, t by the direction of the thrust.
     fn driving_force(&self, race: &Race) -> Force {
-        let surge_n = race.thrust_n - self.thrust_deduction * race.thrust_n.max(0.0);
-        Force { surge_n, ..Force::default() }
+        let deduction =
+            if race.thrust_n < 0.0 { self.thrust_deduction_astern } else { self.thrust_deduction };
+        Force { surge_n: (1.0 - deduction) * race.thrust_n, ..Force::default() }
     }
 }

@@ -1,6 +1,9 @@
 //! KCS, a container ship of 230 m.
 
-use super::{LOW_SPEED_ESTIMATED, SERIES_FOR_OTHER_QUADRANTS, Source, Standing, Vessel};
+use super::{
+    DEDUCTION_ASTERN, DEDUCTION_ASTERN_ESTIMATED, LOW_SPEED_ESTIMATED, SERIES_FOR_OTHER_QUADRANTS,
+    Source, Standing, Vessel,
+};
 use crate::hydro::actuator::RateLimited;
 use crate::hydro::added_mass::AddedMass;
 use crate::hydro::blend::Hull;
@@ -27,6 +30,7 @@ const SOURCES: &[Source] = &[
     },
     LOW_SPEED_ESTIMATED,
     SERIES_FOR_OTHER_QUADRANTS,
+    DEDUCTION_ASTERN_ESTIMATED,
 ];
 
 const POLYNOMIAL: Polynomial = Polynomial::Drift(DriftPolynomial {
@@ -75,6 +79,7 @@ pub fn kcs() -> Vessel {
                 series: Series::B4Pitch10,
             },
             thrust_deduction: 1.0 - 0.793,
+            thrust_deduction_astern: DEDUCTION_ASTERN,
             wake: Wake { straight: 1.0 - 0.645, rate: 0.0, limits: [1.0, 1.0], place: -0.4565 },
             rudder: Rudder {
                 area_m2: length_m * draught_m / 54.86,

@@ -1,6 +1,9 @@
 //! KVLCC2, a tanker of 320 m.
 
-use super::{LOW_SPEED_ESTIMATED, SERIES_FOR_OTHER_QUADRANTS, Source, Standing, Vessel};
+use super::{
+    DEDUCTION_ASTERN, DEDUCTION_ASTERN_ESTIMATED, LOW_SPEED_ESTIMATED, SERIES_FOR_OTHER_QUADRANTS,
+    Source, Standing, Vessel,
+};
 use crate::hydro::actuator::RateLimited;
 use crate::hydro::added_mass::AddedMass;
 use crate::hydro::blend::Hull;
@@ -31,6 +34,7 @@ const SOURCES: &[Source] = &[
     },
     LOW_SPEED_ESTIMATED,
     SERIES_FOR_OTHER_QUADRANTS,
+    DEDUCTION_ASTERN_ESTIMATED,
 ];
 
 const POLYNOMIAL: Polynomial = Polynomial::Sway(SwayPolynomial {
@@ -125,6 +129,7 @@ fn model_of(scale: &Scale) -> Mmg {
                 series: Series::B4Pitch08,
             },
             thrust_deduction: 0.220,
+            thrust_deduction_astern: DEDUCTION_ASTERN,
             wake: Wake { straight: scale.wake, rate: 2.0, limits: [1.1, 1.6], place: -0.48 },
             rudder: Rudder {
                 area_m2: scale.rudder_m2,

@@ -59,3 +59,12 @@ const SERIES_FOR_OTHER_QUADRANTS: Source = Source {
     source: "Wageningen B4-70 of the nearest pitch, Roddy et al. (2006), from a transcription",
     standing: Standing::Recalled,
 };
+
+/// Thrust deduction astern with which the series of pitch 0.8, −0.255 at bollard, gives the −0.175 ρn²D⁴
+/// that Miyauchi et al. (2022) have for Esso Osaka (pitch 0.715) by the design sheet.
+const DEDUCTION_ASTERN: f64 = 0.314;
+const DEDUCTION_ASTERN_ESTIMATED: Source = Source {
+    group: "thrust deduction astern",
+    source: "Esso Osaka's force astern at bollard over the series' thrust",
+    standing: Standing::Estimated,
+};

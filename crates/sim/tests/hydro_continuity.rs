@@ -1,0 +1,249 @@
+//! No jump: forces are continuous in velocity, revolutions and rudder, through rest, astern, all drift angles
+//! and all four quadrants of the propeller.
+//!
+//! Two proofs, neither of which knows the formulas. *Halving*: along a line the largest step of a continuous,
+//! piecewise smooth function halves with the spacing; a jump stays. *Lipschitz*: forces are of degree two in the
+//! velocities, so |ΔF| ≤ K · scale · V · |ΔV| with one K for all states.
+
+use std::f64::consts::{PI, TAU};
+
+use fenderline_sim::hydro::vessels::{Vessel, esso_osaka_model, kcs, kvlcc2};
+use fenderline_sim::hydro::{
+    Controls, Force, Mmg, Propeller, Series, TunnelThruster, Velocity, Water, polynomial_weight,
+    tunnel_effect,
+};
+use proptest::prelude::*;
+
+const SPACING: usize = 2048;
+
+/// Largest step of [X, Y, N/L] along a line, in units of `scale_n`.
+fn largest_step(count: usize, scale_n: f64, length_m: f64, at: &dyn Fn(f64) -> Force) -> f64 {
+    let forces: Vec<Force> = (0..=count).map(|i| at(i as f64 / count as f64)).collect();
+    forces
+        .windows(2)
+        .map(|pair| difference(&pair[0], &pair[1], length_m) / scale_n)
+        .fold(0.0, f64::max)
+}
+
+fn difference(a: &Force, b: &Force, length_m: f64) -> f64 {
+    (a.surge_n - b.surge_n)
+        .abs()
+        .max((a.sway_n - b.sway_n).abs())
+        .max((a.yaw_nm - b.yaw_nm).abs() / length_m)
+}
+
+#[track_caller]
+fn no_jump(what: &str, scale_n: f64, length_m: f64, at: &dyn Fn(f64) -> Force) {
+    let coarse = largest_step(SPACING, scale_n, length_m, at);
+    let fine = largest_step(4 * SPACING, scale_n, length_m, at);
+    assert!(coarse.is_finite(), "{what}: not finite");
+    // A quarter for a smooth function; a line that turns sharply needs some room; a jump gives 1.
+    assert!(fine <= 0.4 * coarse + 1e-12, "{what}: a step of {coarse} only falls to {fine}");
+}
+
+fn forces(ship: &Mmg, velocity: Velocity, controls: Controls) -> Force {
+    ship.forces(&velocity, &controls, Water::SEA)
+}
+
+fn scale_n(ship: &Mmg) -> f64 {
+    let p = &ship.particulars;
+    0.5 * Water::SEA.density_kgpm3 * p.length_m * p.draught_m
+}
+
+/// Revolutions from astern to ahead and rudders, for ships that have them.
+const SHAFTS_RPS: [f64; 4] = [-1.2, 0.0, 0.4, 1.7];
+const RUDDERS_RAD: [f64; 3] = [-0.6, 0.0, 0.6];
+
+fn each_control(mut check: impl FnMut(Controls)) {
+    for shaft_rps in SHAFTS_RPS {
+        for rudder_rad in RUDDERS_RAD {
+            check(Controls { shaft_rps, rudder_rad });
+        }
+    }
+}
+
+#[test]
+fn no_jump_from_astern_to_full_ahead() {
+    for Vessel { ship, name, .. } in [kvlcc2(), kcs(), esso_osaka_model()] {
+        let length_m = ship.particulars.length_m;
+        each_control(|controls| {
+            for sway_mps in [0.0, 0.02, -0.7] {
+                for tip_mps in [0.0, 0.05, -1.0] {
+                    let yaw_radps = tip_mps / length_m;
+                    let at = |t: f64| {
+                        let surge_mps = -2.0 + 10.0 * t;
+                        forces(&ship, Velocity { surge_mps, sway_mps, yaw_radps }, controls)
+                    };
+                    let what = format!("{name}, surge, {controls:?}, {sway_mps}, {tip_mps}");
+                    no_jump(&what, scale_n(&ship), length_m, &at);
+                }
+            }
+        });
+    }
+}
+
+#[test]
+fn no_jump_through_all_drift_angles_and_yaw_rates() {
+    for Vessel { ship, name, .. } in [kvlcc2(), kcs(), esso_osaka_model()] {
+        let length_m = ship.particulars.length_m;
+        each_control(|controls| {
+            for tip_mps in [-3.0, 0.0, 0.4] {
+                let at = |t: f64| {
+                    let (sin, cos) = libm::sincos(TAU * t);
+                    let yaw_radps = tip_mps / length_m;
+                    forces(
+                        &ship,
+                        Velocity { surge_mps: 2.0 * cos, sway_mps: 2.0 * sin, yaw_radps },
+                        controls,
+                    )
+                };
+                no_jump(&format!("{name}, drift, {controls:?}"), scale_n(&ship), length_m, &at);
+            }
+            for (surge_mps, sway_mps) in [(0.0, 0.0), (4.0, 0.0), (-1.0, 0.3), (0.0, 1.0)] {
+                let at = |t: f64| {
+                    let yaw_radps = (-4.0 + 8.0 * t) / length_m;
+                    forces(&ship, Velocity { surge_mps, sway_mps, yaw_radps }, controls)
+                };
+                no_jump(&format!("{name}, yaw, {controls:?}"), scale_n(&ship), length_m, &at);
+            }
+        });
+    }
+}
+
+#[test]
+fn no_jump_through_rest() {
+    for Vessel { ship, name, .. } in [kvlcc2(), kcs(), esso_osaka_model()] {
+        let length_m = ship.particulars.length_m;
+        each_control(|controls| {
+            for direction in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.3, -0.8, 1.0], [-1.0, 0.1, 0.5]]
+            {
+                let at = |t: f64| {
+                    let [surge_mps, sway_mps, tip_mps] = direction.map(|d| d * (t - 0.5));
+                    forces(
+                        &ship,
+                        Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / length_m },
+                        controls,
+                    )
+                };
+                no_jump(&format!("{name}, rest, {controls:?}"), scale_n(&ship), length_m, &at);
+            }
+        });
+    }
+}
+
+#[test]
+fn no_jump_in_revolutions_and_rudder() {
+    for Vessel { ship, name, .. } in [kvlcc2(), kcs()] {
+        let length_m = ship.particulars.length_m;
+        for surge_mps in [-2.0, -0.01, 0.0, 0.3, 7.0] {
+            for sway_mps in [0.0, 0.5] {
+                let velocity = Velocity { surge_mps, sway_mps, yaw_radps: 0.3 / length_m };
+                let shaft = |t: f64| {
+                    let controls = Controls { shaft_rps: -2.0 + 4.0 * t, rudder_rad: 0.5 };
+                    forces(&ship, velocity, controls)
+                };
+                no_jump(&format!("{name}, shaft at {surge_mps}"), scale_n(&ship), length_m, &shaft);
+                let rudder = |t: f64| {
+                    let controls = Controls { shaft_rps: 0.7, rudder_rad: -PI + TAU * t };
+                    forces(&ship, velocity, controls)
+                };
+                no_jump(
+                    &format!("{name}, rudder at {surge_mps}"),
+                    scale_n(&ship),
+                    length_m,
+                    &rudder,
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn no_jump_through_the_four_quadrants_of_a_propeller() {
+    for (series, thrust_polynomial) in [
+        (Series::B4Pitch08, Some([0.2931, -0.2753, -0.1385])),
+        (Series::B4Pitch10, Some([0.5228, -0.4390, -0.0609])),
+        (Series::B4Pitch08, None),
+        (Series::B4Pitch10, None),
+    ] {
+        let propeller = Propeller { diameter_m: 8.0, thrust_polynomial, series };
+        let at = |t: f64| {
+            let (sin, cos) = libm::sincos(TAU * t);
+            let (advance_mps, shaft_rps) = (5.0 * sin, 0.5 * cos);
+            Force {
+                surge_n: propeller.thrust_n(advance_mps, shaft_rps, Water::SEA),
+                sway_n: propeller.torque_nm(advance_mps, shaft_rps, Water::SEA) / 8.0,
+                yaw_nm: 0.0,
+            }
+        };
+        no_jump("quadrants", 1e6, 1.0, &at);
+        assert_eq!(propeller.thrust_n(0.0, 0.0, Water::SEA), 0.0);
+        assert_eq!(propeller.torque_nm(0.0, 0.0, Water::SEA), 0.0);
+    }
+}
+
+#[test]
+fn no_jump_in_thrusters() {
+    let thruster = TunnelThruster { bollard_n: 2e5, along_m: 120.0 };
+    let at = |t: f64| {
+        let velocity = Velocity { surge_mps: -10.0 + 20.0 * t, ..Velocity::default() };
+        thruster.force(1.0, &velocity)
+    };
+    no_jump("tunnel", 2e5, 240.0, &at);
+    for (knots, left) in [(0.0, 1.0), (4.0, 0.5), (15.0, 1.0), (20.0, 1.0), (-4.0, 0.5)] {
+        assert!((tunnel_effect(knots * 1852.0 / 3600.0) - left).abs() < 1e-12, "{knots} kn");
+    }
+}
+
+/// A test of the test: the same scan finds a jump of a thousandth.
+#[test]
+#[should_panic(expected = "only falls to")]
+fn a_jump_is_found() {
+    let at =
+        |t: f64| Force { surge_n: t * t + if t > 0.3 { 1e-3 } else { 0.0 }, ..Force::default() };
+    no_jump("a jump", 1.0, 1.0, &at);
+}
+
+#[test]
+fn the_polynomial_alone_counts_in_a_hard_turn_and_not_at_all_when_crabbing() {
+    let of = |surge_mps, sway_mps, tip_mps: f64| {
+        polynomial_weight(&Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / 100.0 }, 100.0)
+    };
+    // KVLCC2 at 35°: β 20°, r' 0.9.
+    let (sin, cos) = libm::sincos(20_f64.to_radians());
+    assert_eq!(of(cos, -sin, 0.9), 1.0);
+    assert_eq!(of(0.05, 0.5, 0.0), 0.0);
+    assert_eq!(of(0.05, 0.0, 0.5), 0.0);
+    assert_eq!(of(-3.0, 0.0, 0.0), 0.0);
+    assert_eq!(of(0.0, 0.0, 0.0), 0.0);
+}
+
+proptest! {
+    /// |ΔF| ≤ K · ½ρLd · V · |ΔV|, between any two neighbours in (u, v, rL, nD), V the greater of the two speeds,
+    /// ships of 320 m and 230 m alike.
+    #[test]
+    fn forces_are_lipschitz(
+        state in prop::array::uniform4(-1.0_f64..1.0),
+        towards in prop::array::uniform4(-1.0_f64..1.0),
+        exponent in -9.0_f64..0.0,
+        speed_exponent in -4.0_f64..1.0,
+        rudder_rad in -0.7_f64..0.7,
+        second in any::<bool>(),
+    ) {
+        let Vessel { ship, .. } = if second { kcs() } else { kvlcc2() };
+        let length_m = ship.particulars.length_m;
+        let speed_mps = libm::exp10(speed_exponent);
+        let near = libm::exp10(exponent);
+        let of = |s: [f64; 4]| {
+            let velocity = Velocity { surge_mps: s[0], sway_mps: s[1], yaw_radps: s[2] / length_m };
+            forces(&ship, velocity, Controls { shaft_rps: s[3] / 9.0, rudder_rad })
+        };
+        let norm = |s: [f64; 4]| s.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let a = state.map(|x| x * speed_mps);
+        let b = std::array::from_fn(|i| a[i] + towards[i] * near * speed_mps);
+        let apart = norm(towards) * near * speed_mps;
+        let bound = 3.0 * scale_n(&ship) * norm(a).max(norm(b)) * apart;
+        let step = difference(&of(a), &of(b), length_m);
+        prop_assert!(step <= bound + 1e-9 * bound.max(1.0), "{step} > {bound}");
+    }
+}
