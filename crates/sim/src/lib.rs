@@ -67,6 +67,7 @@ mod rigid_body;
 mod setup;
 mod simulation;
 mod summary;
+pub mod tug;
 
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, Rated};
