@@ -72,6 +72,7 @@ mod rigid_body;
 mod setup;
 mod simulation;
 mod summary;
+pub mod tug;
 mod world;
 
 pub use error::{SetupError, SimError};

@@ -1,5 +1,7 @@
 //! Waves against linear theory, the energy of their spectrum, and limits of ship motion that need no data.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use fenderline_contact::vec2;

@@ -1,5 +1,7 @@
 //! Wind coefficients against printed numbers, gusts against the laws of their spectra.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
 
 use fenderline_contact::vec2;

@@ -1,0 +1,54 @@
+//! What a tug has left of her bollard pull at speed.
+
+use crate::range::{OutOfRange, within};
+
+/// Limits of a tug that goes along with a ship.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TugEnvelope {
+    /// Bollard pull [N].
+    pub bollard_pull_n: f64,
+    /// Length on the waterline [m].
+    pub length_m: f64,
+    /// Beam [m].
+    pub beam_m: f64,
+    /// Draught of hull and skeg [m].
+    pub draught_m: f64,
+    /// Drag coefficient of the hull across the flow; 0.73 (design sheet §6).
+    pub drag_coefficient: f64,
+}
+
+impl TugEnvelope {
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// The first that no tug has, by its name.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        within("bollard pull [N]", self.bollard_pull_n, 1.0, 1e8)?;
+        within("length of the tug [m]", self.length_m, 1.0, 200.0)?;
+        within("beam of the tug [m]", self.beam_m, 0.5, 100.0)?;
+        within("draught of the tug [m]", self.draught_m, 0.1, 30.0)?;
+        within("drag coefficient of the tug", self.drag_coefficient, 0.0, 5.0)?;
+        Ok(())
+    }
+
+    /// The greatest force [N] that the tug gives at an angle [rad] from the direction in which she and the
+    /// ship go through the water, at a speed [m/s].
+    ///
+    /// Derived, unvalidated (design sheet §6; no published envelope was found): the tug lies along the force.
+    /// Her thrust gives the force F and overcomes her own drag D against the motion, |F·e + D·x| = BP, so
+    /// that F = √(BP² − D² sin²θ) − D cos θ; beam-on it is √(BP² − D²), and 0 where BP < D. D = ½ρ Cd T V² (L sin²θ + B cos²θ):
+    /// her side to the flow when she pushes across, her end when along (with the same Cd: ours). Drag that
+    /// helps (cos θ < 0) is not counted: never above the bollard pull.
+    #[must_use]
+    pub fn available_n(&self, angle_rad: f64, speed_mps: f64, water_density_kgpm3: f64) -> f64 {
+        let (sin, cos) = (libm::sin(angle_rad), libm::cos(angle_rad));
+        let side_m = self.length_m * sin * sin + self.beam_m * cos * cos;
+        let area_m2 = self.drag_coefficient * self.draught_m * side_m;
+        let drag_n = 0.5 * water_density_kgpm3 * area_m2 * speed_mps * speed_mps;
+        let across_n = drag_n * sin;
+        let along_squared = self.bollard_pull_n * self.bollard_pull_n - across_n * across_n;
+        // Below 0 she cannot keep her station: no force.
+        let force_n = along_squared.max(0.0).sqrt() - drag_n * cos.max(0.0);
+        force_n.max(0.0)
+    }
+}

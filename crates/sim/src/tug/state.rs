@@ -1,0 +1,208 @@
+//! A vector tug: orders, delay, lag.
+
+use core::f64::consts::TAU;
+
+use fenderline_contact::{Vec2, vec2};
+
+use super::envelope::TugEnvelope;
+use crate::range::{OutOfRange, within};
+
+/// Below this share of her bollard pull a tug may let go and change from pushing to pulling.
+const SLACK_SHARE: f64 = 0.01;
+
+/// A tug that is a force at a point of a ship; the constant part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VectorTug {
+    /// Name, for messages.
+    pub name: String,
+    /// What she can give.
+    pub envelope: TugEnvelope,
+    /// Where she pushes, from midship, forward and to starboard [m].
+    pub push_at_m: Vec2,
+    /// The fairlead that her line is fast to, likewise [m].
+    pub pull_at_m: Vec2,
+    /// From an order to its beginning [s].
+    pub delay_s: f64,
+    /// Time constant of the force [s].
+    pub force_lag_s: f64,
+    /// Time constant of its direction [s].
+    pub direction_lag_s: f64,
+}
+
+/// What a tug is told.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum TugOrder {
+    /// Stand by: no force.
+    #[default]
+    StandBy,
+    /// Push against the hull.
+    Push {
+        /// Force [N].
+        force_n: f64,
+        /// Direction of the force on the ship from her bow, positive to starboard [rad].
+        direction_rad: f64,
+    },
+    /// Pull on the line.
+    Pull {
+        /// Force [N].
+        force_n: f64,
+        /// Direction of the force on the ship from her bow, positive to starboard [rad].
+        direction_rad: f64,
+    },
+}
+
+/// What changes of a tug: plain data.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TugState {
+    /// The order she carries out.
+    pub order: TugOrder,
+    /// Orders given but not begun, oldest first, with the time [s] at which they begin.
+    pub waiting: Vec<(f64, TugOrder)>,
+    /// Force [N].
+    pub force_n: f64,
+    /// Its direction from the ship's bow, positive to starboard [rad].
+    pub direction_rad: f64,
+    /// She is on her line rather than at the hull.
+    pub on_line: bool,
+}
+
+/// A tug's force in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TugForce {
+    /// [X, Y, N] about midship in the ship's axes [N, N, N·m].
+    pub force: [f64; 3],
+    /// Point where it acts, from midship [m].
+    pub at_m: Vec2,
+    /// The order asks for more than she can give at this speed and angle: she gives what she can.
+    pub limited: bool,
+    /// An order began in this step.
+    pub began: bool,
+}
+
+impl VectorTug {
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// The first that no tug has, by its name.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        self.envelope.check()?;
+        for place_m in [self.push_at_m, self.pull_at_m] {
+            within("place of a tug, forward [m]", place_m.x, -1000.0, 1000.0)?;
+            within("place of a tug, to starboard [m]", place_m.y, -1000.0, 1000.0)?;
+        }
+        within("delay of a tug [s]", self.delay_s, 0.0, 3600.0)?;
+        within("lag of a tug's force [s]", self.force_lag_s, 0.0, 3600.0)?;
+        within("lag of a tug's direction [s]", self.direction_lag_s, 0.0, 3600.0)?;
+        Ok(())
+    }
+
+    /// Gives an order at a time; it begins after the delay. Orders are carried out in the order given.
+    ///
+    /// # Errors
+    /// A force below 0 or above 10⁸ N, or a direction that is no angle; the state stays as it was. A force
+    /// above the bollard pull is taken: the tug gives what she can and says so.
+    pub fn order(&self, state: &mut TugState, t_s: f64, order: TugOrder) -> Result<(), OutOfRange> {
+        if let TugOrder::Push { force_n, direction_rad }
+        | TugOrder::Pull { force_n, direction_rad } = order
+        {
+            within("force ordered of a tug [N]", force_n, 0.0, 1e8)?;
+            within("direction ordered of a tug [rad]", direction_rad, -100.0, 100.0)?;
+        }
+        let begins_s = within("time of an order [s]", t_s + self.delay_s, -1e12, 1e12)?;
+        state.waiting.push((begins_s, order));
+        Ok(())
+    }
+
+    /// The force at the end of a step from `t_s`, with the ship going through the water at a velocity in
+    /// her own axes (forward, to starboard) [m/s]. Force and direction follow the order exactly as
+    /// exponentials, whatever the step; from push to pull and back she lets go first. An order counts from
+    /// the step at whose start it is due.
+    pub fn step(
+        &self,
+        state: &mut TugState,
+        (t_s, step_s): (f64, f64),
+        water_mps: Vec2,
+        water_density_kgpm3: f64,
+    ) -> TugForce {
+        let began = begin_orders(state, t_s);
+        let target = Target::of(state);
+        let at_hand = self.change_over(state, &target);
+        if at_hand && target.wanted_n > 0.0 {
+            let off_rad = libm::remainder(target.direction_rad - state.direction_rad, TAU);
+            if state.force_n <= SLACK_SHARE * self.envelope.bollard_pull_n {
+                // Slack: she takes her place before she pushes.
+                state.direction_rad = target.direction_rad;
+            } else {
+                state.direction_rad += off_rad * share(step_s, self.direction_lag_s);
+            }
+        }
+        let available_n = self.available_n(state.direction_rad, water_mps, water_density_kgpm3);
+        let wanted_n = if at_hand { target.wanted_n } else { 0.0 };
+        let goal_n = wanted_n.min(available_n);
+        state.force_n += (goal_n - state.force_n) * share(step_s, self.force_lag_s);
+        // What she has at this moment bounds what the lag still shows of an older one.
+        let given_n = state.force_n.min(available_n);
+        let at_m = if state.on_line { self.pull_at_m } else { self.push_at_m };
+        let direction =
+            vec2(libm::cos(state.direction_rad), libm::sin(state.direction_rad)) * given_n;
+        TugForce {
+            force: [direction.x, direction.y, at_m.cross(direction)],
+            at_m,
+            limited: wanted_n > available_n,
+            began,
+        }
+    }
+
+    /// Whether she is where the order needs her; changes over between hull and line once she is slack.
+    fn change_over(&self, state: &mut TugState, target: &Target) -> bool {
+        let Some(on_line) = target.on_line else { return true };
+        if state.on_line != on_line && state.force_n <= SLACK_SHARE * self.envelope.bollard_pull_n {
+            state.on_line = on_line;
+        }
+        state.on_line == on_line
+    }
+
+    fn available_n(&self, direction_rad: f64, water_mps: Vec2, density_kgpm3: f64) -> f64 {
+        let speed_mps = water_mps.length();
+        let course_rad = libm::atan2(water_mps.y, water_mps.x);
+        self.envelope.available_n(direction_rad - course_rad, speed_mps, density_kgpm3)
+    }
+}
+
+/// Takes up the orders that are due; true where there was one.
+fn begin_orders(state: &mut TugState, t_s: f64) -> bool {
+    let due = state.waiting.iter().take_while(|(begins_s, _)| *begins_s <= t_s).count();
+    for (_, order) in state.waiting.drain(..due) {
+        state.order = order;
+    }
+    due > 0
+}
+
+/// An order as numbers.
+struct Target {
+    wanted_n: f64,
+    direction_rad: f64,
+    /// Line or hull; `None` where it does not matter.
+    on_line: Option<bool>,
+}
+
+impl Target {
+    fn of(state: &TugState) -> Target {
+        match state.order {
+            TugOrder::StandBy => {
+                Target { wanted_n: 0.0, direction_rad: state.direction_rad, on_line: None }
+            }
+            TugOrder::Push { force_n, direction_rad } => {
+                Target { wanted_n: force_n, direction_rad, on_line: Some(false) }
+            }
+            TugOrder::Pull { force_n, direction_rad } => {
+                Target { wanted_n: force_n, direction_rad, on_line: Some(true) }
+            }
+        }
+    }
+}
+
+/// 1 − e^(−Δt/τ): the share of the way that a first-order lag goes in a step; all of it without a lag.
+fn share(step_s: f64, lag_s: f64) -> f64 {
+    if lag_s > 0.0 { -libm::expm1(-step_s / lag_s) } else { 1.0 }
+}
