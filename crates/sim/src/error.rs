@@ -6,6 +6,7 @@ use fenderline_contact::{ModelError, StepError};
 
 use crate::berthing::BerthingError;
 use crate::mooring::MooringError;
+use crate::range::OutOfRange;
 
 /// A set-up that cannot be simulated.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +30,13 @@ pub enum SetupError {
     },
     /// A particular of the berthing that no ship has.
     Berthing(BerthingError),
+    /// A tug with a number that no tug has.
+    Tug {
+        /// The tug.
+        tug: String,
+        /// What is wrong.
+        error: OutOfRange,
+    },
     /// A line that cannot be made fast where the bodies are at the start.
     Line(MooringError),
     /// An order to a thruster that the vessel does not have.
@@ -60,6 +68,7 @@ impl fmt::Display for SetupError {
             SetupError::DuplicateName { what, name } => {
                 write!(f, "two {what} are named `{name}`")
             }
+            SetupError::Tug { tug, error } => write!(f, "tug `{tug}`: {error}"),
             SetupError::Line(error) => error.fmt(f),
             SetupError::NoThruster { vessel, thruster } => {
                 write!(f, "vessel {vessel} has no thruster {thruster}")

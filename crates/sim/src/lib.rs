@@ -87,6 +87,6 @@ pub use simulation::Simulation;
 pub use summary::PairSummary;
 pub use world::{
     Action, Environment, Float, LineEnd, Mooring, MooringSetup, Order, Pilots, ProviderSetup,
-    Station, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent, WorldEventKind,
-    WorldSetup, mass_matrix,
+    Station, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent,
+    WorldEventKind, WorldSetup, mass_matrix,
 };

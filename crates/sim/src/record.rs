@@ -2,7 +2,7 @@
 
 use fenderline_contact::{BodyState, Contact, Event, Wrench};
 
-use crate::world::{Mooring, VesselForces, VesselState, WorldEvent};
+use crate::world::{Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};
 
 /// One step, seen at its start: states at `t_s`, the forces that act from there on.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +30,8 @@ pub struct StepRecord<'a> {
     pub vessels: &'a [VesselState],
     /// Where the forces on each vessel came from in this step.
     pub vessel_forces: &'a [VesselForces],
+    /// The tugs at the end of the step, in the order of the set-up.
+    pub tugs: &'a [TugAtWork],
     /// The lines at the end of the step, in the order of the set-up.
     pub lines: &'a [Mooring],
     /// What happened in the world.

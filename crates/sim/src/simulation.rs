@@ -248,6 +248,7 @@ impl Simulation {
             vessels: &self.world.vessels,
             vessel_forces: &self.world.forces,
             lines: &self.world.lines,
+            tugs: &self.world.tugs,
             world_events: &self.world.events,
         };
         self.summaries.book(&record);
@@ -436,7 +437,20 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
         }
         inertias[vessel.body] = Inertia::of_vessel(&mass_matrix(&vessel.ship, density_kgpm3));
     }
+    for tug in &setup.world.tugs {
+        if tug.vessel >= setup.world.vessels.len() {
+            return Err(SetupError::BadBody { owner: "tug", body: tug.vessel });
+        }
+        let named = |error| SetupError::Tug { tug: tug.tug.name.clone(), error };
+        tug.tug.check().map_err(named)?;
+    }
     for order in &setup.world.orders {
+        if let Action::Tug(tug, _) = order.action {
+            if tug >= setup.world.tugs.len() {
+                return Err(SetupError::BadBody { owner: "tug's order", body: tug });
+            }
+            continue;
+        }
         if let Action::Winch(line, _) | Action::LetGo(line) = order.action {
             if line >= setup.world.lines.len() {
                 return Err(SetupError::BadBody { owner: "line's order", body: line });

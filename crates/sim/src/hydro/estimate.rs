@@ -88,6 +88,7 @@ fn propulsion(ship: &Particulars, gear: &SternGear) -> Result<Propulsion, HydroE
             series: Series::B4Pitch08,
         },
         thrust_deduction: 0.6 * wake,
+        thrust_deduction_astern: 0.6 * wake,
         wake: Wake { straight: wake, rate: 0.0, limits: [1.0, 1.0], place: -0.48 },
         rudder: Rudder {
             area_m2: gear.rudder_m2,

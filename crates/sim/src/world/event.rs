@@ -14,6 +14,10 @@ pub struct WorldEvent {
 pub enum WorldEventKind {
     /// An order of a vessel was beyond a stop, or no number: the stop was ordered. Told when it begins.
     OrderClamped,
+    /// A tug cannot give at this speed and angle what she is ordered to. Told when it begins.
+    TugLimited,
+    /// An order to a tug with a force or a direction that is none.
+    TugOrderRefused,
     /// A line could not be made fast where its ends were: too short, or no such pretension.
     LineNotMadeFast,
     /// A line parted.

@@ -11,6 +11,7 @@ mod line;
 mod order;
 mod pilot;
 mod setup;
+mod tug;
 mod vessel;
 
 use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
@@ -24,6 +25,7 @@ pub use line::{LineEnd, Mooring, MooringSetup};
 pub use order::{Action, Order, Station};
 pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
+pub use tug::{TugAtWork, TugSetup};
 pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, mass_matrix};
 
 /// What changes of a world: plain data, but for what can be found again.
@@ -32,6 +34,7 @@ pub(crate) struct World {
     pub(crate) vessels: Vec<VesselState>,
     pub(crate) forces: Vec<VesselForces>,
     pub(crate) lines: Vec<Mooring>,
+    pub(crate) tugs: Vec<TugAtWork>,
     pub(crate) events: Vec<WorldEvent>,
     abilities: Vec<Abilities>,
     /// Orders sorted by time, and how many have been taken.
@@ -51,6 +54,7 @@ impl World {
             vessels: setup.vessels.iter().map(VesselState::new).collect(),
             forces: vec![VesselForces::default(); setup.vessels.len()],
             lines: setup.lines.iter().map(|_| Mooring::new()).collect(),
+            tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
             events: Vec::new(),
             abilities: setup.vessels.iter().map(|v| Abilities::of(v, water)).collect(),
             orders,
@@ -74,7 +78,15 @@ impl World {
         for (index, vessel) in setup.vessels.iter().enumerate() {
             let (state, own) = (&states[vessel.body], &mut self.vessels[index]);
             let abilities = &self.abilities[index];
-            pilot::pilot(own, vessel, abilities, state, &[], &mut self.helpers_n, step_s);
+            let serves = |tug: &&TugSetup| tug.vessel == index;
+            let helpers: Vec<_> =
+                setup.tugs.iter().filter(serves).map(|tug| tug.device(vessel)).collect();
+            let helpers_n = &mut self.helpers_n;
+            pilot::pilot(own, vessel, abilities, state, &helpers, helpers_n, step_s);
+            let tugs = self.tugs.iter_mut().zip(&setup.tugs).filter(|(_, tug)| serves(tug));
+            for ((tug, of), &starboard_n) in tugs.zip(&*helpers_n) {
+                tug.push_or_pull(of, t_s, starboard_n);
+            }
             let clamped = own.act(step_s);
             if clamped && !self.clamped[index] {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::OrderClamped });
@@ -85,6 +97,13 @@ impl World {
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
             self.forces[index] = forces;
+        }
+        for (index, (tug, of)) in self.tugs.iter_mut().zip(&setup.tugs).enumerate() {
+            let vessel = &setup.vessels[of.vessel];
+            let (state, load) = (&states[vessel.body], &mut loads[vessel.body]);
+            let times = (t_s, step_s);
+            let events = &mut self.events;
+            tug.step(index, (of, vessel), state, &setup.environment, times, load, events);
         }
         for (index, (mooring, line)) in self.lines.iter_mut().zip(&setup.lines).enumerate() {
             mooring.step(index, line, states, (t_s, step_s), loads, &mut self.events);
@@ -98,6 +117,14 @@ impl World {
             match order.action {
                 Action::Winch(line, winch) => {
                     self.lines[line].order = winch;
+                    continue;
+                }
+                Action::Tug(tug, what) => {
+                    let of = &setup.tugs[tug].tug;
+                    if of.order(&mut self.tugs[tug].state, order.at_s, what).is_err() {
+                        let kind = WorldEventKind::TugOrderRefused;
+                        self.events.push(WorldEvent { who: tug, kind });
+                    }
                     continue;
                 }
                 Action::LetGo(line) => {

@@ -3,6 +3,7 @@
 use fenderline_contact::Vec2;
 
 use crate::mooring::WinchOrder;
+use crate::tug::TugOrder;
 
 /// An order at a time of the run.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +33,8 @@ pub enum Action {
     Station(Station),
     /// Pilots off; controls stay where they are.
     Hands,
+    /// A tug, by its index.
+    Tug(usize, TugOrder),
     /// A line's winch, by the line's index.
     Winch(usize, WinchOrder),
     /// A line is cast off, by its index.

@@ -113,7 +113,9 @@ pub(crate) fn take(
             pilots.station = Some(station_pilot(&station, abilities, setup, steady));
         }
         Action::Hands => *pilots = Pilots::default(),
-        Action::Winch(..) | Action::LetGo(_) => unreachable!("lines take their orders themselves"),
+        Action::Winch(..) | Action::LetGo(_) | Action::Tug(..) => {
+            unreachable!("lines and tugs take their orders themselves")
+        }
     }
 }
 

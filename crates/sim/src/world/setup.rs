@@ -3,6 +3,7 @@
 use super::environment::Environment;
 use super::line::MooringSetup;
 use super::order::Order;
+use super::tug::TugSetup;
 use super::vessel::VesselSetup;
 
 /// What surrounds the bodies of a [`crate::Setup`]; empty by default.
@@ -14,6 +15,8 @@ pub struct WorldSetup {
     pub vessels: Vec<VesselSetup>,
     /// Timed orders to the vessels.
     pub orders: Vec<Order>,
+    /// Vector tugs.
+    pub tugs: Vec<TugSetup>,
     /// Mooring lines.
     pub lines: Vec<MooringSetup>,
     /// Programs that put forces on bodies.

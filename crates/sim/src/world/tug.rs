@@ -1,0 +1,100 @@
+//! Vector tugs in a run.
+
+use core::f64::consts::FRAC_PI_2;
+
+use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
+
+use super::environment::Environment;
+use super::event::{WorldEvent, WorldEventKind};
+use super::vessel::VesselSetup;
+use crate::control::LateralDevice;
+use crate::hydro::Force;
+use crate::tug::{TugForce, TugOrder, TugState, VectorTug};
+
+/// A vector tug of a set-up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TugSetup {
+    /// Index of the vessel that she serves, in [`crate::WorldSetup::vessels`].
+    pub vessel: usize,
+    /// The tug.
+    pub tug: VectorTug,
+}
+
+/// A vector tug during a run: plain data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TugAtWork {
+    /// Orders, force and direction.
+    pub state: TugState,
+    /// Force in the last step, in the vessel's axes about midship.
+    pub force: Force,
+    /// Where it acts, from midship [m].
+    pub at_m: Vec2,
+    limited: bool,
+}
+
+impl TugAtWork {
+    pub(crate) fn new(setup: &TugSetup) -> TugAtWork {
+        TugAtWork {
+            state: TugState::default(),
+            force: Force::default(),
+            at_m: setup.tug.push_at_m,
+            limited: false,
+        }
+    }
+
+    /// Orders a force to starboard of the vessel [N]: a push where it points away from the tug's side, a
+    /// pull on her line where it points towards it.
+    pub(crate) fn push_or_pull(&mut self, setup: &TugSetup, t_s: f64, starboard_n: f64) {
+        let direction_rad = FRAC_PI_2.copysign(starboard_n);
+        let force_n = starboard_n.abs();
+        let away = setup.tug.push_at_m.y * starboard_n <= 0.0;
+        let order = if force_n == 0.0 {
+            TugOrder::StandBy
+        } else if away {
+            TugOrder::Push { force_n, direction_rad }
+        } else {
+            TugOrder::Pull { force_n, direction_rad }
+        };
+        let taken = setup.tug.order(&mut self.state, t_s, order);
+        debug_assert!(taken.is_ok(), "a pilot asks for what there is");
+    }
+
+    /// The tug's part of a step: her force on the vessel's body.
+    pub(crate) fn step(
+        &mut self,
+        index: usize,
+        (setup, vessel): (&TugSetup, &VesselSetup),
+        state: &BodyState,
+        environment: &Environment,
+        (t_s, step_s): (f64, f64),
+        load: &mut Wrench,
+        events: &mut Vec<WorldEvent>,
+    ) {
+        let attitude = Rotation::from_angle(state.heading_rad);
+        let draught_m = vessel.ship.particulars.draught_m;
+        let current = environment.current(state.position_m, t_s, draught_m);
+        let water_mps = attitude.apply_inverse(state.velocity_mps - current);
+        let density = environment.water_density_kgpm3;
+        let TugForce { force: [surge_n, sway_n, yaw_nm], at_m, limited, .. } =
+            setup.tug.step(&mut self.state, (t_s, step_s), water_mps, density);
+        if limited && !self.limited {
+            events.push(WorldEvent { who: index, kind: WorldEventKind::TugLimited });
+        }
+        (self.limited, self.at_m) = (limited, at_m);
+        self.force = Force { surge_n, sway_n, yaw_nm };
+        let ahead_m = vessel.ship.particulars.centre_of_gravity_m;
+        load.force_n += attitude.apply(vec2(surge_n, sway_n));
+        load.moment_nm += yaw_nm - ahead_m * sway_n;
+    }
+}
+
+impl TugSetup {
+    /// What she is to a pilot. On a line she pulls as hard as she pushes.
+    pub(crate) fn device(&self, vessel: &VesselSetup) -> LateralDevice {
+        let most_n = 0.95 * self.tug.envelope.bollard_pull_n;
+        LateralDevice {
+            forward_m: self.tug.push_at_m.x - vessel.ship.particulars.centre_of_gravity_m,
+            limits_n: [-most_n, most_n],
+        }
+    }
+}
