@@ -232,7 +232,7 @@ impl Simulation {
         }
         let contacts = self.work.contacts();
         let (world, fenders) = (&self.setup.world, &self.setup.fenders);
-        self.world.settle(world, fenders, contacts, &self.buffers.before, step_s);
+        self.world.settle(world, fenders, contacts, &self.states, (t_s, step_s));
         // Stage 8: what happened.
         self.book();
         let record = StepRecord {

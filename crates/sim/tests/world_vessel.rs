@@ -50,6 +50,8 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
                 thruster_lag_s: 0.0,
                 windage: None,
                 float: None,
+                response: None,
+                drift: None,
             }],
             orders: vec![Order {
                 at_s: 0.0,

@@ -3,6 +3,7 @@
 use fenderline_contact::Vec2;
 
 use crate::environment::current::Current;
+use crate::environment::waves::Sea;
 use crate::environment::wind::Wind;
 use crate::hydro;
 
@@ -13,6 +14,8 @@ pub struct Environment {
     pub wind: Option<Wind>,
     /// Current.
     pub current: Option<Current>,
+    /// Waves.
+    pub sea: Option<Sea>,
     /// Density of the water [kg/m³].
     pub water_density_kgpm3: f64,
     /// Density of the air [kg/m³].
@@ -27,6 +30,7 @@ impl Default for Environment {
         Environment {
             wind: None,
             current: None,
+            sea: None,
             water_density_kgpm3: 1025.0,
             air_density_kgpm3: 1.225,
             depth_m: None,

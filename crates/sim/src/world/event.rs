@@ -14,6 +14,8 @@ pub struct WorldEvent {
 pub enum WorldEventKind {
     /// An order of a vessel was beyond a stop, or no number: the stop was ordered. Told when it begins.
     OrderClamped,
+    /// The water is no deeper than a vessel's draught: the bottom holds her. Told when it begins.
+    Aground,
     /// A tug cannot give at this speed and angle what she is ordered to. Told when it begins.
     TugLimited,
     /// An order to a tug with a force or a direction that is none.

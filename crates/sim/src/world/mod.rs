@@ -92,6 +92,11 @@ impl World {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::OrderClamped });
             }
             self.clamped[index] = clamped;
+            let aground = vessel.is_aground(&setup.environment);
+            if aground && !own.aground {
+                self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
+            }
+            own.aground = aground;
             let forces = vessel.forces(own, state, &setup.environment, t_s);
             let wrench = vessel.wrench(&forces, state, &setup.environment, t_s);
             loads[vessel.body].force_n += wrench.force_n;
@@ -151,9 +156,12 @@ impl World {
         fenders: &[FenderSetup],
         contacts: &[Contact],
         states: &[BodyState],
-        step_s: f64,
+        (t_s, step_s): (f64, f64),
     ) {
         for (index, vessel) in setup.vessels.iter().enumerate() {
+            let state = &states[vessel.body];
+            self.vessels[index].wave_motion =
+                vessel.wave_motion(state, &setup.environment, t_s + step_s);
             let Some(float) = &vessel.float else { continue };
             let mut drive = vessel.drive(&self.forces[index], float);
             let attitude = Rotation::from_angle(states[vessel.body].heading_rad);

@@ -5,6 +5,9 @@ use fenderline_contact::{BodyState, Rotation, Wrench, vec2};
 use super::environment::Environment;
 use super::pilot::Pilots;
 use crate::attitude::{Attitude, Drive, Hydrostatics};
+use crate::environment::waves::{
+    DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
+};
 use crate::environment::wind::{RelativeWind, ShipWindage};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
 use crate::hydro::{Controls, Force, Mmg, TunnelThruster, Velocity};
@@ -28,6 +31,10 @@ pub struct VesselSetup {
     pub windage: Option<ShipWindage>,
     /// Heave, roll and pitch.
     pub float: Option<Float>,
+    /// How she answers waves, superposed on everything else.
+    pub response: Option<MotionResponse>,
+    /// How waves drift her away.
+    pub drift: Option<DriftHull>,
 }
 
 /// What heave, roll and pitch need.
@@ -67,6 +74,10 @@ pub struct VesselState {
     pub pilots: Pilots,
     /// Heave, roll and pitch, without first-order wave motion.
     pub attitude: Attitude,
+    /// First-order wave motion, to be superposed.
+    pub wave_motion: FirstOrderMotion,
+    /// She is on the bottom.
+    pub aground: bool,
 }
 
 /// Where the forces on a vessel come from, in her axes about midship.
@@ -84,11 +95,19 @@ pub struct VesselForces {
     pub wind: Force,
     /// Mean wave drift.
     pub waves: Force,
+    /// The bottom, where she is aground.
+    pub bottom: Force,
 }
 
 impl VesselForces {
     fn sum(&self) -> Force {
-        self.hull + self.propeller + self.rudder + self.thrusters + self.wind + self.waves
+        self.hull
+            + self.propeller
+            + self.rudder
+            + self.thrusters
+            + self.wind
+            + self.waves
+            + self.bottom
     }
 }
 
@@ -109,6 +128,8 @@ impl VesselState {
             ],
             pilots: Pilots::default(),
             attitude: Attitude::default(),
+            wave_motion: FirstOrderMotion::default(),
+            aground: false,
         }
     }
 
@@ -152,7 +173,8 @@ impl VesselSetup {
             rudder: parts.rudder,
             thrusters,
             wind: self.wind(state, environment, t_s),
-            waves: Force::default(),
+            waves: self.drift(state, environment),
+            bottom: self.bottom(state, environment),
         }
     }
 
@@ -165,6 +187,61 @@ impl VesselSetup {
         let yaw_radps = state.yaw_rate_radps;
         let sway_mps = own.y - self.ship.particulars.centre_of_gravity_m * yaw_radps;
         Velocity { surge_mps: own.x, sway_mps, yaw_radps }
+    }
+
+    fn drift(&self, state: &BodyState, environment: &Environment) -> Force {
+        let (Some(sea), Some(hull)) = (&environment.sea, &self.drift) else {
+            return Force::default();
+        };
+        let density = environment.water_density_kgpm3;
+        let [surge_n, sway_n, yaw_nm] = mean_drift(sea, hull, state.heading_rad, density);
+        Force { surge_n, sway_n, yaw_nm }
+    }
+
+    /// Is the water no deeper than her draught?
+    pub(crate) fn is_aground(&self, environment: &Environment) -> bool {
+        environment.depth_m.is_some_and(|depth_m| depth_m <= self.ship.particulars.draught_m)
+    }
+
+    /// The drag of a bottom that bears what she sits too deep, with Coulomb's friction of 0.4 (recalled, of
+    /// sand): against her motion, and fading out below a centimetre a second so that it never drives her.
+    fn bottom(&self, state: &BodyState, environment: &Environment) -> Force {
+        if !self.is_aground(environment) {
+            return Force::default();
+        }
+        let ship = &self.ship.particulars;
+        let sunk_m = ship.draught_m - environment.depth_m.unwrap_or(f64::INFINITY);
+        let specific_npm3 = environment.water_density_kgpm3 * 9.806_65;
+        let waterplane_m2 = ship.block_coefficient() * ship.length_m * ship.beam_m;
+        let weight_n = specific_npm3 * waterplane_m2 * sunk_m.max(0.01);
+        let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
+        let ends_mps = 0.25 * ship.length_m * state.yaw_rate_radps;
+        let speed_mps = libm::sqrt(own.length_squared() + ends_mps * ends_mps);
+        let per_speed = 0.4 * weight_n / (speed_mps + 0.01);
+        Force {
+            surge_n: -per_speed * own.x,
+            sway_n: -per_speed * own.y,
+            yaw_nm: -per_speed * ends_mps * 0.25 * ship.length_m,
+        }
+    }
+
+    /// First-order motion at the end of a step.
+    pub(crate) fn wave_motion(
+        &self,
+        state: &BodyState,
+        environment: &Environment,
+        t_s: f64,
+    ) -> FirstOrderMotion {
+        let (Some(sea), Some(response)) = (&environment.sea, &self.response) else {
+            return FirstOrderMotion::default();
+        };
+        let ahead_m = self.ship.particulars.centre_of_gravity_m;
+        let place = ShipInWaves {
+            position_m: state.pose().apply(vec2(-ahead_m, 0.0)),
+            velocity_mps: state.velocity_mps,
+            heading_rad: state.heading_rad,
+        };
+        first_order_motion(sea, response, &place, t_s)
     }
 
     fn wind(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Force {
