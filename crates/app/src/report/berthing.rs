@@ -3,6 +3,7 @@
 use fenderline_sim::berthing::{BerthingError, BerthingOutcome, BerthingSetup};
 use maud::{Markup, html};
 
+use super::Recorder;
 use super::tables::{heading, number};
 use crate::output::Outcome;
 use crate::plot::{decimals_for, fixed, plain, significant};
@@ -11,7 +12,7 @@ use crate::plot::{decimals_for, fixed, plain, significant};
 const ALIKE: f64 = 0.05;
 
 /// The whole section; nothing where the scenario does not ask for it.
-pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
+pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let Some(setup) = &outcome.setup.berthing else { return html! {} };
     html! {
         h2 { "Berthing energy by formula and in the run" }
@@ -20,31 +21,9 @@ pub(super) fn section(outcome: &Outcome<'_>) -> Markup {
             Some(Err(error)) => (refused(error)),
             Some(Ok(berthing)) => {
                 (particulars(outcome, setup, berthing))
-                @let first = FirstFender::of(outcome, berthing);
-                (factors(berthing, &first))
-                (meaning(outcome, berthing, &first))
+                (factors(berthing, recorder))
+                (meaning(outcome, berthing, recorder))
             }
-        }
-    }
-}
-
-/// The fender that was touched first, as if it were the only one: what the formula is for.
-struct FirstFender<'a> {
-    name: &'a str,
-    /// The most that it held [J].
-    energy_j: f64,
-    /// That over ½ M V² Cm of the run.
-    eccentricity: f64,
-}
-
-impl<'a> FirstFender<'a> {
-    fn of(outcome: &Outcome<'a>, berthing: &BerthingOutcome) -> FirstFender<'a> {
-        let summary = outcome.fenders.iter().find(|f| f.fender == berthing.fender);
-        let energy_j = summary.map_or(0.0, |summary| summary.peak_energy_j);
-        FirstFender {
-            name: &outcome.setup.fenders[berthing.fender].name,
-            energy_j,
-            eccentricity: energy_j / berthing.kinetic_j,
         }
     }
 }
@@ -79,9 +58,10 @@ fn particulars(outcome: &Outcome<'_>, setup: &BerthingSetup, berthing: &Berthing
     }
 }
 
-fn factors(berthing: &BerthingOutcome, first: &FirstFender<'_>) -> Markup {
+fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
     let factor = |value: f64| number(&fixed(value, 3));
     let energy = |value_j: f64| number(&significant(value_j / 1e3, 4));
+    let (most_j, _) = recorder.most_in_fenders;
     let twice = |text: &str| html! { (number(text)) (number(text)) };
     let same = |value: f64| html! { @for _ in 0..3 { (factor(value)) } };
     html! {
@@ -92,8 +72,8 @@ fn factors(berthing: &BerthingOutcome, first: &FirstFender<'_>) -> Markup {
                     (heading("PIANC 2002", "Cm by draught and clearance"))
                     (heading("Ueda", "Cm by block coefficient"))
                     (heading("Vasco Costa", "Cm by draught over beam"))
-                    (heading("Run", first.name))
-                    (heading("Run", "all fenders"))
+                    (heading("Run", "first hit"))
+                    (heading("Run", "at any time"))
                 } }
                 tbody {
                     tr {
@@ -104,8 +84,8 @@ fn factors(berthing: &BerthingOutcome, first: &FirstFender<'_>) -> Markup {
                     tr {
                         td class="name" { "Eccentricity Ce" }
                         (same(berthing.eccentricity))
-                        (factor(first.eccentricity))
                         (factor(berthing.eccentricity_measured))
+                        (factor(most_j / berthing.kinetic_j))
                     }
                     tr {
                         td class="name" { "Softness Cs" }
@@ -120,8 +100,8 @@ fn factors(berthing: &BerthingOutcome, first: &FirstFender<'_>) -> Markup {
                     tr class="sum" {
                         td class="name" { "Energy into the fenders [kJ]" }
                         @for energy_j in berthing.energy_j { (energy(energy_j)) }
-                        (energy(first.energy_j))
                         (energy(berthing.fender_energy_j))
+                        (energy(most_j))
                     }
                     @if let Some(abnormal_j) = berthing.abnormal_energy_j {
                         tr {
@@ -152,13 +132,10 @@ fn factors(berthing: &BerthingOutcome, first: &FirstFender<'_>) -> Markup {
                         (number(&fixed(berthing.gyradius_simulated_m, 1)))
                         (factor(berthing.eccentricity_of_run))
                     }
-                    tr {
-                        td class="name" { "Measured: most that " (first.name) " held, over ½ M V² Cm of the run" }
-                        (number(&fixed(berthing.gyradius_simulated_m, 1)))
-                        (factor(first.eccentricity))
-                    }
-                    tr {
-                        td class="name" { "Measured: most that all fenders held at a time, over the same" }
+                    tr class="strong" {
+                        td class="name" {
+                            "Measured in the first hit: what the fenders held, over ½ M V² Cm of the run"
+                        }
                         (number(&fixed(berthing.gyradius_simulated_m, 1)))
                         (factor(berthing.eccentricity_measured))
                     }
@@ -168,39 +145,39 @@ fn factors(berthing: &BerthingOutcome, first: &FirstFender<'_>) -> Markup {
     }
 }
 
-/// What the differences between the measured Ce and the formula's mean.
-fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome, first: &FirstFender<'_>) -> Markup {
-    let formula = berthing.eccentricity_of_run;
-    let off = first.eccentricity / formula - 1.0;
-    let touched = outcome.fenders.len();
+/// What the difference between the measured Ce and the formula's means.
+fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
+    let (measured, formula) = (berthing.eccentricity_measured, berthing.eccentricity_of_run);
+    let off = measured / formula - 1.0;
+    let (most_j, at_s) = recorder.most_in_fenders;
     html! {
         p {
             "The formula's Ce is the share of the energy that one contact takes which sticks and is over "
             "when the hull stops there; the rest stays in the ship's turning. "
             @if off.abs() <= ALIKE {
-                "With the simulated ship's own radius of gyration " (first.name) " took that share within "
-                (fixed(100.0 * ALIKE, 0)) " %. "
+                "With the simulated ship's own radius of gyration the fenders took that share in the first "
+                "hit within " (fixed(100.0 * ALIKE, 0)) " %. "
             } @else {
-                (first.name) " took " (fixed(100.0 * off.abs(), 0)) " % "
+                "In the first hit the fenders took " (fixed(100.0 * off.abs(), 0)) " % "
                 @if off > 0.0 { "more" } @else { "less" }
-                " than that share, for the simulated ship's own radius of gyration"
+                " than that, with the simulated ship's own radius of gyration: "
                 @if off > 0.0 {
-                    ": a later blow, loads, or a turn or speed along the berth that she came with add to it. "
+                    "loads that act meanwhile, a turn or a speed along the berth that she came with, or "
+                    "neighbours on the other side of her centre of gravity add to it. "
                 } @else {
-                    ": other fenders, friction and damping took their part, or the hull slid. "
+                    "friction and damping took a part, or the hull slid along the face. "
                 }
             }
-            @if touched > 1 && berthing.eccentricity_measured > (1.0 + ALIKE) * first.eccentricity {
-                "All fenders together held up to "
-                (fixed(berthing.eccentricity_measured / first.eccentricity, 1))
-                " times as much: neighbours that were pressed with it, or others that the ship swung onto, "
-                "took what the formula leaves in her turning. "
+            @if most_j > (1.0 + ALIKE) * berthing.fender_energy_j {
+                "Later, at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s, they held "
+                (fixed(most_j / berthing.fender_energy_j, 1)) " times as much: what the formula leaves in her "
+                "turning comes onto the fenders when she swings in, with the loads' work meanwhile. "
             }
         }
         p class="note" {
             "In the run the hull is rigid and no cushion of water lies between hull and berth: Cs and Cc "
-            "are 1. Formulas as public manuals print them; the text of PIANC's guidelines was not read, and no "
-            "conformity with them is claimed."
+            "are 1. Formulas as public manuals print them; the text of PIANC's guidelines was not read, "
+            "and no conformity with them is claimed."
         }
     }
 }

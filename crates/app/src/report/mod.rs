@@ -48,7 +48,7 @@ pub(crate) fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         (scene::whole(outcome, recorder))
         @for trace in drawn.iter().take(CLOSE_UPS) { (scene::close_up(outcome, trace)) }
         (fenders::section(outcome, recorder))
-        (berthing::section(outcome))
+        (berthing::section(outcome, recorder))
         h2 { "Time series" }
         (left_out(recorder, &drawn))
         (charts::all(outcome, recorder, &drawn))

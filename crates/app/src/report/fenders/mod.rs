@@ -22,6 +22,7 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     if setups.is_empty() {
         return html! {};
     }
+    let unrated = outcome.fenders.iter().filter(|f| setups[f.fender].rated.is_none()).count();
     let verdicts = outcome.fenders.iter().map(|f| Verdict::of(&setups[f.fender], f));
     let worst = verdicts.max().unwrap_or(Verdict::Ok);
     let most = worst_first(setups, outcome.fenders).first().map(|&i| &outcome.fenders[i]);
@@ -34,6 +35,9 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
                 (fixed(100.0 * share, 0)) " % of its rating"
             }
             "."
+            @if unrated > 0 && unrated < outcome.fenders.len() {
+                " For " (unrated) " of them nobody gave a rating."
+            }
         }
     }
 }

@@ -57,6 +57,8 @@ pub(crate) struct Recorder {
     pub(super) start_energy: Energy,
     /// The most that springs, stops and shear springs stored at the end of a step [J], and when [s].
     pub(super) most_stored: (f64, f64),
+    /// The most that the springs and stops of all fenders stored at the start of a step [J], and when [s].
+    pub(super) most_in_fenders: (f64, f64),
     pub(super) start: Vec<BodyState>,
     /// The step of the largest force of all pairs, followed or not.
     pub(super) peak: Option<ScenePeak>,
@@ -85,6 +87,7 @@ impl Recorder {
             energy,
             start_energy: start,
             most_stored: (0.0, 0.0),
+            most_in_fenders: (0.0, 0.0),
             start: Vec::new(),
             peak: None,
             touching: BTreeMap::new(),
@@ -170,6 +173,10 @@ impl Recorder {
             if is_new && self.fenders.len() < FOLLOWED {
                 self.fenders.push(FenderTrace::begin(fender, step.t_s, self.step_s));
             }
+        }
+        let stored_j = self.touched.values().map(|fender| fender.stored_j).sum();
+        if stored_j > self.most_in_fenders.0 {
+            self.most_in_fenders = (stored_j, step.t_s);
         }
         for trace in &mut self.fenders {
             trace.push(step.t_s, self.touched.get(&trace.fender));
