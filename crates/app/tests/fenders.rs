@@ -204,6 +204,32 @@ fn a_failed_fender_is_said_plainly_and_the_run_is_still_a_result() {
 }
 
 #[test]
+fn of_many_fenders_the_most_used_are_told_of_and_the_others_counted() {
+    let place = Workplace::new("many_fenders");
+    let mut berth = support::BERTH.to_owned();
+    for k in 0..44 {
+        let north_m = 1.5 * f64::from(k) - 33.0;
+        berth += &format!(
+            "[fender.\"row {k}\"]\non = \"quay\"\nposition = [{north_m}, 0]\nfacing = \"-90 deg\"\n\
+             width = \"1 m\"\nprojection = \"2 m\"\nmaterial = \"facing\"\nstiffness = \"500 kN/m\"\n\
+             rated_deflection = \"1 m\"\n"
+        );
+    }
+    place.write("berth.toml", berth.as_bytes());
+    let run = place.run(&["run", "berth.toml"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    contains_all(&run.stdout, &["and 34 more fenders, in summary.json"]);
+    let told = place.json("out/berth/summary.json")["fenders"].as_array().map(Vec::len);
+    assert_eq!(told, Some(46));
+    let report = place.text("out/berth/report.html");
+    contains_all(
+        &report,
+        &["The 40 most used of 47", "The 16 most used of 46", "The 8 hardest pressed"],
+    );
+    assert!(!report.contains("NaN"));
+}
+
+#[test]
 fn the_berthing_by_formula_stands_beside_the_run() {
     let place = berth("berthing", &[]);
     let summary = place.json("out/berth/summary.json");
