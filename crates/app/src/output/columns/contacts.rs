@@ -18,7 +18,8 @@ pub(in crate::output) struct ContactRow {
 /// The works of a step's contacts, each told once.
 ///
 /// The ledger books by pair and by fender: where several patches touch, the first row has the work of
-/// all of them, so that a sum over rows is the ledger's.
+/// all of them, so that a sum over rows is the ledger's; but for what the later stages of Runge–Kutta see of
+/// a contact by the paper's method one step before it has its first row.
 pub(in crate::output) struct ContactWorks {
     left: BTreeMap<([usize; 2], Option<usize>), [f64; 2]>,
 }
