@@ -9,13 +9,13 @@ use fenderline_contact::{Contact, ForceParts};
 pub(crate) struct TouchedFender {
     /// Deflection at the start of the step [m].
     pub(crate) deflection_m: f64,
-    /// Mean reaction over the step [N].
+    /// Mean reaction along its axis over the step [N].
     pub(crate) reaction_n: f64,
-    /// Largest reaction within the step [N].
+    /// Largest reaction along its axis within the step [N].
     pub(crate) peak_reaction_n: f64,
     /// Stored in spring and stop at the start of the step [J].
     pub(crate) stored_j: f64,
-    /// What the mean reaction is made of.
+    /// What the mean normal force is made of, along that force.
     pub(crate) parts: ForceParts,
 }
 
@@ -26,8 +26,10 @@ pub(crate) fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
         let Some(id) = contact.fender else { continue };
         let fender = fenders.entry(id.0 as usize).or_default();
         fender.deflection_m = fender.deflection_m.max(contact.depth_m);
-        fender.reaction_n += contact.normal_force_n;
-        fender.peak_reaction_n += contact.peak_normal_force_n;
+        // As the simulation's summary has it: of a tilted hull's force the part along the axis.
+        let along_axis = libm::cos(contact.tilt_rad);
+        fender.reaction_n += contact.normal_force_n * along_axis;
+        fender.peak_reaction_n += contact.peak_normal_force_n * along_axis;
         fender.stored_j += contact.stored_j;
         add_parts(&mut fender.parts, &contact.parts);
     }

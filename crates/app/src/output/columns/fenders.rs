@@ -32,10 +32,15 @@ pub(in crate::output) fn fenders_columns() -> Vec<Column<FenderRow>> {
         float("deflection_m", "m", "deflection at the start of the step", |r| {
             r.touched.deflection_m
         }),
-        float("reaction_n", "N", "mean reaction over the step", |r| r.touched.reaction_n),
-        float("peak_reaction_n", "N", "largest reaction within the step", |r| {
-            r.touched.peak_reaction_n
+        float("reaction_n", "N", "mean reaction along the fender's axis over the step", |r| {
+            r.touched.reaction_n
         }),
+        float(
+            "peak_reaction_n",
+            "N",
+            "largest reaction along the fender's axis within the step",
+            |r| r.touched.peak_reaction_n,
+        ),
         float("stored_j", "J", "stored in spring and stop at the start of the step", |r| {
             r.touched.stored_j
         }),
