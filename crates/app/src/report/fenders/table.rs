@@ -141,15 +141,42 @@ fn sources(setups: &[FenderSetup]) -> Markup {
             @for source in designations.values() {
                 li {
                     (source.designation) ": " (source.source) " – "
-                    @match source.standing.as_str() {
-                        "recalled" => strong { "recalled: check it against the document before use" },
-                        "derived" => strong { "derived from other data" },
-                        other => (other),
-                    }
+                    (standing(&source.standing))
                     "."
                 }
             }
             @if is_unnamed { li { "Fenders without a type have the data of the scenario." } }
+        }
+    }
+}
+
+/// How sure the data are. Curve and rating may stand differently, as `curve recalled, rating given`: what was
+/// not read in a source is marked wherever it stands.
+fn standing(standing: &str) -> Markup {
+    let holds = |word: &str| standing.contains(word);
+    html! {
+        @if holds("recalled") {
+            strong { (standing) ": check it against the document before use" }
+        } @else if holds("derived") {
+            strong { (standing) ": computed from other data" }
+        } @else {
+            (standing)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_not_read_in_a_source_is_marked_wherever_it_stands() {
+        let marked = |text: &str| standing(text).into_string().contains("<strong>");
+        for text in ["recalled", "curve recalled, rating given", "derived"] {
+            assert!(marked(text), "{text}");
+        }
+        for text in ["found", "given", "curve found, rating given"] {
+            assert!(!marked(text), "{text}");
         }
     }
 }
