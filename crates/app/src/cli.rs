@@ -38,7 +38,7 @@ pub(crate) struct RunArgs {
     /// Folder for the results; without it `out/`, then the name of the scenario file
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
-    /// Format of the tables of bodies and contacts
+    /// Format of the tables of bodies, contacts, fenders and energy
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     pub(crate) format: Format,
     #[command(flatten)]

@@ -1,7 +1,8 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
 //! `cli` is the command line; `run` and `check` are the commands; `load` reads a scenario;
-//! `output` writes the result files, `report` the page, with the charts of `plot`.
+//! `output` writes the result files, `report` the page, with the charts of `plot`; `touched` and
+//! `verdict` are what both say of a fender.
 
 mod check;
 mod cli;
@@ -13,7 +14,9 @@ mod progress;
 mod report;
 mod run;
 mod terminal;
+mod touched;
 mod validate;
+mod verdict;
 
 use std::process::ExitCode;
 

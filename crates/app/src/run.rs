@@ -1,11 +1,12 @@
 //! `fenderline run`: scenario → simulation → files and a short summary.
 
+mod fenders;
 mod printed;
 
 use std::path::{Path, PathBuf};
 
 use fenderline_scenario::{Notice, Place, Scenario};
-use fenderline_sim::{Setup, Simulation, StepRecord};
+use fenderline_sim::{FenderSummary, Simulation, StepRecord};
 
 use crate::cli::RunArgs;
 use crate::failure::Failure;
@@ -18,6 +19,10 @@ use crate::report::{self, Recorder};
 use crate::terminal::{say, tell};
 
 /// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
+///
+/// A fender that failed is a result, not a failed case: the run is complete and its files are right, so
+/// the exit code is 0. The summary says it in capitals, and `fenders[].verdict` in `summary.json` is there
+/// for a script that wants to stop at it.
 ///
 /// # Errors
 /// Bad input; a simulation or a file that failed, in which case no result file is left.
@@ -34,10 +39,11 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let mut tables = Tables::create(
         &folder,
         args.format,
-        &body_names(simulation.setup()),
+        simulation.setup(),
+        simulation.energy(),
         &facts(&title, &simulation),
     )?;
-    let mut recorder = Recorder::new(simulation.setup());
+    let mut recorder = Recorder::new(simulation.setup(), simulation.energy());
     let mut events = Events::default();
 
     play(&mut simulation, |step| {
@@ -47,6 +53,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         Ok(())
     })?;
 
+    let fenders: Vec<FenderSummary> = simulation.fender_summaries().cloned().collect();
     let outcome = Outcome {
         title: &title,
         scenario_file: &file_name(&args.scenario),
@@ -57,6 +64,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         pairs: simulation.pair_summaries(),
         energy: simulation.energy(),
         events: &events,
+        fenders: &fenders,
+        berthing: simulation.berthing(),
     };
     let files = tables.files();
     let summary = summary(&outcome, &files)?;
@@ -104,10 +113,6 @@ fn default_folder(scenario: &Path) -> PathBuf {
 
 fn file_name(scenario: &Path) -> String {
     scenario.file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-fn body_names(setup: &Setup) -> Vec<String> {
-    setup.bodies.iter().map(|body| body.name.clone()).collect()
 }
 
 /// What a table that travels alone should tell of its run.

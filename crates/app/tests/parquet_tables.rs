@@ -52,10 +52,10 @@ fn assert_same(field: &Field, text: &str) {
 fn both_formats_hold_the_same_values() {
     let place = Workplace::new("both_formats");
     for format in ["csv", "parquet"] {
-        let run = place.run(&["run", "tug.toml", "--format", format, "--out", format]);
+        let run = place.run(&["run", "berth.toml", "--format", format, "--out", format]);
         assert_eq!(run.code, 0, "{}", run.stderr);
     }
-    for name in ["bodies", "contacts"] {
+    for name in ["bodies", "contacts", "fenders", "energy"] {
         let table = read(&place, &format!("parquet/{name}.parquet"));
         let mut csv = csv::Reader::from_path(place.path(&format!("csv/{name}.csv"))).expect("csv");
         let header: Vec<String> =
@@ -76,24 +76,25 @@ fn both_formats_hold_the_same_values() {
 #[test]
 fn every_column_tells_its_unit_and_meaning() {
     let place = Workplace::new("metadata");
-    assert_eq!(place.run(&["run", "tug.toml", "--format", "parquet"]).code, 0);
-    for name in ["bodies", "contacts"] {
-        let table = read(&place, &format!("out/tug/{name}.parquet"));
+    assert_eq!(place.run(&["run", "berth.toml", "--format", "parquet"]).code, 0);
+    for name in ["bodies", "contacts", "fenders", "energy"] {
+        let table = read(&place, &format!("out/berth/{name}.parquet"));
         for (column, _) in &table.columns {
             let text = &table.metadata[&format!("fenderline.column.{column}")];
             let (unit, meaning) = text.split_once("; ").expect("unit; meaning");
             assert!(!unit.is_empty() && !meaning.is_empty(), "{column}: {text}");
         }
-        assert_eq!(table.metadata["fenderline.title"], "A tug at a quay");
+        assert_eq!(table.metadata["fenderline.title"], "A ship onto two fenders");
         assert_eq!(table.metadata["fenderline.step_s"], "0.1");
     }
-    let contacts = read(&place, "out/tug/contacts.parquet");
+    let contacts = read(&place, "out/berth/contacts.parquet");
     assert_eq!(contacts.metadata["fenderline.column.area_m2"], "m²; overlap area S");
     let types: BTreeMap<_, _> = contacts.columns.into_iter().collect();
     assert_eq!(types["t_s"], Type::DOUBLE);
     assert_eq!(types["body_1"], Type::BYTE_ARRAY);
     assert_eq!(types["limited"], Type::BOOLEAN);
     assert_eq!(types["patch"], Type::INT32);
+    assert_eq!(types["fender"], Type::BYTE_ARRAY);
 }
 
 #[test]
@@ -114,5 +115,5 @@ fn a_run_without_contact_has_an_empty_table_with_all_columns() {
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert!(run.stdout.contains("no bodies touched"));
     let contacts = read(&place, "out/tug/contacts.parquet");
-    assert_eq!((contacts.rows.len(), contacts.columns.len()), (0, 17));
+    assert_eq!((contacts.rows.len(), contacts.columns.len()), (0, 26));
 }

@@ -14,7 +14,7 @@ fn a_good_run_writes_all_files_and_prints_the_pairs() {
     contains_all(&run.stdout, &["A tug at a quay", "quay - tug", "peak force", "summary.json"]);
     assert_eq!(
         place.files("out/tug"),
-        ["bodies.csv", "contacts.csv", "report.html", "summary.json"]
+        ["bodies.csv", "contacts.csv", "energy.csv", "report.html", "summary.json"]
     );
 }
 
@@ -65,7 +65,7 @@ fn an_earlier_run_is_removed_and_foreign_files_stay() {
     assert_eq!(place.run(&["run", "tug.toml"]).code, 0);
     assert_eq!(
         place.files("out/tug"),
-        ["bodies.csv", "contacts.csv", "notes.txt", "report.html", "summary.json"]
+        ["bodies.csv", "contacts.csv", "energy.csv", "notes.txt", "report.html", "summary.json"]
     );
 }
 
@@ -84,7 +84,13 @@ fn the_columns_are_those_that_others_rely_on() {
     assert_eq!(
         header("contacts"),
         "t_s,body_1,body_2,area_m2,depth_m,point_x_m,point_y_m,normal_x,normal_y,v_normal_mps,\
-         v_tangential_mps,shear_m,normal_force_n,tangential_force_n,state,limited,patch"
+         v_tangential_mps,shear_m,normal_force_n,tangential_force_n,state,limited,patch,fender,\
+         spring_n,stop_n,damper_n,limiter_n,stored_j,tilt_rad,normal_work_j,tangential_work_j"
+    );
+    assert_eq!(
+        header("energy"),
+        "t_s,kinetic_j,load_work_j,stored_j,shear_stored_j,damping_j,restitution_j,friction_j,\
+         contact_residual_j,residual_j"
     );
 }
 
@@ -135,9 +141,14 @@ fn the_summary_has_the_promised_keys_and_agrees_with_the_table() {
 #[test]
 fn two_runs_give_the_same_bytes() {
     let place = Workplace::new("same_bytes");
-    for format in ["csv", "parquet"] {
+    for (scenario, format) in [
+        ("tug.toml", "csv"),
+        ("tug.toml", "parquet"),
+        ("berth.toml", "csv"),
+        ("berth.toml", "parquet"),
+    ] {
         for out in ["a", "b"] {
-            assert_eq!(place.run(&["run", "tug.toml", "--out", out, "--format", format]).code, 0);
+            assert_eq!(place.run(&["run", scenario, "--out", out, "--format", format]).code, 0);
         }
         for name in place.files("a") {
             let [a, b] = ["a", "b"].map(|out| place.read(&format!("{out}/{name}")));

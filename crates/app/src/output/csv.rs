@@ -3,14 +3,14 @@
 use std::io::Write as _;
 
 use super::OutputError;
-use super::columns::{Column, Value};
+use super::columns::{Column, Names, Value};
 use super::part_file::{PartFile, Sealed};
 
 /// A csv file being written.
 pub(super) struct CsvTable<R> {
     writer: csv::Writer<PartFile>,
     columns: Vec<Column<R>>,
-    body_names: Vec<String>,
+    names: Names,
     /// The text of one field, kept for its allocation.
     field: Vec<u8>,
 }
@@ -20,14 +20,14 @@ impl<R> CsvTable<R> {
     pub(super) fn create(
         file: PartFile,
         columns: Vec<Column<R>>,
-        body_names: Vec<String>,
+        names: Names,
     ) -> Result<CsvTable<R>, OutputError> {
         let path = file.path().to_owned();
         let mut writer = csv::Writer::from_writer(file);
         writer
             .write_record(columns.iter().map(|c| c.name))
             .map_err(|e| OutputError::new(&path, e))?;
-        Ok(CsvTable { writer, columns, body_names, field: Vec::with_capacity(32) })
+        Ok(CsvTable { writer, columns, names, field: Vec::with_capacity(32) })
     }
 
     /// Adds a row.
@@ -45,7 +45,11 @@ impl<R> CsvTable<R> {
                     let _ = write!(self.field, "{value:?}");
                 }
                 Value::Body(body) => {
-                    self.field.extend_from_slice(self.body_names[body(row)].as_bytes());
+                    self.field.extend_from_slice(self.names.bodies[body(row)].as_bytes());
+                }
+                Value::Fender(fender) => {
+                    let name = fender(row).map_or("", |index| &self.names.fenders[index]);
+                    self.field.extend_from_slice(name.as_bytes());
                 }
                 Value::Word(word) => self.field.extend_from_slice(word(row).as_bytes()),
                 Value::Flag(flag) => {

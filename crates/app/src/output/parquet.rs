@@ -13,7 +13,7 @@ use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::parser::parse_message_type;
 
 use super::OutputError;
-use super::columns::{Column, Value};
+use super::columns::{Column, Names, Value};
 use super::csv::not_finite;
 use super::part_file::{PartFile, Sealed};
 
@@ -28,6 +28,8 @@ pub(super) struct ParquetTable<R> {
     /// Values of the current row group, one store a column.
     stores: Vec<Store>,
     body_names: Vec<ByteArray>,
+    fender_names: Vec<ByteArray>,
+    no_name: ByteArray,
     rows: usize,
 }
 
@@ -43,7 +45,7 @@ impl Store {
     fn for_value<R>(value: &Value<R>) -> Store {
         match value {
             Value::Float(_) => Store::Float(Vec::new()),
-            Value::Body(_) | Value::Word(_) => Store::Text(Vec::new()),
+            Value::Body(_) | Value::Fender(_) | Value::Word(_) => Store::Text(Vec::new()),
             Value::Flag(_) => Store::Flag(Vec::new()),
             Value::Count(_) => Store::Count(Vec::new()),
         }
@@ -86,7 +88,7 @@ impl<R> ParquetTable<R> {
         file: PartFile,
         name: &str,
         columns: Vec<Column<R>>,
-        body_names: &[String],
+        names: &Names,
         facts: &[(&str, String)],
     ) -> Result<ParquetTable<R>, OutputError> {
         let path = file.path().to_owned();
@@ -107,8 +109,19 @@ impl<R> ParquetTable<R> {
                 SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))
             })
             .map_err(|e| OutputError::new(&path, e))?;
-        let body_names = body_names.iter().map(|name| ByteArray::from(name.as_str())).collect();
-        Ok(ParquetTable { writer, path, columns, stores, body_names, rows: 0 })
+        let texts = |names: &[String]| {
+            names.iter().map(|name| ByteArray::from(name.as_str())).collect::<Vec<_>>()
+        };
+        Ok(ParquetTable {
+            writer,
+            path,
+            columns,
+            stores,
+            body_names: texts(&names.bodies),
+            fender_names: texts(&names.fenders),
+            no_name: ByteArray::from(""),
+            rows: 0,
+        })
     }
 
     /// Adds a row.
@@ -124,6 +137,10 @@ impl<R> ParquetTable<R> {
                 }
                 (Value::Body(body), Store::Text(values)) => {
                     values.push(self.body_names[body(row)].clone());
+                }
+                (Value::Fender(fender), Store::Text(values)) => {
+                    let name = fender(row).map_or(&self.no_name, |i| &self.fender_names[i]);
+                    values.push(name.clone());
                 }
                 (Value::Word(word), Store::Text(values)) => {
                     values.push(ByteArray::from(word(row)));

@@ -98,7 +98,7 @@ impl Chart {
                     data-link=[self.linked]
                     data-x=(format!("{} {} {:.2} {:.2}", area.x.lo, area.x.hi, area.left, area.right()))
                     data-y=(format!("{} {} {:.2} {:.2}", area.y.lo, area.y.hi, area.base(), TOP))
-                    data-unit=(self.y.unit()) {
+                    data-xunit=(self.x.unit()) data-unit=(self.y.unit()) {
                     (self.axes(&area))
                     @for reference in &self.references { (reference_line(reference, &area)) }
                     @for (index, series) in self.series.iter().enumerate() {

@@ -5,6 +5,7 @@
 //! well as in colour. The same input gives the same bytes.
 
 mod axis;
+mod bars;
 mod chart;
 mod number;
 mod page;
@@ -12,19 +13,27 @@ mod plan;
 mod series;
 
 pub(crate) use axis::Axis;
+pub(crate) use bars::{Bars, Group};
 pub(crate) use chart::{Chart, Reference};
 pub(crate) use number::{Scaled, decimals_for, fixed, plain, shortened, significant};
 pub(crate) use page::page;
-pub(crate) use plan::{Arrow, Frame, Label, Outlined, Plan, Stage, Track, outlined_legend};
+pub(crate) use plan::{
+    Arrow, FenderBox, Frame, Label, Outlined, Plan, Stage, Track, Use, fenders_legend,
+    outlined_legend,
+};
 pub(crate) use series::{Decimator, Point, Series};
 
 /// Colours that the colour-blind can tell apart (Okabe and Ito, 2008), in the order in which
-/// series take them; yellow is left out because it does not show on white.
-const COLOURS: [&str; 7] =
-    ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"];
+/// series take them; yellow is left out because it does not show on white, and a brown is added.
+const COLOURS: [&str; STYLES] =
+    ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#7F5F3F"];
+
+/// Series that can be told apart in one chart.
+pub(crate) const STYLES: usize = 8;
 
 /// Dashes in the same order, so that print without colour still tells series apart.
-const DASHES: [&str; 7] = ["", "7 3", "2 2.5", "9 3 2 3", "12 4", "4 2 1 2 1 2", "1 4"];
+const DASHES: [&str; STYLES] =
+    ["", "7 3", "2 2.5", "9 3 2 3", "12 4", "4 2 1 2 1 2", "1 4", "16 3 3 3"];
 
 /// The colour of the series or body number `index`.
 fn colour(index: usize) -> &'static str {

@@ -39,7 +39,7 @@
     c.text.setAttribute("x", left ? px + 6 : px - 6);
     c.text.setAttribute("y", c.py1 + 11);
     c.text.setAttribute("text-anchor", left ? "start" : "end");
-    c.text.textContent = [Number(x.toPrecision(4)) + " s", ...values].join(" · ");
+    c.text.textContent = [Number(x.toPrecision(4)) + " " + c.svg.dataset.xunit, ...values].join(" · ");
   });
   const hide = (group) => charts.filter((c) => c.svg.dataset.link === group).forEach((c) => {
     c.cursor.setAttribute("d", "");

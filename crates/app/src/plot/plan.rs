@@ -1,5 +1,6 @@
 //! Plan views: bodies seen from above, north up, one scale both ways.
 
+mod fenders;
 mod furniture;
 mod labels;
 
@@ -10,6 +11,7 @@ use maud::{Markup, html};
 
 use super::axis::{Axis, Fitted, nice_step};
 use super::{colour, dash};
+pub(crate) use fenders::{FenderBox, Use, fenders_legend};
 use furniture::{grid, north_arrow, scale_bar};
 use labels::label_places;
 
@@ -22,6 +24,8 @@ pub(crate) struct Plan {
     pub(crate) frame: Frame,
     /// Outlines, drawn first to last.
     pub(crate) outlines: Vec<Outlined>,
+    /// Fenders, drawn upon the outlines.
+    pub(crate) fenders: Vec<FenderBox>,
     /// Paths of bodies.
     pub(crate) tracks: Vec<Track>,
     /// Forces and the like, and points where they act.
@@ -77,6 +81,8 @@ pub(crate) struct Label {
     pub(crate) at_m: Vec2,
     /// How far what it names reaches from there [m]: the text stands beside what it would cover.
     pub(crate) reach_m: f64,
+    /// The side on which the text stands first, of length 1; zero: wherever there is room.
+    pub(crate) side: Vec2,
     pub(crate) text: String,
 }
 
@@ -217,6 +223,7 @@ impl Plan {
                     svg x=(format!("{:.1}", map.left)) y=(TOP) width=(format!("{:.1}", map.width))
                         height=(format!("{:.1}", map.height)) overflow="hidden" {
                         @for outline in &self.outlines { (outlined(outline, &map)) }
+                        @for fender in &self.fenders { (fenders::fender(fender, &map)) }
                         @for track in &self.tracks {
                             path d=(map.path(&track.points_m)) fill="none" stroke=(colour(track.style))
                                 stroke-width="1" stroke-dasharray=(dash(2)) {}
@@ -353,13 +360,24 @@ mod tests {
                 stage: Stage::Peak,
                 style: 9,
             }],
+            fenders: vec![FenderBox {
+                mount_m: frame.low,
+                out_m: vec2(1.0, 0.0),
+                half_width_m: vec2(0.0, 1.0),
+                used: Use::Failed,
+            }],
             tracks: vec![Track { points_m: vec![frame.low, frame.high], style: 1 }],
             arrows: vec![Arrow {
                 from_m: frame.low,
                 direction: vec2(1.0, 0.0),
                 label: "<script>".to_owned(),
             }],
-            labels: vec![Label { at_m: frame.low, reach_m: 1.0, text: "<script>".to_owned() }],
+            labels: vec![Label {
+                at_m: frame.low,
+                reach_m: 1.0,
+                side: Vec2::ZERO,
+                text: "<script>".to_owned(),
+            }],
             note: String::new(),
         }
         .render()

@@ -56,6 +56,14 @@ impl Series {
         self
     }
 
+    /// The same series with every point mapped.
+    pub(crate) fn mapped(mut self, map: impl Fn(&Point) -> Point) -> Series {
+        for point in &mut self.points {
+            *point = map(point);
+        }
+        self
+    }
+
     /// The largest |y|, 0 for a series without points.
     pub(crate) fn largest(&self) -> f64 {
         self.points.iter().map(|p| p.y.abs()).filter(|y| y.is_finite()).fold(0.0, f64::max)
@@ -95,6 +103,12 @@ impl Bucket {
             high: if later.high.y > self.high.y { later.high } else { self.high },
             last: later.last,
         }
+    }
+}
+
+impl Default for Decimator {
+    fn default() -> Decimator {
+        Decimator::new()
     }
 }
 

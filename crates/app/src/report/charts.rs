@@ -1,10 +1,9 @@
 //! Time series of the report.
 
-use fenderline_sim::Setup;
 use maud::{Markup, html};
 
-use super::Recorder;
 use super::recorder::{BodyTrace, PairTrace};
+use super::{Recorder, parts};
 use crate::output::Outcome;
 use crate::plot::{Axis, Chart, Decimator, Point, Reference, Scaled, Series};
 
@@ -15,7 +14,7 @@ const DRAWN_BODIES: usize = 6;
 
 /// All charts of a run, for the pairs in `drawn`.
 pub(super) fn all(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
-    let page = Charts { outcome, end_s: outcome.steps as f64 * outcome.setup.step_s };
+    let page = Charts::new(outcome);
     html! {
         @match drawn {
             [] => {}
@@ -30,22 +29,38 @@ pub(super) fn all(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrac
             (page.relative_speed(drawn))
         }
         (page.body_speeds(recorder))
-        (page.energy(recorder))
+        (parts::chart(&page, recorder))
     }
 }
 
-struct Charts<'a> {
-    outcome: &'a Outcome<'a>,
+/// What all charts over time have in common.
+pub(super) struct Charts<'a> {
+    pub(super) outcome: &'a Outcome<'a>,
     end_s: f64,
+    /// Unit of the time axis, and its length [s].
+    unit: (&'static str, f64),
 }
 
-impl Charts<'_> {
-    fn chart(&self, title: &str, y: Axis, series: Vec<Series>) -> Chart {
+impl<'a> Charts<'a> {
+    pub(super) fn new(outcome: &'a Outcome<'a>) -> Charts<'a> {
+        let end_s = outcome.steps as f64 * outcome.setup.step_s;
+        let unit = match end_s {
+            end_s if end_s > 2.0 * 3600.0 => ("h", 3600.0),
+            end_s if end_s > 1000.0 => ("min", 60.0),
+            _ => ("s", 1.0),
+        };
+        Charts { outcome, end_s, unit }
+    }
+
+    /// A chart over the whole time of the run, from series over seconds.
+    pub(super) fn chart(&self, title: &str, y: Axis, series: Vec<Series>) -> Chart {
+        let (unit, unit_s) = self.unit;
+        let in_unit = |p: &Point| Point { x: p.x / unit_s, y: p.y };
         Chart {
             title: title.to_owned(),
-            x: Axis::new("time", "s").including(0.0).including(self.end_s).tight(),
+            x: Axis::new("time", unit).including(0.0).including(self.end_s / unit_s).tight(),
             y,
-            series,
+            series: series.into_iter().map(|line| line.mapped(in_unit)).collect(),
             references: Vec::new(),
             linked: Some(LINK),
             note: String::new(),
@@ -86,7 +101,11 @@ impl Charts<'_> {
 
     fn depth(&self, pairs: &[&PairTrace]) -> Markup {
         let series = self.pair_series(pairs, |p| &p.depth_m);
-        self.chart("Penetration", Axis::new("depth", "m").including(0.0), series).render()
+        let title = match self.outcome.setup.fenders.as_slice() {
+            [] => "Penetration",
+            _ => "Penetration, or deflection of the deepest fender",
+        };
+        self.chart(title, Axis::new("depth", "m").including(0.0), series).render()
     }
 
     fn relative_speed(&self, pairs: &[&PairTrace]) -> Markup {
@@ -104,9 +123,22 @@ impl Charts<'_> {
     /// The rebound speed −γV⁰ that the limiter aims at, after the first touch.
     fn rebound(&self, pair: &PairTrace) -> Option<Reference> {
         let summary = self.outcome.pairs.iter().find(|p| p.bodies == pair.bodies)?;
-        let restitution = restitution_of(self.outcome.setup, pair.bodies)?;
+        let restitution = self.restitution_of(pair.bodies)?;
         let value = -restitution * summary.approach_speed_mps.max(0.0);
         Some(Reference { label: "−γV⁰".to_owned(), value })
+    }
+
+    /// γ of the outlines of a pair; `None` where they pressed on fenders, which have materials of their
+    /// own.
+    fn restitution_of(&self, bodies: [usize; 2]) -> Option<f64> {
+        let setup = self.outcome.setup;
+        if self.outcome.fenders.iter().any(|f| bodies.contains(&setup.fenders[f.fender].body)) {
+            return None;
+        }
+        let [a, b] = bodies;
+        let named = setup.pairs.iter().find(|p| p.bodies == [a, b] || p.bodies == [b, a]);
+        let material = named.map(|p| p.material).or(setup.every_other_pair)?;
+        Some(setup.materials[material].material.restitution)
     }
 
     fn body_speeds(&self, recorder: &Recorder) -> Markup {
@@ -143,33 +175,11 @@ impl Charts<'_> {
         }
         chart.render()
     }
-
-    fn energy(&self, recorder: &Recorder) -> Markup {
-        let mut series = vec![
-            Series::line("kinetic energy", recorder.kinetic_j.points()),
-            Series::line("work of normal forces", recorder.normal_work_j.points()),
-            Series::line("work of friction", recorder.tangential_work_j.points()),
-            Series::line("residual", recorder.residual_j.points()),
-        ];
-        if recorder.has_loads() {
-            series.push(Series::line("work of the loads", recorder.load_work_j.points()));
-        }
-        let (unit, series) = scaled(series, "J");
-        let axis = Axis::new("energy", &unit).including(0.0);
-        self.chart("Energy, added mass included", axis, series).render()
-    }
 }
 
 /// The series in the unit with the prefix that suits the largest of them.
-fn scaled(series: Vec<Series>, base: &str) -> (String, Vec<Series>) {
+pub(super) fn scaled(series: Vec<Series>, base: &str) -> (String, Vec<Series>) {
     let scaled = Scaled::for_largest(series.iter().map(Series::largest).fold(0.0, f64::max));
     let series = series.into_iter().map(|s| s.scaled(scaled.factor)).collect();
     (scaled.unit(base), series)
-}
-
-fn restitution_of(setup: &Setup, bodies: [usize; 2]) -> Option<f64> {
-    let [a, b] = bodies;
-    let named = setup.pairs.iter().find(|p| p.bodies == [a, b] || p.bodies == [b, a]);
-    let material = named.map(|p| p.material).or(setup.every_other_pair)?;
-    Some(setup.materials[material].material.restitution)
 }

@@ -1,7 +1,11 @@
 //! `report.html`: one page that an engineer can put before a client. It holds no date and no path,
 //! so that the same scenario gives the same bytes.
 
+mod berthing;
 mod charts;
+mod energy;
+mod fenders;
+mod parts;
 mod recorder;
 mod scene;
 mod tables;
@@ -10,8 +14,9 @@ use fenderline_contact::EventKind;
 use fenderline_sim::Method;
 use maud::{Markup, html};
 
-use crate::output::{Outcome, event_text};
-use crate::plot::{outlined_legend, page};
+use crate::output::{Outcome, event_text, is_plain};
+use crate::plot::{fenders_legend, fixed, outlined_legend, page};
+use crate::verdict::{Verdict, worst_first};
 
 pub(crate) use recorder::Recorder;
 
@@ -19,6 +24,8 @@ use recorder::PairTrace;
 
 /// Pairs drawn in a chart at most: more lines than this cannot be told apart.
 const DRAWN_PAIRS: usize = 6;
+/// Fenders told of by name above the rest.
+const GRAVE_FENDERS: usize = 12;
 /// Pairs with a close-up of their own.
 const CLOSE_UPS: usize = 2;
 
@@ -32,15 +39,21 @@ pub(crate) fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
             " · fenderline " (env!("CARGO_PKG_VERSION"))
         }
         h2 { "Result" }
+        (fenders::headline(outcome))
         (tables::results(outcome))
         (remarks(outcome))
         h2 { "Plan view" }
         (outlined_legend())
+        @if !outcome.setup.fenders.is_empty() { (fenders_legend()) }
         (scene::whole(outcome, recorder))
         @for trace in drawn.iter().take(CLOSE_UPS) { (scene::close_up(outcome, trace)) }
+        (fenders::section(outcome, recorder))
+        (berthing::section(outcome, recorder))
         h2 { "Time series" }
         (left_out(recorder, &drawn))
         (charts::all(outcome, recorder, &drawn))
+        h2 { "Energy" }
+        (energy::section(outcome, recorder))
         h2 { "Set-up" }
         (tables::setup(outcome))
         h2 { "Method and its limits" }
@@ -86,15 +99,23 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
         found.map_or(0, |(_, count)| count)
     };
     let (begun, ended) = (count(EventKind::ContactBegan), count(EventKind::ContactEnded));
-    let is_plain = |kind| matches!(kind, EventKind::ContactBegan | EventKind::ContactEnded);
-    let grave: Vec<_> = outcome.events.counts().filter(|(kind, _)| !is_plain(*kind)).collect();
+    // The fenders' are told by name.
+    let is_told = |kind| {
+        is_plain(kind) || matches!(kind, EventKind::FenderOverRated(_) | EventKind::FenderFailed(_))
+    };
+    let grave: Vec<_> = outcome.events.counts().filter(|(kind, _)| !is_told(*kind)).collect();
+    let fenders = grave_fenders(outcome);
     html! {
         @if begun > 0 {
             p class="note" { "Contacts begun: " (begun) "; ended: " (ended) "." }
         }
-        @if !grave.is_empty() {
+        @if !grave.is_empty() || !fenders.is_empty() {
             h3 { "To be looked at" }
             ul class="plain" {
+                @for fender in fenders.iter().take(GRAVE_FENDERS) { li { (fender) } }
+                @if fenders.len() > GRAVE_FENDERS {
+                    li { "and " (fenders.len() - GRAVE_FENDERS) " more fenders, in summary.json" }
+                }
                 @for (kind, count) in grave {
                     li { (event_text(kind)) @if count > 1 { " (" (count) " times)" } }
                 }
@@ -110,6 +131,35 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
             }
         }
     }
+}
+
+/// What is to be said of each fender that was used too hard, the worst first.
+fn grave_fenders(outcome: &Outcome<'_>) -> Vec<Markup> {
+    let setups = &outcome.setup.fenders;
+    let order = worst_first(setups, outcome.fenders);
+    let summaries = order.into_iter().map(|index| &outcome.fenders[index]);
+    let told = summaries.filter_map(|summary| {
+        let fender = &setups[summary.fender];
+        let verdict = Verdict::of(fender, summary);
+        let of = |share: Option<f64>| share.map_or_else(|| "–".into(), |s| fixed(100.0 * s, 0));
+        verdict.is_grave().then(|| html! {
+            strong { (fender.name) ": " (verdict.text()) }
+            @match verdict {
+                Verdict::Failed => {
+                    ": pressed " (fixed(summary.peak_deflection_m * 1e3, 0)) " mm, into its stop or flat. "
+                    "The stop and the structure behind it held the hull; forces there are no basis for "
+                    "design."
+                }
+                Verdict::OverRated => {
+                    ": energy " (of(summary.share_of_rated_energy)) " %, reaction "
+                    (of(summary.share_of_rated_reaction)) " %, deflection "
+                    (of(summary.share_of_rated_deflection)) " % of rated."
+                }
+                _ => { ": " (of(summary.share_of_hull_pressure)) " % of what the hull takes." }
+            }
+        })
+    });
+    told.collect()
 }
 
 fn method_notes(outcome: &Outcome<'_>) -> Markup {
@@ -130,10 +180,21 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
                 "alone, without damping, wind or current."
             }
             li {
-                "Work is force times the mean velocity of the step, so that the ledger closes. The "
-                "residual is rounding, and where surge and sway have different added mass what the "
-                "time step makes of momentum that turns with the body. Normal work above zero after a contact is energy that the "
-                "method or the time step made up; below zero, energy that the contact took."
+                "Energy: what is kinetic at the start and what the loads bring is kinetic now or was taken "
+                "by contact forces; work is force times the mean velocity of the step, so that this "
+                "balance is exact. Its residual is rounding, and where surge and sway have different "
+                "added mass what the step makes of momentum that turns with the body. What the forces "
+                "took is stored, lost to restitution, damping and friction, or lost or made up by method "
+                "and time step: that part falls with the step, but for outlines that meet in a corner, "
+                "whose law has no potential."
+            }
+            @if !outcome.setup.fenders.is_empty() {
+                li {
+                    "A fender's force is the gradient of the energy it stores: its reaction at the mean "
+                    "deflection over its width, times the factor that speed, angle, temperature and "
+                    "tolerance gave at the first touch. Its energy is the integral of the reaction, not "
+                    "a second table. Past its travel the stop acts, and behind it the structure."
+                }
             }
         }
     }

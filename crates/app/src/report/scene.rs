@@ -6,10 +6,12 @@ use fenderline_contact::{BodyState, Vec2};
 use fenderline_sim::{BodySetup, Setup};
 use maud::Markup;
 
+use super::fenders::{boxes, names};
 use super::recorder::{PairTrace, Recorder};
 use crate::output::Outcome;
 use crate::plot::{
-    Arrow, Frame, Label, Outlined, Plan, Scaled, Stage, Track, plain, shortened, significant,
+    Arrow, Frame, Label, Outlined, Plan, STYLES, Scaled, Stage, Track, plain, shortened,
+    significant,
 };
 
 /// Bodies drawn at most.
@@ -59,7 +61,7 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         let (state, _) = stages(i, outcome, recorder).into_iter().next()?;
         let body = &setup.bodies[i];
         let text = shortened(&body.name, NAME_LENGTH);
-        Some(Label { at_m: middle(body, state), reach_m: reach(body), text })
+        Some(Label { at_m: middle(body, state), reach_m: reach(body), side: Vec2::ZERO, text })
     });
     let tracks = recorder.bodies.iter().filter(|trace| drawn.contains(&trace.body));
     let tracks = tracks.map(|trace| Track {
@@ -83,10 +85,18 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     } else {
         String::new()
     };
+    let pressed_m = recorder.peak.as_ref().map_or(&[][..], |peak| &peak.deflections_m);
+    let shown = |body: usize| {
+        let (state, _) = stages(body, outcome, recorder).into_iter().next()?;
+        drawn.contains(&body).then_some(state)
+    };
+    let fenders = boxes(outcome, pressed_m, shown);
+    let labels = labels.chain(names(outcome, shown));
     Plan {
         title,
         frame,
         outlines,
+        fenders,
         tracks: tracks.collect(),
         arrows: contact_point.collect(),
         labels: labels.collect(),
@@ -165,7 +175,8 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     let stage = |body: &BodySetup| if body.mass.is_none() { Stage::Fixed } else { Stage::Peak };
     let [style_1, style_2] = pair.bodies.map(|i| styles[i]);
     // Colours come again after a few bodies; here the two must differ.
-    let pair_styles = if style_1 % 7 == style_2 % 7 { [0, 1] } else { [style_1, style_2] };
+    let pair_styles =
+        if style_1 % STYLES == style_2 % STYLES { [0, 1] } else { [style_1, style_2] };
     let outlines =
         [0, 1].map(|k| outlined(bodies[k], &peak.states[k], stage(bodies[k]), pair_styles[k]));
     let smaller_m = bodies[0].outline.radius_m().min(bodies[1].outline.radius_m());
@@ -176,33 +187,40 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
     let labels = [-0.8, 0.8].into_iter().zip(bodies).map(|(share, body)| Label {
         at_m: centre + peak.contact.normal * (share * half_m),
         reach_m: f64::INFINITY,
+        side: Vec2::ZERO,
         text: shortened(&body.name, NAME_LENGTH),
     });
-    let force = Scaled::for_largest(peak.normal_n);
+    let shown =
+        |body: usize| pair.bodies.iter().position(|other| *other == body).map(|k| &peak.states[k]);
+    // The strongest patch's own force: the pair's is the sum over fenders far from each other.
+    let force = Scaled::for_largest(peak.contact.normal_force_n);
+    let by = peak.contact.fender.map(|id| setup.fenders[id.0 as usize].name.as_str());
     let arrow = Arrow {
         from_m: centre,
         // The push on body 2.
         direction: peak.contact.normal,
         label: format!(
             "N = {} {} on {}",
-            significant(peak.normal_n * force.factor, 4),
+            significant(peak.contact.normal_force_n * force.factor, 4),
             force.unit("N"),
             shortened(&bodies[1].name, NAME_LENGTH)
         ),
     };
     Plan {
         title: format!(
-            "{} – {} at their peak force, {} s; depth {} m",
+            "{} – {} at their peak force, {} s; {} {} m",
             bodies[0].name,
             bodies[1].name,
             plain(peak.t_s, 4),
+            by.map_or_else(|| "depth".to_owned(), |name| format!("deflection of {name}")),
             significant(peak.contact.depth_m, 3)
         ),
         frame,
         outlines: outlines.to_vec(),
+        fenders: boxes(outcome, &peak.deflections_m, shown),
         tracks: Vec::new(),
         arrows: vec![arrow],
-        labels: labels.collect(),
+        labels: labels.chain(names(outcome, shown)).collect(),
         note: String::new(),
     }
     .render()

@@ -7,15 +7,15 @@ use crate::output::Outcome;
 use crate::plot::{decimals_for, fixed, plain, significant};
 
 /// Rows shown of a long table.
-const ROWS: usize = 30;
+pub(super) const ROWS: usize = 30;
 /// One knot [m/s].
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
-fn number(text: &str) -> Markup {
+pub(super) fn number(text: &str) -> Markup {
     html! { td class="number" { (text) } }
 }
 
-fn heading(label: &str, unit: &str) -> Markup {
+pub(super) fn heading(label: &str, unit: &str) -> Markup {
     html! { th class="number" scope="col" { (label) small { (unit) } } }
 }
 
@@ -24,7 +24,7 @@ fn symbol_heading(label: &str, symbol: &str, subscript: &str, unit: &str) -> Mar
     html! { th class="number" scope="col" { (label) " " (symbol) sub { (subscript) } small { (unit) } } }
 }
 
-fn more(total: usize) -> Markup {
+pub(super) fn more(total: usize) -> Markup {
     html! {
         @if total > ROWS {
             p class="note" { "and " (total - ROWS) " more, left out here." }
@@ -100,6 +100,10 @@ pub(super) fn setup(outcome: &Outcome<'_>) -> Markup {
         (bodies(&setup.bodies))
         h3 { "Materials" }
         (materials(&setup.materials))
+        @if !setup.fenders.is_empty() {
+            h3 { "Fenders" }
+            (super::fenders::setup_table(setup))
+        }
         @if !setup.loads.is_empty() {
             h3 { "External loads" }
             (loads(setup))

@@ -10,10 +10,11 @@ use crate::plot::shortened;
 
 /// Pairs printed at most.
 const ROWS: usize = 20;
-/// Longest name of a pair; the rest is cut [characters].
-const NAME_WIDTH: usize = 48;
+/// Longest name of a pair or a fender; the rest is cut [characters].
+pub(super) const NAME_WIDTH: usize = 48;
 
-/// Title and how it was run, one line a pair with the largest force first, and where the files are.
+/// Title and how it was run, one line a pair with the largest force first, one a fender with the most
+/// used first, and where the files are.
 pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile]) -> String {
     let setup = outcome.setup;
     let mut text = format!(
@@ -36,6 +37,7 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
             let _ = writeln!(text, "and {more} more pairs, in summary.json");
         }
     }
+    text.push_str(&super::fenders::table(outcome));
     text.push('\n');
     let names: Vec<String> = files.iter().map(described).collect();
     let _ = writeln!(text, "in {}: {}", folder.display(), names.join(", "));
@@ -89,6 +91,6 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
 }
 
 /// User's text without control characters, which could rewrite the terminal.
-fn one_line(text: &str) -> String {
+pub(super) fn one_line(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

@@ -167,9 +167,10 @@ fn outline(body: &BodySetup, style: usize) -> Markup {
         title: format!("Outline of the {text}"),
         frame,
         outlines: vec![Outlined { vertices_m, stage: Stage::Peak, style }],
+        fenders: Vec::new(),
         tracks: Vec::new(),
         arrows: Vec::new(),
-        labels: vec![Label { at_m: Vec2::ZERO, reach_m: length_m, text }],
+        labels: vec![Label { at_m: Vec2::ZERO, reach_m: length_m, side: Vec2::ZERO, text }],
         note: format!("Bow to the right; vertices, m forward and to starboard: {}.", corners(body)),
     }
     .render()
@@ -204,16 +205,19 @@ fn start(setup: &Setup) -> Markup {
         Label {
             at_m: (ship.low + ship.high) * 0.5,
             reach_m: size(&setup.bodies[0]).1,
+            side: Vec2::ZERO,
             text: setup.bodies[0].name.clone(),
         },
         Label {
             at_m: (tug.low + tug.high) * 0.5,
             reach_m: size(&setup.bodies[1]).1,
+            side: Vec2::ZERO,
             text: setup.bodies[1].name.clone(),
         },
         Label {
             at_m: bow + vec2(9.0, 0.5 * gap_m),
             reach_m: f64::MAX,
+            side: Vec2::ZERO,
             text: format!("gap {} m", plain(gap_m, 3)),
         },
     ];
@@ -222,6 +226,7 @@ fn start(setup: &Setup) -> Markup {
             .to_owned(),
         frame,
         outlines,
+        fenders: Vec::new(),
         tracks: Vec::new(),
         arrows: Vec::new(),
         labels,

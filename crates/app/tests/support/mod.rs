@@ -44,6 +44,91 @@ bodies = ["quay", "tug"]
 material = "rubber"
 "#;
 
+/// A ship that comes onto two cone fenders of a quay: the northern one is far too small, the southern one
+/// is large and takes most. Rated energies by the cone's curve: 31 kJ and 3.9 MJ.
+pub(crate) const BERTH: &str = r#"
+title = "A ship onto two fenders"
+
+[time]
+step = "0.1 s"
+duration = "60 s"
+
+[material.concrete]
+stiffness = "50 MN/m^2"
+shear_stiffness = "10 MN/m"
+friction_static = 0.5
+friction_dynamic = 0.5
+restitution = 0.1
+
+[material.facing]
+stiffness = "500 kN/m^2"
+shear_stiffness = "3000 kN/m"
+friction_static = 0.2
+friction_dynamic = 0.2
+restitution = 0.1
+
+[body.quay]
+fixed = true
+outline = [[-100, 0], [100, 0], [100, 20], [-100, 20]]
+position = [0, 0]
+
+[body.ship]
+outline = [[-90, -15], [70, -15], [90, 0], [70, 15], [-90, 15]]
+mass = "20000 t"
+gyradius = "45 m"
+added_mass = { surge = 0.05, sway = 0.5, yaw = 0.5 }
+position = [0, -18.5]
+velocity = { sway = "0.2 m/s" }
+
+[fender."small one"]
+on = "quay"
+position = [40, 0]
+facing = "-90 deg"
+width = "1 m"
+projection = "2 m"
+material = "facing"
+type = "cone"
+height = "0.5 m"
+rated_reaction = "110 kN"
+
+[fender.large]
+on = "quay"
+position = [-40, 0]
+facing = "-90 deg"
+width = "3 m"
+face_height = "4 m"
+material = "facing"
+type = "cone"
+height = "2 m"
+rated_reaction = "3500 kN"
+hull = "bulk carrier"
+
+[fender.idle]
+on = "quay"
+position = [-97, 0]
+facing = "-90 deg"
+width = "1 m"
+projection = "1 m"
+material = "facing"
+stiffness = "2 MN/m"
+
+[[pair]]
+bodies = ["quay", "ship"]
+material = "concrete"
+
+[[load]]
+body = "ship"
+force = ["0 kN", "50 kN"]
+
+[berthing]
+ship = "ship"
+length_bp = "175 m"
+beam = "30 m"
+draught = "6 m"
+under_keel_clearance = "2 m"
+block_coefficient = 0.62
+"#;
+
 const PROGRAM: &str = env!("CARGO_BIN_EXE_fenderline");
 
 /// A test's own folder.
@@ -59,13 +144,14 @@ pub(crate) struct Run {
 }
 
 impl Workplace {
-    /// An empty folder but for `tug.toml`.
+    /// An empty folder but for `tug.toml` and `berth.toml`.
     pub(crate) fn new(name: &str) -> Workplace {
         let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
         let _ = fs::remove_dir_all(&root);
         fs::create_dir_all(&root).expect("a folder for the test");
         let place = Workplace { root };
         place.write("tug.toml", TUG.as_bytes());
+        place.write("berth.toml", BERTH.as_bytes());
         place
     }
 

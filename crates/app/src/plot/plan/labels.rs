@@ -1,5 +1,7 @@
 //! Where names stand in a plan view.
 
+use fenderline_contact::Vec2;
+
 use super::{Map, Plan, arrow_text};
 
 /// A rectangle of the drawn area, by its middle and half its size [px].
@@ -45,7 +47,13 @@ pub(super) fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
         let (x, y) = map.px(label.at_m);
         let reach = label.reach_m * map.px_per_m;
         let half_width = Box2::of_text(&label.text, x, y).half_width;
-        let candidates = if reach < half_width {
+        let candidates = if label.side != Vec2::ZERO {
+            // Right and down.
+            let (dx, dy) = (label.side.y, -label.side.x);
+            let off = reach + 5.0 + half_width * dx.abs() + 8.0 * dy.abs();
+            let (dx, dy) = (dx * off, dy * off);
+            [(dx, dy), (dx, dy - 9.0), (dx, dy + 9.0), (1.6 * dx, 1.6 * dy), (-dx, -dy)]
+        } else if reach < half_width {
             let (aside, off) = (reach + half_width + 2.0, reach + 12.0);
             // Outwards, away from what the view is about.
             let aside = if x < map.width / 2.0 { -aside } else { aside };

@@ -1,81 +1,20 @@
 //! `summary.json`: the run in one small file.
 
-use fenderline_contact::{BodyState, Event, EventKind, Rotation};
-use fenderline_sim::{Energy, Integrator, Method, PairSummary, Setup, StepRecord};
+mod berthing;
+mod events;
+mod fenders;
+
+use fenderline_contact::{BodyState, Rotation};
+use fenderline_sim::{Energy, Integrator, Method, PairSummary};
 use serde_json::{Value, json};
 
+use super::outcome::Outcome;
 use super::{OutputError, SUMMARY, WrittenFile};
 
-/// How many events are told one by one.
-const FIRST_EVENTS: usize = 20;
-
-/// Events of a run: how many of each kind, and the first few. Bounded, whatever the run's length.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Events {
-    /// In the order of first occurrence.
-    counts: Vec<(EventKind, u64)>,
-    first: Vec<(f64, Event)>,
-}
-
-impl Events {
-    /// Adds those of one step.
-    pub(crate) fn count(&mut self, step: &StepRecord<'_>) {
-        for event in step.events {
-            match self.counts.iter_mut().find(|(kind, _)| *kind == event.kind) {
-                Some((_, count)) => *count += 1,
-                None => self.counts.push((event.kind, 1)),
-            }
-            if self.first.len() < FIRST_EVENTS {
-                self.first.push((step.t_s, *event));
-            }
-        }
-    }
-
-    /// The kinds that occurred, and how often.
-    pub(crate) fn counts(&self) -> impl Iterator<Item = (EventKind, u64)> {
-        self.counts.iter().copied()
-    }
-}
-
-fn event_key(kind: EventKind) -> &'static str {
-    match kind {
-        EventKind::ContactBegan => "contact_began",
-        EventKind::ContactEnded => "contact_ended",
-        EventKind::PatchSplit => "patch_split",
-        EventKind::PatchesMerged => "patches_merged",
-        EventKind::Contained => "contained",
-        EventKind::DeepOverlap => "deep_overlap",
-        EventKind::Teleported => "teleported",
-        EventKind::NotConverged => "not_converged",
-        EventKind::FenderOverRated(_) => "fender_over_rated",
-        EventKind::FenderFailed(_) => "fender_failed",
-    }
-}
-
-/// What a reader of the report is told of a kind of event.
-pub(crate) fn event_text(kind: EventKind) -> &'static str {
-    match kind {
-        EventKind::ContactBegan => "a contact began",
-        EventKind::ContactEnded => "a contact ended",
-        EventKind::PatchSplit => "one patch of contact became several",
-        EventKind::PatchesMerged => "several patches of contact became one",
-        EventKind::Contained => {
-            "a body lay wholly within another: the overlap no longer grew with depth"
-        }
-        EventKind::DeepOverlap => {
-            "an overlap was deeper than half the smaller body is wide: the force law means little \
-             there"
-        }
-        EventKind::Teleported => "a body moved by more than its velocities explain",
-        EventKind::NotConverged => {
-            "the coupled solve of a contact did not settle within its bounded work"
-        }
-        EventKind::FenderOverRated(_) => "a fender was deflected beyond what it is rated for",
-        EventKind::FenderFailed(_) => {
-            "a fender FAILED: its stop, or the structure behind it, held the hull"
-        }
-    }
-}
+use berthing::berthing_json;
+use events::events_json;
+pub(crate) use events::{Events, event_text, is_plain};
+use fenders::fenders_json;
 
 /// The word that a scenario file uses.
 pub(crate) fn method_text(method: Method) -> &'static str {
@@ -94,29 +33,6 @@ pub(crate) fn integrator_text(integrator: Integrator) -> &'static str {
     }
 }
 
-/// A run when it is done.
-#[derive(Clone, Debug)]
-pub(crate) struct Outcome<'a> {
-    /// The scenario's title.
-    pub(crate) title: &'a str,
-    /// Name of the scenario file, without its folder.
-    pub(crate) scenario_file: &'a str,
-    /// The set-up.
-    pub(crate) setup: &'a Setup,
-    /// Notices of the scenario.
-    pub(crate) notices: &'a [String],
-    /// Number of steps.
-    pub(crate) steps: u64,
-    /// States at the end, one a body.
-    pub(crate) states: &'a [BodyState],
-    /// Pairs that touched.
-    pub(crate) pairs: &'a [PairSummary],
-    /// The ledger at the end.
-    pub(crate) energy: Energy,
-    /// What happened.
-    pub(crate) events: &'a Events,
-}
-
 /// The text of `summary.json`.
 ///
 /// # Errors
@@ -127,17 +43,6 @@ pub(crate) fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<St
     let bodies: Vec<Value> =
         outcome.states.iter().enumerate().map(|(i, state)| body_json(name(i), state)).collect();
     let pairs: Vec<Value> = outcome.pairs.iter().map(|pair| pair_json(pair, &name)).collect();
-    let counts: serde_json::Map<String, Value> =
-        outcome.events.counts().map(|(kind, n)| (event_key(kind).to_owned(), json!(n))).collect();
-    let first: Vec<Value> = outcome
-        .events
-        .first
-        .iter()
-        .map(|(t_s, event)| {
-            let bodies = event.bodies.map(|body| name(body.0 as usize));
-            json!({ "t_s": t_s, "kind": event_key(event.kind), "bodies": bodies })
-        })
-        .collect();
     let files: Vec<Value> = files
         .iter()
         .map(|file| match file.rows {
@@ -145,7 +50,7 @@ pub(crate) fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<St
             None => json!({ "name": file.name }),
         })
         .collect();
-    let whole = json!({
+    let mut whole = json!({
         "title": outcome.title,
         "fenderline_version": env!("CARGO_PKG_VERSION"),
         "scenario_file": outcome.scenario_file,
@@ -156,11 +61,15 @@ pub(crate) fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<St
         "duration_s": setup.duration_s,
         "bodies": bodies,
         "pairs": pairs,
+        "fenders": fenders_json(outcome),
         "energy": energy_json(outcome.energy),
-        "events": { "counts": counts, "first": first },
+        "events": events_json(outcome.events, setup),
         "notices": outcome.notices,
         "files": files,
     });
+    if let Some(berthing) = outcome.berthing {
+        whole["berthing"] = berthing_json(berthing, setup);
+    }
     match first_null(&whole) {
         None => Ok(format!("{whole:#}\n")),
         Some(key) => Err(OutputError::new(
@@ -223,6 +132,12 @@ fn energy_json(energy: Energy) -> Value {
         "load_work_j": energy.load_work_j,
         "normal_work_j": energy.normal_work_j,
         "tangential_work_j": energy.tangential_work_j,
+        "stored_j": energy.stored_j,
+        "shear_stored_j": energy.shear_stored_j,
+        "damping_j": energy.damping_j,
+        "restitution_j": energy.restitution_j,
+        "friction_j": energy.friction_j,
+        "contact_residual_j": energy.contact_residual_j,
         "residual_j": energy.residual_j,
     })
 }

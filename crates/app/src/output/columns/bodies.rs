@@ -1,0 +1,64 @@
+//! The table of bodies.
+
+use fenderline_contact::{BodyState, Rotation, Vec2, Wrench};
+
+use super::{Column, body, float};
+
+/// One body at the start of one step.
+pub(in crate::output) struct BodyRow {
+    t_s: f64,
+    body: usize,
+    position_m: Vec2,
+    heading_rad: f64,
+    /// In the body's axes.
+    velocity_mps: Vec2,
+    yaw_rate_radps: f64,
+    wrench: Wrench,
+}
+
+impl BodyRow {
+    /// The row of body number `body` from its earth-fixed state and the contact forces on it.
+    pub(in crate::output) fn new(
+        t_s: f64,
+        body: usize,
+        state: &BodyState,
+        wrench: &Wrench,
+    ) -> BodyRow {
+        let attitude = Rotation::from_angle(state.heading_rad);
+        BodyRow {
+            t_s,
+            body,
+            position_m: state.position_m,
+            heading_rad: state.heading_rad,
+            velocity_mps: attitude.apply_inverse(state.velocity_mps),
+            yaw_rate_radps: state.yaw_rate_radps,
+            wrench: *wrench,
+        }
+    }
+}
+
+/// The columns of `bodies`, in their order.
+pub(in crate::output) fn bodies_columns() -> Vec<Column<BodyRow>> {
+    vec![
+        float("t_s", "s", "start of the step", |r| r.t_s),
+        body("body", "name of the body", |r| r.body),
+        float("x_m", "m", "position of the centre of gravity, north", |r| r.position_m.x),
+        float("y_m", "m", "position of the centre of gravity, east", |r| r.position_m.y),
+        float("heading_rad", "rad", "heading ψ, clockwise from north", |r| r.heading_rad),
+        float("u_mps", "m/s", "surge velocity u, body-fixed, forward", |r| r.velocity_mps.x),
+        float("v_mps", "m/s", "sway velocity v, body-fixed, to starboard", |r| r.velocity_mps.y),
+        float("r_radps", "rad/s", "rate of turn r, positive to starboard", |r| r.yaw_rate_radps),
+        float("force_x_n", "N", "sum of the contact forces on the body, north", |r| {
+            r.wrench.force_n.x
+        }),
+        float("force_y_n", "N", "sum of the contact forces on the body, east", |r| {
+            r.wrench.force_n.y
+        }),
+        float(
+            "moment_z_nm",
+            "N·m",
+            "moment of the contact forces about the centre of gravity, positive to starboard",
+            |r| r.wrench.moment_nm,
+        ),
+    ]
+}

@@ -1,0 +1,136 @@
+//! The table of contacts.
+
+use std::collections::BTreeMap;
+
+use fenderline_contact::{Contact, Friction};
+use fenderline_sim::ContactBook;
+
+use super::{Column, Value, body, fender, float};
+
+/// One patch of contact in one step.
+pub(in crate::output) struct ContactRow {
+    pub(in crate::output) t_s: f64,
+    pub(in crate::output) contact: Contact,
+    /// Work of the normal and the tangential force on the two bodies in the step [J].
+    pub(in crate::output) work_j: [f64; 2],
+}
+
+/// The works of a step's contacts, each told once.
+///
+/// The ledger books by pair and by fender: where several patches touch, the first row has the work of
+/// all of them, so that a sum over rows is the ledger's; but for what the later stages of Runge–Kutta see of
+/// a contact by the paper's method one step before it has its first row.
+pub(in crate::output) struct ContactWorks {
+    left: BTreeMap<([usize; 2], Option<usize>), [f64; 2]>,
+}
+
+impl ContactWorks {
+    /// Of a step.
+    pub(in crate::output) fn of(books: &[ContactBook]) -> ContactWorks {
+        let left = books.iter().map(|b| ((b.bodies, b.fender), [b.normal_j, b.tangential_j]));
+        ContactWorks { left: left.collect() }
+    }
+
+    /// What the row of this contact tells; 0 when an earlier row has told it.
+    pub(in crate::output) fn take(&mut self, contact: &Contact) -> [f64; 2] {
+        let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
+        let fender = contact.fender.map(|id| id.0 as usize);
+        self.left.remove(&(bodies, fender)).unwrap_or_default()
+    }
+}
+
+/// The columns of `contacts`, in their order.
+pub(in crate::output) fn contacts_columns() -> Vec<Column<ContactRow>> {
+    vec![
+        float("t_s", "s", "start of the step", |r| r.t_s),
+        body("body_1", "name of the body that is first in the scenario", |r| {
+            r.contact.body_1.0 as usize
+        }),
+        body("body_2", "name of the other body", |r| r.contact.body_2.0 as usize),
+        float("area_m2", "m²", "overlap area S", |r| r.contact.area_m2),
+        float("depth_m", "m", "penetration δ, extent of the overlap along the normal", |r| {
+            r.contact.depth_m
+        }),
+        float("point_x_m", "m", "centroid C of the overlap, north", |r| r.contact.point_m.x),
+        float("point_y_m", "m", "centroid C of the overlap, east", |r| r.contact.point_m.y),
+        float("normal_x", "1", "outward normal n of body 1, north component", |r| {
+            r.contact.normal.x
+        }),
+        float("normal_y", "1", "outward normal n of body 1, east component", |r| {
+            r.contact.normal.y
+        }),
+        float("v_normal_mps", "m/s", "relative velocity along n, positive approaching", |r| {
+            r.contact.v_normal_mps
+        }),
+        float(
+            "v_tangential_mps",
+            "m/s",
+            "velocity of body 1 relative to body 2 along the tangent, n turned by +90°",
+            |r| r.contact.v_tangential_mps,
+        ),
+        float("shear_m", "m", "shear Δs of the contact", |r| r.contact.shear_m),
+        float("normal_force_n", "N", "normal force N, pressing", |r| r.contact.normal_force_n),
+        float("tangential_force_n", "N", "tangential force T on body 1, along the tangent", |r| {
+            r.contact.tangential_force_n
+        }),
+        Column {
+            name: "state",
+            unit: "-",
+            meaning: "stick or slip",
+            value: Value::Word(|r| match r.contact.friction {
+                Friction::Stick => "stick",
+                Friction::Slip => "slip",
+            }),
+        },
+        Column {
+            name: "limited",
+            unit: "-",
+            meaning: "whether the impulse-momentum limiter cut a force",
+            value: Value::Flag(|r| r.contact.limited),
+        },
+        Column {
+            name: "patch",
+            unit: "1",
+            meaning: "number of the patch of contact within the pair, from 0",
+            value: Value::Count(|r| r.contact.patch),
+        },
+        fender("fender", "name of the fender; empty where outline meets outline", |r| {
+            r.contact.fender.map(|id| id.0 as usize)
+        }),
+        float("spring_n", "N", "of N: area spring or reaction curve, with its factors", |r| {
+            r.contact.parts.spring_n
+        }),
+        float("stop_n", "N", "of N: the stop past a fender's travel", |r| r.contact.parts.stop_n),
+        float("damper_n", "N", "of N: the damper c Ṡ, negative while the overlap shrinks", |r| {
+            r.contact.parts.damper_n
+        }),
+        float(
+            "limiter_n",
+            "N",
+            "taken off N by the limit from momentum: N = spring + stop + damper − limiter",
+            |r| r.contact.parts.limiter_n,
+        ),
+        float(
+            "stored_j",
+            "J",
+            "stored in a fender's spring and stop at the start of the step",
+            |r| r.contact.stored_j,
+        ),
+        float("tilt_rad", "rad", "angle between a fender's face and the hull", |r| {
+            r.contact.tilt_rad
+        }),
+        float(
+            "normal_work_j",
+            "J",
+            "work of the normal force on the bodies in the step; of all patches of the two bodies or \
+             of the fender, in the first one's row",
+            |r| r.work_j[0],
+        ),
+        float(
+            "tangential_work_j",
+            "J",
+            "work of the tangential force on the bodies in the step, told in the same way",
+            |r| r.work_j[1],
+        ),
+    ]
+}

@@ -1,0 +1,54 @@
+//! The table of fenders.
+
+use super::{Column, fender, float};
+use crate::touched::TouchedFender;
+
+/// One touched fender in one step.
+pub(in crate::output) struct FenderRow {
+    t_s: f64,
+    fender: usize,
+    touched: TouchedFender,
+    hull_pressure_npm2: f64,
+}
+
+impl FenderRow {
+    /// The row of fender number `fender`, whose face has this area.
+    pub(in crate::output) fn new(
+        t_s: f64,
+        fender: usize,
+        face_m2: f64,
+        touched: TouchedFender,
+    ) -> FenderRow {
+        let hull_pressure_npm2 = touched.peak_reaction_n / face_m2;
+        FenderRow { t_s, fender, touched, hull_pressure_npm2 }
+    }
+}
+
+/// The columns of `fenders`, in their order.
+pub(in crate::output) fn fenders_columns() -> Vec<Column<FenderRow>> {
+    vec![
+        float("t_s", "s", "start of the step", |r| r.t_s),
+        fender("fender", "name of the fender", |r| Some(r.fender)),
+        float("deflection_m", "m", "deflection at the start of the step", |r| {
+            r.touched.deflection_m
+        }),
+        float("reaction_n", "N", "mean reaction along the fender's axis over the step", |r| {
+            r.touched.reaction_n
+        }),
+        float(
+            "peak_reaction_n",
+            "N",
+            "largest reaction along the fender's axis within the step",
+            |r| r.touched.peak_reaction_n,
+        ),
+        float("stored_j", "J", "stored in spring and stop at the start of the step", |r| {
+            r.touched.stored_j
+        }),
+        float(
+            "hull_pressure_npm2",
+            "N/m²",
+            "largest pressure on the hull within the step: reaction over width times height",
+            |r| r.hull_pressure_npm2,
+        ),
+    ]
+}

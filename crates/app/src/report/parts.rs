@@ -1,0 +1,55 @@
+//! What the hardest contact's force is made of.
+
+use maud::{Markup, html};
+
+use super::Recorder;
+use super::charts::{Charts, scaled};
+use super::recorder::PartsTrace;
+use crate::plot::{Axis, Series};
+
+/// Spring, stop, damper and limiter over time; nothing where nothing touched.
+pub(super) fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let Some((name, parts)) = hardest(charts, recorder) else { return html! {} };
+    let lines = [
+        ("normal force N", parts.total_n.points(), 1.0),
+        ("spring", parts.spring_n.points(), 1.0),
+        ("stop", parts.stop_n.points(), 1.0),
+        ("damper", parts.damper_n.points(), 1.0),
+        ("taken off by the limiter", parts.limiter_n.points(), -1.0),
+    ];
+    let lines = lines
+        .into_iter()
+        .enumerate()
+        .map(|(style, (name, points, sign))| Series::line(name, points).scaled(sign).styled(style));
+    let series: Vec<Series> = lines.filter(|line| line.largest() > 0.0).collect();
+    if series.is_empty() {
+        return html! {};
+    }
+    let (unit, series) = scaled(series, "N");
+    let axis = Axis::new("force", &unit).including(0.0);
+    let title = format!("What the force is made of, {name}");
+    let mut chart = charts.chart(&title, axis, series);
+    chart.note = "N is the sum of the other lines. The limiter is the limit from momentum: when the hull \
+                  goes back as fast as the coefficient of restitution lets her, it takes off what the \
+                  spring would push beyond that."
+        .to_owned();
+    chart.render()
+}
+
+/// The fender, or the pair of outlines, with the largest force.
+fn hardest<'a>(charts: &Charts<'_>, recorder: &'a Recorder) -> Option<(String, &'a PartsTrace)> {
+    let setup = charts.outcome.setup;
+    let fenders = recorder
+        .fenders
+        .iter()
+        .map(|trace| (setup.fenders[trace.fender].name.clone(), &trace.parts));
+    let pairs = recorder.pairs.iter().map(|trace| {
+        let [a, b] = trace.bodies.map(|i| setup.bodies[i].name.as_str());
+        (format!("{a} – {b}"), &trace.parts)
+    });
+    let largest = |parts: &PartsTrace| Series::line("", parts.total_n.points()).largest();
+    // Where it was hardest pressed N counts, not what a limiter took off.
+    let all = fenders.chain(pairs).map(|(name, parts)| (largest(parts), name, parts));
+    let hardest = all.reduce(|best, next| if next.0 > best.0 { next } else { best })?;
+    Some((hardest.1, hardest.2))
+}

@@ -1,0 +1,25 @@
+//! What a normal force is made of, over time.
+
+use fenderline_contact::ForceParts;
+
+use crate::plot::Decimator;
+
+/// N, and of it spring, stop, damper and what the limiter took off [N].
+#[derive(Clone, Debug, Default)]
+pub(in crate::report) struct PartsTrace {
+    pub(in crate::report) total_n: Decimator,
+    pub(in crate::report) spring_n: Decimator,
+    pub(in crate::report) stop_n: Decimator,
+    pub(in crate::report) damper_n: Decimator,
+    pub(in crate::report) limiter_n: Decimator,
+}
+
+impl PartsTrace {
+    pub(super) fn push(&mut self, t_s: f64, parts: &ForceParts) {
+        self.total_n.push(t_s, parts.total_n());
+        self.spring_n.push(t_s, parts.spring_n);
+        self.stop_n.push(t_s, parts.stop_n);
+        self.damper_n.push(t_s, parts.damper_n);
+        self.limiter_n.push(t_s, parts.limiter_n);
+    }
+}

@@ -1,0 +1,85 @@
+//! The fenders in the summary that `run` prints.
+
+use core::fmt::Write as _;
+
+use fenderline_sim::FenderSummary;
+
+use super::printed::{NAME_WIDTH, one_line};
+use crate::output::Outcome;
+use crate::plot::shortened;
+use crate::verdict::{Verdict, utilisation, worst_first};
+
+/// Fenders printed at most.
+const FENDERS: usize = 12;
+
+/// One line a fender, the most used first: its peaks, and the largest of its shares of rated deflection,
+/// reaction and energy. Below it what somebody has to look at. Empty where the scenario has no fenders.
+pub(super) fn table(outcome: &Outcome<'_>) -> String {
+    let mut text = String::new();
+    if outcome.setup.fenders.is_empty() {
+        return text;
+    }
+    if outcome.fenders.is_empty() {
+        return "\nno fender was touched\n".to_owned();
+    }
+    let setups = &outcome.setup.fenders;
+    let order = worst_first(setups, outcome.fenders);
+    let verdict = |summary: &FenderSummary| Verdict::of(&setups[summary.fender], summary);
+    let name_of =
+        |summary: &FenderSummary| shortened(&one_line(&setups[summary.fender].name), NAME_WIDTH);
+    let shown: Vec<&FenderSummary> =
+        order.iter().take(FENDERS).map(|&i| &outcome.fenders[i]).collect();
+    let longest = shown.iter().map(|f| name_of(f).chars().count()).max().unwrap_or(0);
+    let width = longest.max("fender".len());
+    text.push('\n');
+    for (name, touch, deflection, reaction, energy, share) in [
+        ("fender", "first touch", "deflection", "reaction", "energy", "of rated"),
+        ("", "s", "m", "kN", "kJ", "%"),
+    ] {
+        let _ = writeln!(
+            text,
+            "{name:<width$}  {touch:>11}  {deflection:>10}  {reaction:>10}  {energy:>10}  {share:>8}"
+        );
+    }
+    for summary in shown {
+        let share = utilisation(summary);
+        let share = share.map_or_else(|| "-".to_owned(), |s| format!("{:.0}", 100.0 * s));
+        let verdict = verdict(summary);
+        let mark = if verdict.is_grave() { verdict.text().to_uppercase() } else { String::new() };
+        let line = format!(
+            "{:<width$}  {:>11.2}  {:>10.4}  {:>10.1}  {:>10.1}  {share:>8}  {mark}",
+            name_of(summary),
+            summary.first_touch_s,
+            summary.peak_deflection_m,
+            summary.peak_reaction_n / 1e3,
+            summary.peak_energy_j / 1e3,
+        );
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    if order.len() > FENDERS {
+        let _ = writeln!(text, "and {} more fenders, in summary.json", order.len() - FENDERS);
+    }
+    text.push_str(&warnings(outcome, verdict));
+    text
+}
+
+/// One line for each verdict that somebody has to look at.
+fn warnings(outcome: &Outcome<'_>, verdict: impl Fn(&FenderSummary) -> Verdict) -> String {
+    let mut text = String::new();
+    for (wanted, meaning) in [
+        (
+            Verdict::Failed,
+            "pressed into its stop or flat; the stop and the structure behind held the hull",
+        ),
+        (Verdict::OverRated, "deflection, reaction or energy beyond its rating"),
+        (Verdict::HullPressure, "presses harder than the hull takes"),
+    ] {
+        let count = outcome.fenders.iter().filter(|f| verdict(f) == wanted).count();
+        if count > 0 {
+            let all = outcome.setup.fenders.len();
+            let word = wanted.text().to_uppercase();
+            let _ = writeln!(text, "{word}: {count} of {all} fenders: {meaning}");
+        }
+    }
+    if text.is_empty() { text } else { format!("\n{text}") }
+}

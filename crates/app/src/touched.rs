@@ -1,0 +1,45 @@
+//! What the fenders do in one step.
+
+use std::collections::BTreeMap;
+
+use fenderline_contact::{Contact, ForceParts};
+
+/// One touched fender in one step; hulls and patches that press on it together are one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct TouchedFender {
+    /// Deflection at the start of the step [m].
+    pub(crate) deflection_m: f64,
+    /// Mean reaction along its axis over the step [N].
+    pub(crate) reaction_n: f64,
+    /// Largest reaction along its axis within the step [N].
+    pub(crate) peak_reaction_n: f64,
+    /// Stored in spring and stop at the start of the step [J].
+    pub(crate) stored_j: f64,
+    /// What the mean normal force is made of, along that force.
+    pub(crate) parts: ForceParts,
+}
+
+/// The touched fenders of a step, by their index in the set-up.
+pub(crate) fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
+    let mut fenders: BTreeMap<usize, TouchedFender> = BTreeMap::new();
+    for contact in contacts {
+        let Some(id) = contact.fender else { continue };
+        let fender = fenders.entry(id.0 as usize).or_default();
+        fender.deflection_m = fender.deflection_m.max(contact.depth_m);
+        // As the simulation's summary has it: of a tilted hull's force the part along the axis.
+        let along_axis = libm::cos(contact.tilt_rad);
+        fender.reaction_n += contact.normal_force_n * along_axis;
+        fender.peak_reaction_n += contact.peak_normal_force_n * along_axis;
+        fender.stored_j += contact.stored_j;
+        add_parts(&mut fender.parts, &contact.parts);
+    }
+    fenders
+}
+
+/// Adds what another force is made of.
+pub(crate) fn add_parts(sum: &mut ForceParts, parts: &ForceParts) {
+    sum.spring_n += parts.spring_n;
+    sum.stop_n += parts.stop_n;
+    sum.damper_n += parts.damper_n;
+    sum.limiter_n += parts.limiter_n;
+}
