@@ -5,7 +5,7 @@ use fenderline_sim::hydro::shallow::{
     barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_sway_derivative,
     shallow_yaw_derivative,
 };
-use fenderline_sim::hydro::vessels::{esso_osaka_model, kvlcc2};
+use fenderline_sim::hydro::vessels::{esso_osaka_model, kcs, kvlcc2, kvlcc2_model};
 use fenderline_sim::hydro::{
     CrossFlow, HydroError, LowSpeedHull, Particulars, Propeller, Series, Velocity, Water,
     clarke_added_mass, hoerner_drag_coefficient, shallow_sway_factor, zhou_added_mass,
@@ -336,4 +336,26 @@ fn impossible_particulars_are_refused_by_name() {
         assert!(error.contains(name), "{error} does not name {name}");
     }
     assert!(Particulars::from_block(100.0, 20.0, 5.0, 1.2).is_err());
+}
+
+#[test]
+fn impossible_coefficients_are_refused_by_name() {
+    for vessel in [kvlcc2(), kvlcc2_model(), kcs(), esso_osaka_model()] {
+        assert_eq!(vessel.ship.check(), Ok(vessel.ship), "{}", vessel.name);
+    }
+    let changed = |change: fn(&mut fenderline_sim::hydro::Propulsion)| {
+        let mut ship = kvlcc2().ship;
+        change(ship.propulsion.as_mut().expect("a propeller"));
+        ship.check().expect_err("refused").to_string()
+    };
+    assert!(changed(|p| p.rudder.propeller_to_span = 1.1).contains("rudder span"));
+    assert!(changed(|p| p.propeller.diameter_m = 0.0).contains("diameter"));
+    assert!(changed(|p| p.wake.straight = f64::NAN).contains("wake fraction"));
+    assert!(changed(|p| p.thrust_deduction = 2.0).contains("thrust deduction"));
+    let mut ship = kcs().ship;
+    ship.hull.low_speed.cross_flow.drag_coefficient = -0.5;
+    assert!(ship.check().expect_err("refused").to_string().contains("drag"));
+    let mut ship = kcs().ship;
+    ship.added_mass.sway_m3 = -1.0;
+    assert!(ship.check().expect_err("refused").to_string().contains("sway"));
 }

@@ -1,6 +1,6 @@
 //! The three-degree-of-freedom ship against laws of mechanics; actuators against closed forms.
 
-use fenderline_sim::hydro::actuator::{Lag, Order, RateLimited, Telegraph};
+use fenderline_sim::hydro::actuator::{Lag, Order, RateLimited, Slewing, Telegraph};
 use fenderline_sim::hydro::manoeuvres::{bollard_pull_n, crabbing};
 use fenderline_sim::hydro::vessels::{esso_osaka_model, kcs, kvlcc2};
 use fenderline_sim::hydro::{
@@ -120,6 +120,8 @@ fn the_integrators_converge_to_one_motion() {
 }
 
 proptest! {
+    // 20 000 steps a case.
+    #![proptest_config(ProptestConfig::with_cases(48))]
     /// With engine stopped and rudder amidships the water only takes energy from a ship: nothing drives itself.
     #[test]
     fn a_ship_left_alone_comes_to_rest(
@@ -241,6 +243,21 @@ fn a_rudder_takes_its_time_and_stops_at_its_stop() {
 }
 
 #[test]
+fn an_azimuth_turns_by_the_shorter_way() {
+    let mut unit = Slewing { angle_rad: 170_f64.to_radians(), rate_radps: 12_f64.to_radians() };
+    unit.step((-150_f64).to_radians(), 1.0);
+    assert!((unit.angle_rad.to_degrees() + 178.0).abs() < 1e-9, "{}", unit.angle_rad.to_degrees());
+    unit.step((-150_f64).to_radians(), 10.0);
+    assert!((unit.angle_rad.to_degrees() + 150.0).abs() < 1e-9);
+    // By 720° more the same.
+    unit.step((-150_f64 + 720.0).to_radians(), 1.0);
+    assert!((unit.angle_rad.to_degrees() + 150.0).abs() < 1e-9);
+    let before = unit;
+    assert_eq!(unit.step(f64::INFINITY, 1.0), Order::Clamped);
+    assert_eq!(unit, before);
+}
+
+#[test]
 fn the_telegraph_goes_up_in_steps() {
     let ratios = Telegraph::ALL.map(Telegraph::revolutions_ratio);
     assert!(ratios.windows(2).all(|pair| pair[0] < pair[1]));
@@ -270,6 +287,17 @@ proptest! {
         twice.step(order, one_s);
         twice.step(order, two_s);
         prop_assert!((once.value - twice.value).abs() < 1e-12);
+        // A turn by exactly half a circle may go either way after rounding.
+        prop_assume!((order - start).abs() < 3.0);
+        let mut once = Slewing { angle_rad: start, rate_radps: 0.1 };
+        let mut twice = once;
+        once.step(order, one_s + two_s);
+        twice.step(order, one_s);
+        twice.step(order, two_s);
+        prop_assert!((once.angle_rad - twice.angle_rad).abs() < 1e-12);
+
+        let mut once = Lag { value: start, time_constant_s: 5.0 };
+        once.step(order, one_s + two_s);
         let closed_form = order + (start - order) * libm::exp(-(one_s + two_s) / 5.0);
         prop_assert!((once.value - closed_form).abs() < 1e-12);
     }

@@ -2,6 +2,8 @@
 //!
 //! Every step is exact for any Δt: two steps of Δt/2 under one order end where one of Δt does.
 
+use std::f64::consts::{PI, TAU};
+
 /// Something that follows its order at a constant rate: a rudder, a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateLimited {
@@ -39,6 +41,35 @@ impl RateLimited {
         self.value += (target - self.value).clamp(-reach, reach);
         if target == order { Order::Taken } else { Order::Clamped }
     }
+}
+
+/// An azimuth that turns all the way round, at a constant rate and by the shorter way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slewing {
+    /// Where it points, in (−π, π] [rad].
+    pub angle_rad: f64,
+    /// How fast it turns [rad/s].
+    pub rate_radps: f64,
+}
+
+impl Slewing {
+    /// Turns towards the order for `step_s`; straight behind it, to starboard. An order that is not a
+    /// finite number leaves it where it is.
+    pub fn step(&mut self, order_rad: f64, step_s: f64) -> Order {
+        if !order_rad.is_finite() {
+            return Order::Clamped;
+        }
+        let way_rad = wrapped(order_rad - self.angle_rad);
+        let reach_rad = self.rate_radps * step_s;
+        self.angle_rad = wrapped(self.angle_rad + way_rad.clamp(-reach_rad, reach_rad));
+        Order::Taken
+    }
+}
+
+/// The angle in (−π, π] [rad].
+fn wrapped(angle_rad: f64) -> f64 {
+    let rest_rad = libm::remainder(angle_rad, TAU);
+    if rest_rad <= -PI { rest_rad + TAU } else { rest_rad }
 }
 
 /// Something that follows its order with a first-order lag: a thruster, a tug's pull.

@@ -2,10 +2,11 @@
 //! (Yasukawa & Yoshimura, "Introduction of MMG standard method for ship maneuvering predictions",
 //! J. Mar. Sci. Technol. 20, 2015), extended to low speed, astern and bollard.
 //!
-//! [`Mmg`] is plain data; [`Mmg::forces`] is a pure function of the velocity through the water and the
+//! [`Mmg`] is plain data, checked by [`Mmg::check`]; [`Mmg::forces`] is a pure function of the velocity through the water and the
 //! controls. What it gives holds every hydrodynamic term but those that multiply accelerations (the added
 //! mass itself): the Coriolis terms of the added mass are within, the Munk moment is within N_v.
 
+mod check;
 mod polynomial;
 mod wake;
 

@@ -108,6 +108,35 @@ impl Polynomial {
         force * (area * speed_mps * speed_mps) + coriolis
     }
 
+    /// Every coefficient, in the order of its fields.
+    pub(crate) fn coefficients(&self) -> [f64; 17] {
+        match *self {
+            Polynomial::Sway(p) => [
+                p.resistance,
+                p.x_vv,
+                p.x_vr,
+                p.x_rr,
+                p.x_vvvv,
+                p.y_v,
+                p.y_r,
+                p.y_vvv,
+                p.y_vvr,
+                p.y_vrr,
+                p.y_rrr,
+                p.n_v,
+                p.n_r,
+                p.n_vvv,
+                p.n_vvr,
+                p.n_vrr,
+                p.n_rrr,
+            ],
+            Polynomial::Drift(p) => [
+                p.x_0, p.x_bb, p.x_br, p.x_rr, p.x_bbbb, p.y_b, p.y_r, p.y_bbb, p.y_bbr, p.y_brr,
+                p.y_rrr, p.n_b, p.n_r, p.n_bbb, p.n_bbr, p.n_brr, p.n_rrr,
+            ],
+        }
+    }
+
     /// The linear terms, freed of added mass.
     pub fn linear(&self, ship: &Particulars, added: &AddedMass) -> LinearTerms {
         match self {
