@@ -236,6 +236,8 @@ fn absurd_seas_are_refused_by_name() {
     assert!(RaoTable::new(vec![1.0], vec![0.0, 1.0], one.clone()).is_err());
     assert!(RaoTable::new(vec![1.0], vec![0.0, PI], one[..1].to_vec()).is_err());
     assert!(RaoTable::new(vec![1.0], vec![0.0, PI], one).is_ok());
+    let hull = DriftHull { length_m: 298.0, beam_m: 46.0, bow_length_m: 0.0 };
+    assert!(hull.check().unwrap_err().to_string().contains("length of the bow"));
     assert!(SHIP.check().is_ok());
     assert!(BoxShip { draught_m: 1.0, ..SHIP }.check().is_err());
 }

@@ -8,6 +8,26 @@
 //! MEG4 (found in public summaries; the guideline was not read): a line's design break force is 100 to
 //! 105 % of the ship design MBL, a tail's 125 to 130 %; working load 55 % (wire) or 50 % (synthetic);
 //! brakes are set to render at 60 %.
+//!
+//! ```
+//! use fenderline_sim::mooring::*;
+//! // Once: HMPE with a nylon tail on a winch, hove tight to 10 t.
+//! let main = Rope { break_load_n: 1e6, curve: RopeCurve::hmpe() };
+//! let nylon = Rope { break_load_n: 1.25e6, curve: RopeCurve::nylon() };
+//! let setup = LineSetup {
+//!     name: "fore spring".into(),
+//!     kind: LineKind::Light { main, tail: Some(Tail { rope: nylon, length_m: 11.0 }) },
+//!     holding: Holding::Winch(Winch::of_design(1e6, 150.0)),
+//!     fitting: Fitting::Pretension(100e3),
+//! };
+//! let ends = LineEnds { ship_m: [120.0, 20.0, 8.0], shore_m: [70.0, 25.0, 3.0] };
+//! let (line, mut state) = Line::new(setup, &ends)?;
+//! // Each step: where the ends are, what the winch is told; the force on the ship at her fairlead.
+//! let load = line.step(&mut state, &ends, WinchOrder::Hold, 0.1);
+//! assert!((load.tension_n - 100e3).abs() < 1e-3);
+//! assert!(load.on_ship_n[0] < 0.0);
+//! # Ok::<(), MooringError>(())
+//! ```
 
 mod catenary;
 mod error;

@@ -2,6 +2,7 @@
 
 use super::GRAVITY_MPS2;
 use super::sea::Sea;
+use crate::range::{OutOfRange, within};
 
 /// A hull that waves drift away.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,6 +13,19 @@ pub struct DriftHull {
     pub beam_m: f64,
     /// Length of the bow on the waterline, from its stem to 95 % of the beam [m].
     pub bow_length_m: f64,
+}
+
+impl DriftHull {
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// The first that no ship has, by its name.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        within("length on the waterline [m]", self.length_m, 0.1, 2000.0)?;
+        within("beam [m]", self.beam_m, 0.05, 500.0)?;
+        within("length of the bow on the waterline [m]", self.bow_length_m, 0.01, 1000.0)?;
+        Ok(())
+    }
 }
 
 /// Mean force of a sea on a hull at rest, [X, Y, N] in [N, N, N·m], unvalidated: Y = ρgHs²L/16·sin μ|sin μ|,

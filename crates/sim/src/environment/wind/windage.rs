@@ -87,7 +87,7 @@ impl ShipWindage {
     }
 
     /// Force and moment about midship, [X, Y, N] in [N, N, N·m], in air of a density [kg/m³] (1.224 at
-    /// 15 °C).
+    /// 15 °C). The relative wind is that 10 m above the water, which the methods are stated for (recalled).
     #[must_use]
     pub fn force(&self, relative: &RelativeWind, air_density_kgpm3: f64) -> [f64; 3] {
         let c = self.coefficients(relative.angle_rad);
