@@ -9,7 +9,7 @@ use crate::range::{OutOfRange, within};
 ///
 /// Source: found (a public code of the Esso Osaka free-running model prints all coefficients and says
 /// they are Fujiwara's); the paper was not read. In a head wind it is 5 % from the later formula of
-/// ISO 15016 on the Esso Osaka, but a third above it on a loaded container ship.
+/// ISO 15016 on the Esso Osaka, but 20 to 36 % above it on a loaded container ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fujiwara {
     /// A_OD, lateral projected area of superstructures, tanks and containers on the deck [m²].
