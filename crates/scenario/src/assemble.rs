@@ -3,6 +3,7 @@
 
 mod fenders;
 mod providers;
+mod world;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,6 +18,8 @@ use crate::error::{Notice, ScenarioError};
 use crate::library::FenderLibrary;
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
+
+use self::world::WorldNames;
 
 type Checked<T> = Result<T, ScenarioError>;
 
@@ -33,11 +36,19 @@ pub(crate) fn setup(
     let mut assembly = Assembly { sources, notices };
     let (step_s, duration_s, integrator) = assembly.time(file.given("time").table())?;
     let materials = assembly.materials(file.given("material").named())?;
-    let bodies = assembly.bodies(file.given("body"))?;
+    let environment = assembly.environment(file.given("environment").table())?;
+    let kinds = assembly.kinds(file.given("vessel").named(), &environment)?;
+    let bodies = assembly.bodies(file.given("body"), &kinds)?;
     let names = Names::new(&bodies, &materials);
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
     let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
     let fenders = assembly.fenders(file.given("fender").named(), library, &materials, &names)?;
+    let (vessels, thrusters) =
+        assembly.vessels(file.given("body").named(), &kinds, file.given("vessel").named())?;
+    let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
+    let lines = assembly.lines(file.given("line").named(), &bodies, &names)?;
+    let known = WorldNames { vessels: &vessels, thrusters: &thrusters, tugs: &tugs, lines: &lines };
+    let orders = assembly.orders(file.given("order").list(), &known, &names)?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
     let berthing = file.item("berthing").map(Item::table);
     let berthing = assembly.berthing(berthing, &bodies, &names)?;
@@ -54,7 +65,7 @@ pub(crate) fn setup(
         fenders,
         berthing,
         loads,
-        world: WorldSetup { providers, ..WorldSetup::default() },
+        world: WorldSetup { environment, vessels, orders, tugs, lines, providers },
     })
 }
 
@@ -144,20 +155,28 @@ impl Assembly<'_, '_> {
         })
     }
 
-    fn bodies(&mut self, item: &Item) -> Checked<Vec<BodySetup>> {
+    fn bodies(&mut self, item: &Item, kinds: &[(String, world::Kind)]) -> Checked<Vec<BodySetup>> {
         let bodies = item.named();
         if bodies.is_empty() {
             let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
             return Err(error.with_help("write [body.NAME] with its keys below"));
         }
-        bodies.iter().map(|(name, table)| self.body(name, table)).collect()
+        bodies.iter().map(|(name, table)| self.body(name, table, kinds)).collect()
     }
 
-    fn body(&mut self, name: &str, table: &Table) -> Checked<BodySetup> {
+    fn body(
+        &mut self,
+        name: &str,
+        table: &Table,
+        kinds: &[(String, world::Kind)],
+    ) -> Checked<BodySetup> {
         let outline = self.outline(table)?;
         let mass = if *table.given("fixed").flag() {
             self.refuse_keys_of_floating_bodies(table)?;
             None
+        } else if let Some(item) = table.item("vessel") {
+            self.refuse_keys_of_plain_bodies(table)?;
+            Some(kinds[self.kind_named(table, item, kinds)?].1.mass)
         } else {
             Some(self.mass(table)?)
         };
@@ -185,7 +204,8 @@ impl Assembly<'_, '_> {
     }
 
     fn refuse_keys_of_floating_bodies(&self, table: &Table) -> Checked<()> {
-        const FLOATING: [&str; 5] = ["mass", "gyradius", "yaw_inertia", "added_mass", "velocity"];
+        const FLOATING: [&str; 6] =
+            ["vessel", "mass", "gyradius", "yaw_inertia", "added_mass", "velocity"];
         match table.items.iter().find(|item| FLOATING.contains(&item.name)) {
             None => Ok(()),
             Some(item) => {
@@ -193,6 +213,19 @@ impl Assembly<'_, '_> {
                 let message = format!("`{path}` is for floating bodies, but this one is fixed");
                 let error = self.sources.error(&item.key_span, &path, message);
                 Err(error.with_help(format!("remove `{}` or `fixed`", item.name)))
+            }
+        }
+    }
+
+    fn refuse_keys_of_plain_bodies(&self, table: &Table) -> Checked<()> {
+        const PLAIN: [&str; 4] = ["mass", "gyradius", "yaw_inertia", "added_mass"];
+        match table.items.iter().find(|item| PLAIN.contains(&item.name)) {
+            None => Ok(()),
+            Some(item) => {
+                let path = table.path_of(item.name);
+                let message = format!("`{path}` is not for a vessel, whose model gives it");
+                let error = self.sources.error(&item.key_span, &path, message);
+                Err(error.with_help(format!("remove `{}` or `vessel`", item.name)))
             }
         }
     }

@@ -5,12 +5,19 @@
 
 mod fender;
 mod provider;
+mod world;
 
 use serde_json::json;
 
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
+
+/// What an order may ask of a vessel, a tug or a line: one of them.
+pub(crate) const VESSEL_ORDERS: &[&str] =
+    &["rudder", "engine", "telegraph", "thruster", "course", "speed", "station", "hands"];
+pub(crate) const TUG_ORDERS: &[&str] = &["push", "pull", "stand_by"];
+pub(crate) const LINE_ORDERS: &[&str] = &["heave", "pay_out", "hold", "let_go"];
 
 /// The whole file.
 pub(crate) static SCENARIO: TableSpec = TableSpec {
@@ -81,6 +88,41 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             kind: Kind::Table(&fender::BERTHING),
             absent: Means("no study"),
             doc: "Particulars for the berthing energy by formula beside that of the run.",
+            examples: &[],
+        },
+        KeySpec {
+            name: "environment",
+            kind: Kind::Table(&world::ENVIRONMENT),
+            absent: Is("{}"),
+            doc: "Wind, current, waves and water.",
+            examples: &[],
+        },
+        KeySpec {
+            name: "vessel",
+            kind: Kind::Named(&world::VESSEL),
+            absent: Is("{}"),
+            doc: "Kinds of vessels, by name.",
+            examples: &[],
+        },
+        KeySpec {
+            name: "tug",
+            kind: Kind::Named(&world::TUG),
+            absent: Is("{}"),
+            doc: "Tugs that are forces on vessels, by name.",
+            examples: &[],
+        },
+        KeySpec {
+            name: "line",
+            kind: Kind::Named(&world::LINE),
+            absent: Is("{}"),
+            doc: "Mooring lines, by name.",
+            examples: &[],
+        },
+        KeySpec {
+            name: "order",
+            kind: Kind::List(&world::ORDER),
+            absent: Is("[]"),
+            doc: "Orders at times of the run.",
             examples: &[],
         },
         KeySpec {
@@ -238,6 +280,13 @@ static BODY: TableSpec = TableSpec {
             examples: &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
         },
         KeySpec {
+            name: "vessel",
+            kind: Kind::Text,
+            absent: Means("a plain body"),
+            doc: "The kind of vessel that she is: it gives mass, added mass and everything that acts on her.",
+            examples: &["\"container ship\""],
+        },
+        KeySpec {
             name: "mass",
             kind: Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e15 }),
             absent: Means("a fixed body"),
@@ -297,12 +346,20 @@ static BODY: TableSpec = TableSpec {
             "then": {
                 "properties": {
                     "mass": false, "gyradius": false, "yaw_inertia": false,
-                    "added_mass": false, "velocity": false
+                    "added_mass": false, "velocity": false, "vessel": false
                 }
             },
             "else": {
-                "required": ["mass"],
-                "oneOf": [{ "required": ["gyradius"] }, { "required": ["yaw_inertia"] }]
+                "if": { "required": ["vessel"] },
+                "then": {
+                    "properties": {
+                        "mass": false, "gyradius": false, "yaw_inertia": false, "added_mass": false
+                    }
+                },
+                "else": {
+                    "required": ["mass"],
+                    "oneOf": [{ "required": ["gyradius"] }, { "required": ["yaw_inertia"] }]
+                }
             }
         })
     }),

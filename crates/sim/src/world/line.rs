@@ -133,7 +133,21 @@ impl MooringSetup {
         }
     }
 
-    /// Could it be made fast where the bodies are at the start? For lines that are fast from the start on.
+    /// Could it be made fast where the bodies of a set-up are at the start?
+    ///
+    /// # Errors
+    /// Why not, naming the line.
+    ///
+    /// # Panics
+    /// Where it names bodies that are not there.
+    pub fn check_at_start(
+        &self,
+        bodies: &[crate::BodySetup],
+    ) -> Result<(), crate::mooring::MooringError> {
+        let states: Vec<BodyState> = bodies.iter().map(crate::rigid_body::initial_state).collect();
+        self.check(&states)
+    }
+
     pub(crate) fn check(&self, states: &[BodyState]) -> Result<(), crate::mooring::MooringError> {
         Line::new(self.line.clone(), &self.ends(states)).map(|_| ())
     }

@@ -1,0 +1,792 @@
+//! Keys of wind, current, waves and water, and of vessels, tugs and lines.
+
+use serde_json::json;
+
+use super::POSITION_M;
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
+use crate::units::measures as unit;
+
+const LENGTH: Quantity = Quantity { measure: &unit::LENGTH, low: 0.01, high: 5000.0 };
+const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
+const DIRECTION: Quantity = Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 };
+const TIME: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 };
+const FORCE: Quantity = Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 };
+const SHARE: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 };
+
+const fn key(
+    name: &'static str,
+    kind: Kind,
+    absent: crate::spec::Absent,
+    doc: &'static str,
+    examples: &'static [&'static str],
+) -> KeySpec {
+    KeySpec { name, kind, absent, doc, examples }
+}
+
+pub(super) static ENVIRONMENT: TableSpec = TableSpec {
+    what: "an environment",
+    doc: "Wind, current, waves and water; they act on vessels.",
+    keys: &[
+        key(
+            "depth",
+            Kind::Quantity(LENGTH),
+            Means("deep water"),
+            "Depth of the water: shallow water slows and stiffens a vessel; no deeper than her draught, she is aground.",
+            &["\"14 m\""],
+        ),
+        key(
+            "water_density",
+            Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 900.0, high: 1300.0 }),
+            Is("1025"),
+            "Density of the water.",
+            &["\"1025 kg/m^3\""],
+        ),
+        key("wind", Kind::Table(&WIND), Means("no wind"), "Wind.", &[]),
+        key("current", Kind::Table(&CURRENT), Means("no current"), "Current.", &[]),
+        key("waves", Kind::Table(&WAVES), Means("no waves"), "Waves.", &[]),
+    ],
+    rules: None,
+};
+
+static WIND: TableSpec = TableSpec {
+    what: "a wind",
+    doc: "Wind at 10 m height.",
+    keys: &[
+        key(
+            "speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 120.0 }),
+            Refused,
+            "Mean speed.",
+            &["\"12 m/s\""],
+        ),
+        key(
+            "from",
+            Kind::Quantity(DIRECTION),
+            Refused,
+            "Where it comes from, clockwise from north.",
+            &["\"270 deg\""],
+        ),
+        key(
+            "gusts",
+            Kind::Flag,
+            Is("false"),
+            "Whether it gusts, by the NPD spectrum of ISO 19901-1.",
+            &["true"],
+        ),
+        key(
+            "seed",
+            Kind::Quantity(SEED),
+            Is("1"),
+            "Seed of the gusts: the same seed gives the same wind.",
+            &["7"],
+        ),
+    ],
+    rules: None,
+};
+
+const SEED: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 4294967295.0 };
+
+static CURRENT: TableSpec = TableSpec {
+    what: "a current",
+    doc: "A current, the same everywhere.",
+    keys: &[
+        key(
+            "speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 15.0 }),
+            Refused,
+            "Speed.",
+            &["\"0.5 kn\""],
+        ),
+        key(
+            "towards",
+            Kind::Quantity(DIRECTION),
+            Refused,
+            "Where it runs to, clockwise from north.",
+            &["\"10 deg\""],
+        ),
+    ],
+    rules: None,
+};
+
+static WAVES: TableSpec = TableSpec {
+    what: "a sea",
+    doc: "Waves: JONSWAP, or one regular wave.",
+    keys: &[
+        key(
+            "height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 30.0 }),
+            Refused,
+            "Significant height, or that of the regular wave.",
+            &["\"1.2 m\""],
+        ),
+        key(
+            "period",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.5, high: 40.0 }),
+            Refused,
+            "Peak period, or that of the regular wave.",
+            &["\"8 s\""],
+        ),
+        key(
+            "from",
+            Kind::Quantity(DIRECTION),
+            Refused,
+            "Where they come from, clockwise from north.",
+            &["\"240 deg\""],
+        ),
+        key(
+            "regular",
+            Kind::Flag,
+            Is("false"),
+            "One regular wave instead of a spectrum.",
+            &["true"],
+        ),
+        key(
+            "peakedness",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
+            Is("3.3"),
+            "JONSWAP's gamma.",
+            &["3.3"],
+        ),
+        key("seed", Kind::Quantity(SEED), Is("1"), "Seed of the phases.", &["7"]),
+    ],
+    rules: None,
+};
+
+pub(super) static VESSEL: TableSpec = TableSpec {
+    what: "a vessel",
+    doc: "What makes a ship of a body: hull, propeller, rudder, thrusters, wind areas, stability. Bodies name it \
+          by their key `vessel`; several may be of one kind. Without a published model everything is \
+          estimated from the particulars.",
+    keys: &[
+        key(
+            "model",
+            Kind::Choice(&MODELS),
+            Means("estimated from the particulars"),
+            "A published manoeuvring model; it brings its own particulars, propeller and rudder.",
+            &["\"kvlcc2\""],
+        ),
+        key(
+            "length_bp",
+            Kind::Quantity(LENGTH),
+            Means("that of the model"),
+            "Length between perpendiculars.",
+            &["\"285 m\""],
+        ),
+        key("beam", Kind::Quantity(LENGTH), Means("that of the model"), "Beam.", &["\"46 m\""]),
+        key(
+            "draught",
+            Kind::Quantity(LENGTH),
+            Means("that of the model"),
+            "Draught.",
+            &["\"9 m\""],
+        ),
+        key(
+            "block_coefficient",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
+            Means("that of the model"),
+            "Volume over length, beam and draught.",
+            &["0.71"],
+        ),
+        key(
+            "centre_of_gravity",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Centre of gravity forward of midship; the body's outline is about the centre of gravity.",
+            &["\"-3.4 m\""],
+        ),
+        key(
+            "gyradius",
+            Kind::Quantity(LENGTH),
+            Means("a quarter of the length"),
+            "Radius of gyration in yaw, without added mass.",
+            &["\"72 m\""],
+        ),
+        key(
+            "propeller",
+            Kind::Table(&PROPELLER),
+            Means("that of the model, or none"),
+            "Propeller and shaft.",
+            &[],
+        ),
+        key("rudder", Kind::Table(&RUDDER), Means("that of the model, or none"), "Rudder.", &[]),
+        key("thruster", Kind::Named(&THRUSTER), Is("{}"), "Tunnel thrusters, by name.", &[]),
+        key(
+            "windage",
+            Kind::Table(&WINDAGE),
+            Means("the wind does not move her"),
+            "Wind areas.",
+            &[],
+        ),
+        key(
+            "stability",
+            Kind::Table(&STABILITY),
+            Means("she neither heaves nor rolls nor pitches"),
+            "What heave, roll and pitch need.",
+            &[],
+        ),
+    ],
+    rules: Some(|| {
+        json!({
+            "if": { "required": ["model"] },
+            "then": {
+                "properties": {
+                    "length_bp": false, "beam": false, "draught": false, "block_coefficient": false,
+                    "gyradius": false
+                }
+            },
+            "else": {
+                "required": ["length_bp", "beam", "draught", "block_coefficient"],
+                "dependentRequired": { "propeller": ["rudder"], "rudder": ["propeller"] },
+                "properties": {
+                    "propeller": { "required": ["diameter"] },
+                    "rudder": { "required": ["area", "span"] }
+                }
+            }
+        })
+    }),
+};
+
+/// In the order that [`crate::assemble`] relies on.
+static MODELS: Choices = Choices {
+    words: &[
+        ("kvlcc2", "a tanker of 320 m, Yasukawa & Yoshimura 2015"),
+        ("kcs", "a container ship of 230 m"),
+    ],
+};
+
+static PROPELLER: TableSpec = TableSpec {
+    what: "a propeller",
+    doc: "Propeller and shaft.",
+    keys: &[
+        key(
+            "diameter",
+            Kind::Quantity(LENGTH),
+            Means("that of the model"),
+            "Diameter.",
+            &["\"8.5 m\""],
+        ),
+        key(
+            "full",
+            Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-3, high: 1e3 }),
+            Refused,
+            "Full revolutions.",
+            &["\"95 rpm\""],
+        ),
+        key(
+            "reversal",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.1, high: 3600.0 }),
+            Is("40"),
+            "Time from full ahead to full astern.",
+            &["\"60 s\""],
+        ),
+        key(
+            "running",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
+            Is("0"),
+            "Revolutions over full ones at the start.",
+            &["0.3"],
+        ),
+    ],
+    rules: None,
+};
+
+static RUDDER: TableSpec = TableSpec {
+    what: "a rudder",
+    doc: "Rudder and steering gear.",
+    keys: &[
+        key(
+            "area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-4, high: 1e4 }),
+            Means("that of the model"),
+            "Movable area.",
+            &["\"60 m^2\""],
+        ),
+        key("span", Kind::Quantity(LENGTH), Means("that of the model"), "Span.", &["\"9 m\""]),
+        key(
+            "rate",
+            Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
+            Is("\"2.32 deg/s\""),
+            "Rate of the steering gear.",
+            &["\"2.5 deg/s\""],
+        ),
+        key(
+            "stop",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
+            Is("\"35 deg\""),
+            "Its stop to either side.",
+            &["\"35 deg\""],
+        ),
+    ],
+    rules: None,
+};
+
+static THRUSTER: TableSpec = TableSpec {
+    what: "a thruster",
+    doc: "A tunnel thruster.",
+    keys: &[
+        key(
+            "along",
+            Kind::Quantity(PLACE),
+            Refused,
+            "Its place forward of midship.",
+            &["\"120 m\""],
+        ),
+        key(
+            "force",
+            Kind::Quantity(FORCE),
+            Refused,
+            "Thrust at rest and full power.",
+            &["\"250 kN\""],
+        ),
+        key(
+            "lag",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 600.0 }),
+            Is("8"),
+            "Time constant; that of the first thruster holds for all.",
+            &["\"10 s\""],
+        ),
+    ],
+    rules: None,
+};
+
+static WINDAGE: TableSpec = TableSpec {
+    what: "a windage",
+    doc: "Wind areas; coefficients by Blendermann.",
+    keys: &[
+        key(
+            "frontal_area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 }),
+            Refused,
+            "Area above the water seen from ahead.",
+            &["\"1700 m^2\""],
+        ),
+        key(
+            "lateral_area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 }),
+            Refused,
+            "Area above the water seen from the side.",
+            &["\"9000 m^2\""],
+        ),
+        key(
+            "centroid_forward",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Centroid of the lateral area forward of midship.",
+            &["\"-5 m\""],
+        ),
+        key(
+            "centroid_height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 200.0 }),
+            Refused,
+            "Height of that centroid above the water.",
+            &["\"16 m\""],
+        ),
+        key(
+            "type",
+            Kind::Text,
+            Refused,
+            "Type of ship in Blendermann's table.",
+            &["\"container ship, loaded\""],
+        ),
+    ],
+    rules: None,
+};
+
+static STABILITY: TableSpec = TableSpec {
+    what: "a stability",
+    doc: "What heave, roll and pitch need.",
+    keys: &[
+        key(
+            "gm",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 100.0 }),
+            Refused,
+            "Metacentric height GM.",
+            &["\"2 m\""],
+        ),
+        key(
+            "gravity_above_keel",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 200.0 }),
+            Refused,
+            "Centre of gravity above the keel, KG.",
+            &["\"20.8 m\""],
+        ),
+        key(
+            "waterplane_area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-3, high: 1e6 }),
+            Refused,
+            "Waterplane area.",
+            &["\"3000 m^2\""],
+        ),
+    ],
+    rules: None,
+};
+
+pub(super) static TUG: TableSpec = TableSpec {
+    what: "a tug",
+    doc: "A tug that is a force at a point of a vessel: what she can give falls with speed (derived, \
+          unvalidated). For one that pushes through her own bow fender use a body.",
+    keys: &[
+        key(
+            "vessel",
+            Kind::BodyName,
+            Refused,
+            "The body of the vessel that she serves.",
+            &["\"ship\""],
+        ),
+        key("bollard_pull", Kind::Quantity(FORCE), Refused, "Bollard pull.", &["\"60 tf\""]),
+        key(
+            "push_at",
+            Kind::Point(PLACE),
+            Refused,
+            "Where she pushes, from midship: forward, starboard.",
+            &["[90, -23]"],
+        ),
+        key(
+            "pull_at",
+            Kind::Point(PLACE),
+            Means("where she pushes"),
+            "The fairlead of her line, from midship.",
+            &["[140, 0]"],
+        ),
+        key("length", Kind::Quantity(LENGTH), Is("32"), "Her length.", &["\"32 m\""]),
+        key("beam", Kind::Quantity(LENGTH), Is("13"), "Her beam.", &["\"13 m\""]),
+        key("draught", Kind::Quantity(LENGTH), Is("4.5"), "Her draught.", &["\"4.5 m\""]),
+        key(
+            "delay",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 3600.0 }),
+            Is("5"),
+            "From an order to its beginning.",
+            &["\"5 s\""],
+        ),
+        key(
+            "lag",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 3600.0 }),
+            Is("10"),
+            "Time constant of her force and of its direction.",
+            &["\"12 s\""],
+        ),
+    ],
+    rules: None,
+};
+
+pub(super) static LINE: TableSpec = TableSpec {
+    what: "a line",
+    doc: "A mooring line from a body to a bollard or to another body. Its weight is neglected.",
+    keys: &[
+        key(
+            "from",
+            Kind::BodyName,
+            Refused,
+            "The body that has the winch or the bitts.",
+            &["\"ship\""],
+        ),
+        key(
+            "fairlead",
+            Kind::Point(POSITION_M),
+            Refused,
+            "Fairlead, forward and starboard of the body's origin.",
+            &["[140, 5]"],
+        ),
+        key(
+            "fairlead_height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Fairlead above the still water.",
+            &["\"12 m\""],
+        ),
+        key(
+            "to",
+            Kind::BodyName,
+            Refused,
+            "The body that the other end is fast to: a quay, a ship.",
+            &["\"quay\""],
+        ),
+        key(
+            "bollard",
+            Kind::Point(POSITION_M),
+            Refused,
+            "Bollard, forward and starboard of that body's origin.",
+            &["[170, 4]"],
+        ),
+        key(
+            "bollard_height",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Bollard above the still water.",
+            &["\"4 m\""],
+        ),
+        key("rope", Kind::Choice(&ROPES), Refused, "What it is made of.", &["\"hmpe\""]),
+        key(
+            "break_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "Line design break force.",
+            &["\"1200 kN\""],
+        ),
+        key(
+            "tail",
+            Kind::Table(&TAIL),
+            Means("no tail"),
+            "A softer tail in series at the far end.",
+            &[],
+        ),
+        key(
+            "length",
+            Kind::Quantity(LENGTH),
+            Means("`pretension` is given"),
+            "Unstretched length outboard, tail included.",
+            &["\"45 m\""],
+        ),
+        key(
+            "pretension",
+            Kind::Quantity(FORCE),
+            Means("`length` is given"),
+            "Tension with which it is made fast.",
+            &["\"100 kN\""],
+        ),
+        key(
+            "winch",
+            Kind::Flag,
+            Is("false"),
+            "On a winch whose brake renders at 60 % of the break load, rather than on bitts.",
+            &["true"],
+        ),
+        key("made_fast", Kind::Quantity(TIME), Is("0"), "When it is made fast.", &["\"25 min\""]),
+    ],
+    rules: Some(
+        || json!({ "oneOf": [{ "required": ["length"] }, { "required": ["pretension"] }] }),
+    ),
+};
+
+static TAIL: TableSpec = TableSpec {
+    what: "a tail",
+    doc: "A softer tail in series.",
+    keys: &[
+        key("rope", Kind::Choice(&ROPES), Is("\"nylon\""), "What it is made of.", &["\"nylon\""]),
+        key(
+            "break_load",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e9 }),
+            Refused,
+            "Its break force.",
+            &["\"1500 kN\""],
+        ),
+        key("length", Kind::Quantity(LENGTH), Is("11"), "Its length.", &["\"11 m\""]),
+    ],
+    rules: None,
+};
+
+/// In the order that [`crate::assemble`] relies on.
+static ROPES: Choices = Choices {
+    words: &[
+        ("wire", "steel wire with a steel core"),
+        ("hmpe", "high-modulus polyethylene"),
+        ("polyester", "polyester"),
+        ("nylon", "nylon, as tails are made of"),
+    ],
+};
+
+pub(super) static ORDER: TableSpec = TableSpec {
+    what: "an order",
+    doc: "What is told at a time to a vessel (`vessel`), a tug (`tug`) or a line's winch (`line`): one thing an order.",
+    keys: &[
+        key("at", Kind::Quantity(TIME), Is("0"), "When.", &["\"90 s\""]),
+        key(
+            "vessel",
+            Kind::BodyName,
+            Means("it is for a tug or a line"),
+            "The body of the vessel.",
+            &["\"ship\""],
+        ),
+        key("tug", Kind::Text, Means("it is for a vessel or a line"), "The tug.", &["\"bow tug\""]),
+        key(
+            "line",
+            Kind::Text,
+            Means("it is for a vessel or a tug"),
+            "The line.",
+            &["\"head line\""],
+        ),
+        key(
+            "rudder",
+            Kind::Quantity(DIRECTION),
+            Means("another order"),
+            "Rudder, positive turns to starboard going ahead.",
+            &["\"-20 deg\""],
+        ),
+        key(
+            "engine",
+            Kind::Quantity(SHARE),
+            Means("another order"),
+            "Revolutions over full ones.",
+            &["0.4"],
+        ),
+        key(
+            "telegraph",
+            Kind::Choice(&TELEGRAPH),
+            Means("another order"),
+            "Engine telegraph.",
+            &["\"slow astern\""],
+        ),
+        key("thruster", Kind::Table(&THRUSTER_ORDER), Means("another order"), "A thruster.", &[]),
+        key(
+            "course",
+            Kind::Quantity(DIRECTION),
+            Means("another order"),
+            "Keep this heading with the rudder.",
+            &["\"35 deg\""],
+        ),
+        key(
+            "speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: -20.0, high: 40.0 }),
+            Means("another order"),
+            "Keep this speed ahead through the water with the engine.",
+            &["\"4 kn\""],
+        ),
+        key(
+            "station",
+            Kind::Table(&STATION),
+            Means("another order"),
+            "Go to a place and stay there, with engine, thrusters and the vessel's tugs.",
+            &[],
+        ),
+        key(
+            "hands",
+            Kind::Flag,
+            Means("another order"),
+            "Pilots off; controls stay where they are.",
+            &["true"],
+        ),
+        key(
+            "push",
+            Kind::Quantity(FORCE0),
+            Means("another order"),
+            "The tug pushes with this force.",
+            &["\"300 kN\""],
+        ),
+        key(
+            "pull",
+            Kind::Quantity(FORCE0),
+            Means("another order"),
+            "The tug pulls on her line with this force.",
+            &["\"300 kN\""],
+        ),
+        key(
+            "direction",
+            Kind::Quantity(DIRECTION),
+            Means("square to the hull, away from her side or towards it"),
+            "Direction of the tug's force from the vessel's bow, positive to starboard.",
+            &["\"90 deg\""],
+        ),
+        key("stand_by", Kind::Flag, Means("another order"), "The tug stands by.", &["true"]),
+        key(
+            "heave",
+            Kind::Quantity(RATE),
+            Means("another order"),
+            "The winch heaves in.",
+            &["\"0.1 m/s\""],
+        ),
+        key(
+            "pay_out",
+            Kind::Quantity(RATE),
+            Means("another order"),
+            "The winch pays out.",
+            &["\"0.1 m/s\""],
+        ),
+        key("hold", Kind::Flag, Means("another order"), "The winch holds.", &["true"]),
+        key("let_go", Kind::Flag, Means("another order"), "The line is cast off.", &["true"]),
+    ],
+    rules: Some(|| {
+        let one_of = |who: &str, what: &[&str]| {
+            let required: Vec<_> = what.iter().map(|key| json!({ "required": [key] })).collect();
+            json!({ "required": [who], "oneOf": required })
+        };
+        let none_of = |keys: &[&str]| {
+            let refused: serde_json::Map<String, serde_json::Value> =
+                keys.iter().map(|key| ((*key).to_owned(), json!(false))).collect();
+            json!({ "properties": refused })
+        };
+        json!({
+            "oneOf": [
+                { "allOf": [
+                    one_of("vessel", super::VESSEL_ORDERS),
+                    none_of(&["tug", "line"]), none_of(super::TUG_ORDERS), none_of(super::LINE_ORDERS),
+                    none_of(&["direction"])
+                ] },
+                { "allOf": [
+                    one_of("tug", super::TUG_ORDERS),
+                    none_of(&["vessel", "line"]), none_of(super::VESSEL_ORDERS), none_of(super::LINE_ORDERS)
+                ] },
+                { "allOf": [
+                    one_of("line", super::LINE_ORDERS),
+                    none_of(&["vessel", "tug"]), none_of(super::VESSEL_ORDERS), none_of(super::TUG_ORDERS),
+                    none_of(&["direction"])
+                ] }
+            ]
+        })
+    }),
+};
+
+const FORCE0: Quantity = Quantity { measure: &unit::FORCE, low: 0.0, high: 1e8 };
+const RATE: Quantity = Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 };
+
+/// In the order of [`fenderline_sim::hydro::actuator::Telegraph::ALL`].
+static TELEGRAPH: Choices = Choices {
+    words: &[
+        ("full astern", "70 % of full revolutions astern"),
+        ("half astern", "55 % astern"),
+        ("slow astern", "40 % astern"),
+        ("dead slow astern", "30 % astern"),
+        ("stop", "stop"),
+        ("dead slow ahead", "30 % ahead"),
+        ("slow ahead", "40 % ahead"),
+        ("half ahead", "55 % ahead"),
+        ("full ahead", "70 % ahead: manoeuvring full"),
+        ("navigation full", "full revolutions"),
+    ],
+};
+
+static THRUSTER_ORDER: TableSpec = TableSpec {
+    what: "an order to a thruster",
+    doc: "Which thruster, and how much.",
+    keys: &[
+        key("name", Kind::Text, Refused, "The thruster.", &["\"bow\""]),
+        key(
+            "power",
+            Kind::Quantity(SHARE),
+            Refused,
+            "-1 (full to port) to 1 (full to starboard).",
+            &["-0.5"],
+        ),
+    ],
+    rules: None,
+};
+
+static STATION: TableSpec = TableSpec {
+    what: "a station",
+    doc: "Where a vessel shall go, and how fast at most.",
+    keys: &[
+        key(
+            "position",
+            Kind::Vector(POSITION_M),
+            Refused,
+            "Place of her centre of gravity: north, east.",
+            &["[0, 5.5]"],
+        ),
+        key("heading", Kind::Quantity(DIRECTION), Refused, "Heading.", &["\"0 deg\""]),
+        key(
+            "surge",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.01, high: 10.0 }),
+            Is("0.5"),
+            "The fastest along.",
+            &["\"1 kn\""],
+        ),
+        key(
+            "sway",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.01, high: 10.0 }),
+            Is("0.2"),
+            "The fastest across.",
+            &["\"0.15 m/s\""],
+        ),
+    ],
+    rules: None,
+};
