@@ -64,7 +64,7 @@ impl Propeller {
         if flow.speed_squared == 0.0 {
             return 0.0;
         }
-        let [_, torque] = series_coefficients(self.series, flow.cos, flow.sin);
+        let torque = series_torque(self.series, flow.cos, flow.sin);
         self.pressure_area(&flow, water) * self.diameter_m * torque
     }
 
@@ -121,19 +121,30 @@ fn polynomial_coefficient([k0, k1, k2]: [f64; 3], cos: f64, sin: f64) -> f64 {
     8.0 / PI * (k0 * revolutions * revolutions + k1 * revolutions * sin + k2 * sin * sin)
 }
 
-/// Σ A cos kβ + B sin kβ for thrust alone, harmonics by their recurrence.
+/// c_T of the series.
 fn series_thrust(series: Series, cos: f64, sin: f64) -> f64 {
-    series_coefficients(series, cos, sin)[0]
+    1e-2 * series_sum(series.harmonics(), 0, cos, sin)
 }
 
-/// [c_T, c_Q] of the series.
-fn series_coefficients(series: Series, cos: f64, sin: f64) -> [f64; 2] {
-    let (mut cos_k, mut sin_k) = (1.0, 0.0);
-    let (mut thrust, mut torque) = (0.0, 0.0);
-    for [thrust_cos, thrust_sin, torque_cos, torque_sin] in series.harmonics() {
-        thrust += thrust_cos * cos_k + thrust_sin * sin_k;
-        torque += torque_cos * cos_k + torque_sin * sin_k;
-        (cos_k, sin_k) = (cos_k * cos - sin_k * sin, sin_k * cos + cos_k * sin);
+/// c_Q of the series.
+fn series_torque(series: Series, cos: f64, sin: f64) -> f64 {
+    -1e-3 * series_sum(series.harmonics(), 2, cos, sin)
+}
+
+/// Σ A cos kβ + B sin kβ with A and B in a column and the next, harmonics by their recurrence.
+///
+/// Even and odd harmonics go by 2β each: two chains that do not wait for each other.
+fn series_sum(harmonics: &Harmonics, column: usize, cos: f64, sin: f64) -> f64 {
+    let (cos_2, sin_2) = (cos * cos - sin * sin, 2.0 * sin * cos);
+    let turned = |(c, s): (f64, f64)| (c * cos_2 - s * sin_2, s * cos_2 + c * sin_2);
+    let term = |row: &[f64; 4], (c, s): (f64, f64)| row[column] * c + row[column + 1] * s;
+    let (mut even, mut odd) = ((1.0, 0.0), (cos, sin));
+    let (mut even_sum, mut odd_sum) = (0.0, 0.0);
+    let (pairs, last) = harmonics.as_chunks::<2>();
+    for [even_row, odd_row] in pairs {
+        even_sum += term(even_row, even);
+        odd_sum += term(odd_row, odd);
+        (even, odd) = (turned(even), turned(odd));
     }
-    [thrust * 1e-2, torque * -1e-3]
+    last.iter().fold(even_sum + odd_sum, |sum, row| sum + term(row, even))
 }
