@@ -278,7 +278,7 @@ impl Assembly<'_, '_> {
             let path = of.path_of("type");
             let message = format!("`{path}`: there is no type {}", quoted(kind.text()));
             let error = self.sources.error(&kind.span, &path, message);
-            return Err(error.with_help(match nearest(kind.text(), names.into_iter()) {
+            return Err(error.with_help(match nearest(kind.text(), names) {
                 Some(near) => format!("did you mean \"{near}\"?"),
                 None => format!("there are \"{}\"", names.join("\", \"")),
             }));

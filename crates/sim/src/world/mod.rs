@@ -105,10 +105,11 @@ impl World {
         }
         for (index, (tug, of)) in self.tugs.iter_mut().zip(&setup.tugs).enumerate() {
             let vessel = &setup.vessels[of.vessel];
-            let (state, load) = (&states[vessel.body], &mut loads[vessel.body]);
-            let times = (t_s, step_s);
+            let (state, times) = (&states[vessel.body], (t_s, step_s));
             let events = &mut self.events;
-            tug.step(index, (of, vessel), state, &setup.environment, times, load, events);
+            let wrench = tug.step(index, (of, vessel), state, &setup.environment, times, events);
+            loads[vessel.body].force_n += wrench.force_n;
+            loads[vessel.body].moment_nm += wrench.moment_nm;
         }
         for (index, (mooring, line)) in self.lines.iter_mut().zip(&setup.lines).enumerate() {
             mooring.step(index, line, states, (t_s, step_s), loads, &mut self.events);

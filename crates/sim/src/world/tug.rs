@@ -59,7 +59,7 @@ impl TugAtWork {
         debug_assert!(taken.is_ok(), "a pilot asks for what there is");
     }
 
-    /// The tug's part of a step: her force on the vessel's body.
+    /// The tug's part of a step: her wrench on the vessel's body.
     pub(crate) fn step(
         &mut self,
         index: usize,
@@ -67,9 +67,8 @@ impl TugAtWork {
         state: &BodyState,
         environment: &Environment,
         (t_s, step_s): (f64, f64),
-        load: &mut Wrench,
         events: &mut Vec<WorldEvent>,
-    ) {
+    ) -> Wrench {
         let attitude = Rotation::from_angle(state.heading_rad);
         let draught_m = vessel.ship.particulars.draught_m;
         let current = environment.current(state.position_m, t_s, draught_m);
@@ -83,8 +82,10 @@ impl TugAtWork {
         (self.limited, self.at_m) = (limited, at_m);
         self.force = Force { surge_n, sway_n, yaw_nm };
         let ahead_m = vessel.ship.particulars.centre_of_gravity_m;
-        load.force_n += attitude.apply(vec2(surge_n, sway_n));
-        load.moment_nm += yaw_nm - ahead_m * sway_n;
+        Wrench {
+            force_n: attitude.apply(vec2(surge_n, sway_n)),
+            moment_nm: yaw_nm - ahead_m * sway_n,
+        }
     }
 }
 
