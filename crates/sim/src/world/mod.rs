@@ -97,7 +97,7 @@ impl World {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
             }
             own.aground = aground;
-            let forces = vessel.forces(own, state, &setup.environment, t_s);
+            let forces = vessel.forces(own, state, &setup.environment, (t_s, step_s));
             let wrench = vessel.wrench(&forces, state, &setup.environment, t_s);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;

@@ -154,7 +154,7 @@ impl VesselSetup {
         vessel: &VesselState,
         state: &BodyState,
         environment: &Environment,
-        t_s: f64,
+        (t_s, step_s): (f64, f64),
     ) -> VesselForces {
         let velocity = self.velocity(state, environment, t_s);
         let water = environment.density();
@@ -174,7 +174,7 @@ impl VesselSetup {
             thrusters,
             wind: self.wind(state, environment, t_s),
             waves: self.drift(state, environment),
-            bottom: self.bottom(state, environment),
+            bottom: self.bottom(state, environment, step_s),
         }
     }
 
@@ -205,7 +205,7 @@ impl VesselSetup {
 
     /// The drag of a bottom that bears what she sits too deep, with Coulomb's friction of 0.4 (recalled, of
     /// sand): against her motion, and fading out below a centimetre a second so that it never drives her.
-    fn bottom(&self, state: &BodyState, environment: &Environment) -> Force {
+    fn bottom(&self, state: &BodyState, environment: &Environment, step_s: f64) -> Force {
         if !self.is_aground(environment) {
             return Force::default();
         }
@@ -217,7 +217,9 @@ impl VesselSetup {
         let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
         let ends_mps = 0.25 * ship.length_m * state.yaw_rate_radps;
         let speed_mps = libm::sqrt(own.length_squared() + ends_mps * ends_mps);
-        let per_speed = 0.4 * weight_n / (speed_mps + 0.01);
+        // In one step no more than half of what would stop her, so that it does not turn her round.
+        let stops = 0.5 * environment.water_density_kgpm3 * ship.volume_m3 / step_s;
+        let per_speed = (0.4 * weight_n / (speed_mps + 0.01)).min(stops);
         Force {
             surge_n: -per_speed * own.x,
             sway_n: -per_speed * own.y,
