@@ -11,6 +11,7 @@ use crate::inherit::Inherited;
 use crate::mass::InverseMatrix;
 use crate::memory::{HintMemory, Memory, PatchMemory};
 use crate::model::{MaterialId, Model};
+use crate::near::NearList;
 use crate::overlap::{Patch, PieceLens};
 use crate::report::{Contact, Event, Wrench};
 use crate::state::BodyState;
@@ -33,8 +34,8 @@ pub struct Workspace {
     /// How far from its centre of gravity each body may reach in this step, by rank [m].
     pub(crate) reach_m: Vec<f64>,
     pub(crate) candidates: Vec<Candidate>,
-    /// Order of the bodies along the x axis, warm from the last step.
-    pub(crate) by_x: Vec<(f64, u32)>,
+    /// Pairs that were near each other a while ago.
+    pub(crate) near: NearList,
     pub(crate) patches: Vec<Patch>,
     /// What each patch takes over from the last step.
     pub(crate) inherited: Vec<Inherited>,
@@ -109,7 +110,7 @@ impl Workspace {
             teleported: Vec::with_capacity(count),
             reach_m: Vec::with_capacity(count),
             candidates: Vec::new(),
-            by_x: Vec::new(),
+            near: NearList::default(),
             patches: Vec::new(),
             inherited: Vec::new(),
             lenses: Vec::new(),
