@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use crate::coupled::island::Island;
 use crate::coupled::rows::Row;
+use crate::coupled::tie::Tie;
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
@@ -39,6 +40,8 @@ pub struct Workspace {
     pub(crate) patches: Vec<Patch>,
     /// What each patch takes over from the last step.
     pub(crate) inherited: Vec<Inherited>,
+    /// What patches take over that is not one old patch as it was.
+    pub(crate) shares: Vec<PatchMemory>,
     pub(crate) lenses: Vec<PieceLens>,
     pub(crate) outline_m: Vec<Vec2>,
     pub(crate) clip: ClipBuffers,
@@ -60,14 +63,12 @@ pub struct Workspace {
     pub(crate) all_patches: Vec<PatchMemory>,
     pub(crate) all_hints: Vec<HintMemory>,
     pub(crate) rows: Vec<Row>,
+    /// The same contacts as the solve sees them.
+    pub(crate) ties: Vec<Tie>,
     /// Earth-fixed inverse mass by rank, for the bodies of the island.
     pub(crate) inverses: Vec<InverseMatrix>,
-    /// Velocities before the solve by rank, for the bodies of the island.
-    pub(crate) before: Vec<BodyState>,
     /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank [J].
     pub(crate) unheld_j: Vec<f64>,
-    /// Largest change of velocity in the solve's last sweep [m/s].
-    pub(crate) last_change_mps: f64,
     /// First of the island's contacts in `contacts`.
     pub(crate) first_contact: usize,
 }
@@ -113,6 +114,7 @@ impl Workspace {
             near: NearList::default(),
             patches: Vec::new(),
             inherited: Vec::new(),
+            shares: Vec::new(),
             lenses: Vec::new(),
             outline_m: Vec::new(),
             clip: ClipBuffers::default(),
@@ -131,10 +133,9 @@ impl Workspace {
             all_patches: Vec::new(),
             all_hints: Vec::new(),
             rows: Vec::new(),
+            ties: Vec::new(),
             inverses: vec![InverseMatrix::default(); count],
-            before: vec![BodyState::default(); count],
             unheld_j: vec![0.0; count],
-            last_change_mps: 0.0,
             first_contact: 0,
         }
     }

@@ -15,6 +15,7 @@ pub(crate) mod island;
 pub(crate) mod pace;
 pub(crate) mod rows;
 pub(crate) mod solve;
+pub(crate) mod tie;
 
 use crate::admit;
 use crate::broad;
@@ -25,7 +26,7 @@ use crate::model::Model;
 use crate::overlap::overlap;
 use crate::report::Wrench;
 use crate::state::BodyState;
-use crate::vec2::{Rotation, Vec2};
+use crate::vec2::Rotation;
 use crate::workspace::Workspace;
 
 /// Contact forces for the step of `step_s` seconds that begins at `states`, by the coupled method,
@@ -187,10 +188,4 @@ fn remember(
     memory.last_states.clear();
     memory.last_states.extend(model.ranked.iter().map(|body| states[body.id.0 as usize]));
     memory.last_step_s = step_s;
-}
-
-/// Velocity of a body's point at `arm_m` from its centre of gravity [m/s].
-#[inline]
-pub(crate) fn point_velocity(state: &BodyState, arm_m: Vec2) -> Vec2 {
-    state.velocity_mps + arm_m.spun_by(state.yaw_rate_radps)
 }

@@ -11,11 +11,11 @@
 //! Projected Gauss–Seidel on the bodies' velocities, warm-started with the last forces, in the fixed
 //! order of the contacts. Bounded work: what has not settled after [`SWEEPS`] is reported.
 
-use crate::coupled::rows::Row;
+use crate::coupled::tie::Tie;
 use crate::events::note;
 use crate::model::Model;
-use crate::report::{EventKind, Friction};
-use crate::vec2::Vec2;
+use crate::report::EventKind;
+use crate::state::BodyState;
 use crate::workspace::Workspace;
 
 /// Most sweeps over the contacts.
@@ -25,31 +25,18 @@ const SETTLED_MPS: f64 = 1e-13;
 /// A change larger than this in the last sweep is told to the user [m/s].
 const TOLD_MPS: f64 = 1e-6;
 
-/// New velocities of the island's bodies in `work.states`, and forces in `work.rows`.
+/// New velocities of the island's bodies in `work.states`, and forces in `work.ties`.
 pub(crate) fn velocities(model: &Model, work: &mut Workspace, h: f64) {
     free_velocities(work, h);
-    for index in 0..work.rows.len() {
-        let row = work.rows[index];
-        push(
-            work,
-            &row,
-            row.touch.normal * (-row.normal_n * h) + row.tangent * (row.tangential_n * h),
-        );
-    }
-    for _ in 0..SWEEPS {
-        let mut change_mps = 0.0_f64;
-        for index in 0..work.rows.len() {
-            change_mps = change_mps.max(relax(work, index, h));
-        }
-        if change_mps <= SETTLED_MPS {
-            return;
-        }
-        work.last_change_mps = change_mps;
-    }
-    if work.last_change_mps > TOLD_MPS
-        && let Some(row) = work.rows.first().copied()
-    {
-        note(model, work, row.a, row.b, EventKind::NotConverged);
+    let Workspace { states, ties, .. } = &mut *work;
+    let last_change_mps = match ties.as_mut_slice() {
+        [] => return,
+        [only] => alone(states, only, h),
+        several => together(states, several, h),
+    };
+    if last_change_mps > TOLD_MPS {
+        let (a, b) = (ties[0].a, ties[0].b);
+        note(model, work, a, b, EventKind::NotConverged);
     }
 }
 
@@ -57,7 +44,6 @@ pub(crate) fn velocities(model: &Model, work: &mut Workspace, h: f64) {
 fn free_velocities(work: &mut Workspace, h: f64) {
     for &rank in &work.island_bodies {
         let rank = rank as usize;
-        work.before[rank] = work.states[rank];
         let load = work.loads[rank];
         let (dv, dr) = work.inverses[rank].response(load.force_n * h, load.moment_nm * h);
         work.states[rank].velocity_mps += dv;
@@ -65,74 +51,46 @@ fn free_velocities(work: &mut Workspace, h: f64) {
     }
 }
 
-/// Gives the two bodies of a row an impulse and its opposite [N·s].
-#[inline]
-fn push(work: &mut Workspace, row: &Row, impulse: Vec2) {
-    for (rank, arm_m, impulse) in
-        [(row.a, row.touch.arm_a_m, impulse), (row.b, row.touch.arm_b_m, -impulse)]
-    {
-        let rank = rank as usize;
-        let (dv, dr) = work.inverses[rank].response(impulse, arm_m.cross(impulse));
-        work.states[rank].velocity_mps += dv;
-        work.states[rank].yaw_rate_radps += dr;
+/// Sweeps over all contacts until they have settled. Returns the last sweep's largest change of
+/// velocity [m/s].
+fn together(states: &mut [BodyState], ties: &mut [Tie], h: f64) -> f64 {
+    for tie in ties.iter() {
+        tie.push(states, tie.forces.normal_n * h, tie.forces.tangential_n * h);
     }
+    let mut change_mps = 0.0;
+    for _ in 0..SWEEPS {
+        change_mps = 0.0;
+        for tie in ties.iter_mut() {
+            let forces = tie.relaxed(tie.speeds(states), h);
+            let more = forces.less(&tie.forces);
+            tie.forces = forces;
+            if more != (0.0, 0.0) {
+                tie.push(states, more.0 * h, more.1 * h);
+                change_mps = f64::max(change_mps, tie.change_mps(more, h));
+            }
+        }
+        if change_mps <= SETTLED_MPS {
+            break;
+        }
+    }
+    change_mps
 }
 
-/// Velocity of body A at the contact relative to body B [m/s].
-#[inline]
-fn relative_velocity(work: &Workspace, row: &Row) -> Vec2 {
-    super::point_velocity(&work.states[row.a as usize], row.touch.arm_a_m)
-        - super::point_velocity(&work.states[row.b as usize], row.touch.arm_b_m)
-}
-
-/// One contact's forces, given all others'. Returns the largest change of velocity [m/s].
-#[inline]
-fn relax(work: &mut Workspace, index: usize, h: f64) -> f64 {
-    let mut row = work.rows[index];
-    let normal_n = normal(&row, relative_velocity(work, &row).dot(row.touch.normal), h);
-    let more_n = normal_n - row.normal_n;
-    if more_n != 0.0 {
-        row.normal_n = normal_n;
-        push(work, &row, row.touch.normal * (-more_n * h));
+/// The same for an island of one contact: its own two speeds are all there is to follow.
+fn alone(states: &mut [BodyState], tie: &mut Tie, h: f64) -> f64 {
+    let begun = tie.forces;
+    let mut speeds = tie.speeds_after(tie.speeds(states), (begun.normal_n, begun.tangential_n), h);
+    let mut change_mps = 0.0;
+    for _ in 0..SWEEPS {
+        let forces = tie.relaxed(speeds, h);
+        let more = forces.less(&tie.forces);
+        tie.forces = forces;
+        speeds = tie.speeds_after(speeds, more, h);
+        change_mps = tie.change_mps(more, h);
+        if change_mps <= SETTLED_MPS {
+            break;
+        }
     }
-    let (tangential_n, friction) =
-        tangential(&row, relative_velocity(work, &row).dot(row.tangent), h);
-    let more_t = tangential_n - row.tangential_n;
-    if more_t != 0.0 {
-        row.tangential_n = tangential_n;
-        push(work, &row, row.tangent * (more_t * h));
-    }
-    row.friction = friction;
-    work.rows[index] = row;
-    (more_n * row.inverse_normal).abs().max((more_t * row.inverse_tangential).abs()) * h
-}
-
-/// N = mid(0, N at which V_n⁺ = −γ v_ref, f).
-#[inline]
-fn normal(row: &Row, v_normal_mps: f64, h: f64) -> f64 {
-    let tight_n = row.normal_n + (v_normal_mps + row.rebound_mps) / (h * row.inverse_normal);
-    tight_n.min(row.law_n).max(0.0)
-}
-
-/// The implicit shear spring, T = −k_s(Δs + h V_t⁺), and Coulomb's limits on it.
-#[inline]
-fn tangential(row: &Row, v_tangential_mps: f64, h: f64) -> (f64, Friction) {
-    if row.shear_stiffness_npm == 0.0 {
-        return (0.0, Friction::Stick);
-    }
-    // V_t⁺ if T were 0, then T from T(1 + k_s h²/E) = −k_s(Δs + h V_t).
-    let without_mps = v_tangential_mps - row.tangential_n * h * row.inverse_tangential;
-    let spring_n = -row.shear_stiffness_npm * (row.touch.shear_m + h * without_mps)
-        / (1.0 + row.shear_stiffness_npm * h * h * row.inverse_tangential);
-    // Once it slips in this sub-step it holds again only below the sliding force: else, with μ_k below
-    // μ_s, the sweeps would go to and fro between the two.
-    let holds = match row.friction {
-        Friction::Stick => row.friction_static,
-        Friction::Slip => row.friction_dynamic,
-    };
-    if spring_n.abs() <= holds * row.normal_n {
-        (spring_n, Friction::Stick)
-    } else {
-        ((row.friction_dynamic * row.normal_n).copysign(spring_n), Friction::Slip)
-    }
+    tie.push(states, tie.forces.normal_n * h, tie.forces.tangential_n * h);
+    change_mps
 }
