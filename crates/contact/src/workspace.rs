@@ -65,7 +65,7 @@ pub struct Workspace {
     pub(crate) rows: Vec<Row>,
     /// The same contacts as the solve sees them.
     pub(crate) ties: Vec<Tie>,
-    /// Earth-fixed inverse mass by rank, for the bodies of the island.
+    /// Earth-fixed inverse mass by rank.
     pub(crate) inverses: Vec<InverseMatrix>,
     /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank [J].
     pub(crate) unheld_j: Vec<f64>,
@@ -134,7 +134,7 @@ impl Workspace {
             all_hints: Vec::new(),
             rows: Vec::new(),
             ties: Vec::new(),
-            inverses: vec![InverseMatrix::default(); count],
+            inverses: Vec::with_capacity(count),
             unheld_j: vec![0.0; count],
             first_contact: 0,
         }

@@ -34,13 +34,8 @@ pub(crate) struct Laws<'m> {
     pub(crate) rebound_mps: f64,
 }
 
-/// Laws and effective masses of every patch in `work`, in `work.rows` and `work.ties`, and the inverse
-/// masses of the island's bodies as they are turned now.
+/// Laws and effective masses of every patch in `work`, in `work.rows` and `work.ties`.
 pub(crate) fn collect(model: &Model, work: &mut Workspace, memory: &Memory, h: f64) {
-    for &rank in &work.island_bodies {
-        let rank = rank as usize;
-        work.inverses[rank] = model.ranked[rank].inverse.turned(work.poses[rank].rotation);
-    }
     work.rows.clear();
     work.ties.clear();
     work.next_patches.clear();
