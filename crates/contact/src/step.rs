@@ -152,6 +152,6 @@ fn gather(model: &Model, work: &mut Workspace) {
 fn remember(memory: &mut Memory, work: &mut Workspace, step_s: f64) {
     core::mem::swap(&mut memory.patches, &mut work.next_patches);
     core::mem::swap(&mut memory.hints, &mut work.next_hints);
-    memory.last_states.clone_from(&work.states);
+    core::mem::swap(&mut memory.last_states, &mut work.states);
     memory.last_step_s = step_s;
 }
