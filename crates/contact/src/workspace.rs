@@ -4,6 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::coupled::island::Island;
+use crate::coupled::leap::Trial;
 use crate::coupled::rows::Row;
 use crate::coupled::tie::Tie;
 use crate::fender::RankedFender;
@@ -60,11 +61,16 @@ pub struct Workspace {
     pub(crate) in_island: Vec<bool>,
     pub(crate) island_bodies: Vec<u32>,
     pub(crate) island_memory: Memory,
+    /// Where the last island's part of the memory's lists ended.
+    pub(crate) read_patches: usize,
+    pub(crate) read_hints: usize,
     pub(crate) all_patches: Vec<PatchMemory>,
     pub(crate) all_hints: Vec<HintMemory>,
     pub(crate) rows: Vec<Row>,
     /// The same contacts as the solve sees them.
     pub(crate) ties: Vec<Tie>,
+    /// The same contacts in a leap of the solve.
+    pub(crate) trials: Vec<Trial>,
     /// Earth-fixed inverse mass by rank.
     pub(crate) inverses: Vec<InverseMatrix>,
     /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank [J].
@@ -130,10 +136,13 @@ impl Workspace {
             in_island: Vec::new(),
             island_bodies: Vec::new(),
             island_memory: Memory::new(model),
+            read_patches: 0,
+            read_hints: 0,
             all_patches: Vec::new(),
             all_hints: Vec::new(),
             rows: Vec::new(),
             ties: Vec::new(),
+            trials: Vec::new(),
             inverses: Vec::with_capacity(count),
             unheld_j: vec![0.0; count],
             first_contact: 0,

@@ -15,6 +15,7 @@ pub(crate) struct Island {
 /// Splits the candidates into islands, in the order of their first candidates.
 pub(crate) fn split(model: &Model, work: &mut Workspace) {
     work.islands.clear();
+    (work.read_patches, work.read_hints) = (0, 0);
     work.in_island.clear();
     work.in_island.resize(model.ranked.len(), false);
     core::mem::swap(&mut work.all_candidates, &mut work.candidates);
@@ -81,6 +82,8 @@ pub(crate) fn enter(memory: &Memory, work: &mut Workspace, index: usize) {
         island_bodies,
         island_memory: own,
         islands,
+        read_patches,
+        read_hints,
         ..
     } = work;
     *first_contact = contacts.len();
@@ -107,15 +110,29 @@ pub(crate) fn enter(memory: &Memory, work: &mut Workspace, index: usize) {
     }
     for candidate in candidates.iter() {
         let key = candidate.key();
-        own.patches.extend_from_slice(run_of(&memory.patches, key, PatchMemory::candidate));
-        own.hints.extend_from_slice(run_of(&memory.hints, key, HintMemory::candidate));
+        let run = run_of(&memory.patches, read_patches, key, PatchMemory::candidate);
+        own.patches.extend_from_slice(run);
+        let run = run_of(&memory.hints, read_hints, key, HintMemory::candidate);
+        own.hints.extend_from_slice(run);
     }
 }
 
-/// The items of one candidate in a sorted list.
-fn run_of<T>(sorted: &[T], key: (u32, u32, u32), key_of: fn(&T) -> (u32, u32, u32)) -> &[T] {
-    let from = sorted.partition_point(|item| key_of(item) < key);
+/// The items of one candidate in a sorted list. `read` is where the last run ended and mostly where the
+/// next one begins.
+fn run_of<'m, T>(
+    sorted: &'m [T],
+    read: &mut usize,
+    key: (u32, u32, u32),
+    key_of: fn(&T) -> (u32, u32, u32),
+) -> &'m [T] {
+    let before = |at: usize| at.checked_sub(1).is_none_or(|last| key_of(&sorted[last]) < key);
+    let after = |at: usize| sorted.get(at).is_none_or(|item| key_of(item) >= key);
+    let from = match *read {
+        at if at <= sorted.len() && before(at) && after(at) => at,
+        _ => sorted.partition_point(|item| key_of(item) < key),
+    };
     let count = sorted[from..].iter().take_while(|item| key_of(item) == key).count();
+    *read = from + count;
     &sorted[from..from + count]
 }
 

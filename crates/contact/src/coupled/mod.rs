@@ -12,6 +12,7 @@
 //! 4. positions with the new velocities.
 
 pub(crate) mod island;
+pub(crate) mod leap;
 pub(crate) mod pace;
 pub(crate) mod rows;
 pub(crate) mod solve;

@@ -48,6 +48,27 @@ pub(crate) struct Forces {
     pub(crate) friction: Friction,
 }
 
+/// Where a normal force stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// At f.
+    Full,
+    /// Between, where V_n⁺ = −γ v_ref.
+    Tight,
+    /// At 0.
+    Open,
+}
+
+/// Forces as lines: what they are more than now [N], and their slopes with the speeds, against which
+/// they act [N·s/m].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line {
+    pub(crate) normal_n: f64,
+    pub(crate) normal_slope: f64,
+    pub(crate) tangential_n: f64,
+    pub(crate) tangential_slope: f64,
+}
+
 /// A direction at a contact: the lever about each body's centre of gravity, and how each body answers a
 /// unit impulse along it.
 #[derive(Clone, Copy, Debug)]
@@ -76,6 +97,12 @@ impl Direction {
         };
         let (of_a, of_b) = (answer(a, lever_a_m), answer(b, lever_b_m));
         Direction { along, lever_a_m, lever_b_m, of_a, of_b }
+    }
+
+    /// j of A and B: the speed along this direction is j·v.
+    fn row(&self) -> [[f64; 3]; 2] {
+        let Vec2 { x, y } = self.along;
+        [[x, y, self.lever_a_m], [-x, -y, -self.lever_b_m]]
     }
 
     /// What a unit impulse along this direction changes of the relative velocity along `other` [1/kg].
@@ -194,6 +221,87 @@ impl Tie {
             let tangential_n = (self.friction_dynamic * normal_n).copysign(spring_n);
             Forces { normal_n, tangential_n, friction: Friction::Slip }
         }
+    }
+
+    /// The ranks of its bodies that float, A's and B's.
+    pub(crate) fn floating(&self) -> [Option<u32>; 2] {
+        [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
+    }
+
+    /// V_n = j·v, with the velocities (north, east, yaw) of A and B.
+    pub(crate) fn normal_row(&self) -> [[f64; 3]; 2] {
+        self.along_n.row()
+    }
+
+    /// V_t = j·v, in the same way.
+    pub(crate) fn tangential_row(&self) -> [[f64; 3]; 2] {
+        self.along_t.row()
+    }
+
+    /// N where a tight contact is a stiff line through its present force, of slope κ = stiffness/(h n·K n).
+    fn on_stiff_line_n(&self, normal_mps: f64, stiffness: f64) -> f64 {
+        let slope = stiffness * self.force_per_speed;
+        self.forces.normal_n + slope * (normal_mps + self.rebound_mps)
+    }
+
+    /// Where N stands between its bounds at a V_n.
+    pub(crate) fn kind(&self, normal_mps: f64, stiffness: f64) -> Kind {
+        match self.on_stiff_line_n(normal_mps, stiffness) {
+            n if n >= self.law_n => Kind::Full,
+            n if n <= 0.0 => Kind::Open,
+            _ => Kind::Tight,
+        }
+    }
+
+    /// What the forces are more than now at these speeds, and how they change with them. What slips does so
+    /// with the present N.
+    pub(crate) fn line(
+        &self,
+        (normal_mps, tangential_mps): (f64, f64),
+        kind: Kind,
+        stiffness: f64,
+        h: f64,
+    ) -> Line {
+        let now = &self.forces;
+        let (normal_n, normal_slope) = match kind {
+            Kind::Full => (self.law_n, 0.0),
+            Kind::Open => (0.0, 0.0),
+            Kind::Tight => {
+                (self.on_stiff_line_n(normal_mps, stiffness), stiffness * self.force_per_speed)
+            }
+        };
+        let (tangential_n, tangential_slope) = match now.friction {
+            Friction::Slip => (now.tangential_n, 0.0),
+            Friction::Stick => (
+                -self.shear_stiffness_npm * (self.shear_m + h * tangential_mps),
+                self.shear_stiffness_npm * h,
+            ),
+        };
+        Line {
+            normal_n: normal_n - now.normal_n,
+            normal_slope,
+            tangential_n: tangential_n - now.tangential_n,
+            tangential_slope,
+        }
+    }
+
+    /// The forces at these speeds, by the same lines and within all bounds.
+    pub(crate) fn stiffened(
+        &self,
+        speeds: (f64, f64),
+        kind: Kind,
+        stiffness: f64,
+        h: f64,
+    ) -> Forces {
+        let line = self.line(speeds, kind, stiffness, h);
+        let now = &self.forces;
+        let normal_n = (now.normal_n + line.normal_n).min(self.law_n).max(0.0);
+        let most_n = match now.friction {
+            Friction::Stick => self.friction_static,
+            Friction::Slip => self.friction_dynamic,
+        } * normal_n;
+        let tangential_n = (now.tangential_n + line.tangential_n).clamp(-most_n, most_n);
+        Forces { normal_n, tangential_n, friction: now.friction }
     }
 
     /// The largest change of its own velocity by a change of its forces [m/s].
