@@ -8,8 +8,12 @@ use crate::table::Table;
 use crate::world::Engine;
 
 /// Scene, contacts in it, and the two numbers of steps: whole bursts between restarts.
-const SCENES: [(&str, u64, u64, u64); 3] =
-    [("tug", 1, 640, 6400), ("ship", 8, 640, 3200), ("pairs-1000", 1000, 16, 48)];
+const SCENES: [(&str, u64, u64, u64); 4] = [
+    ("tug", 1, 640, 6400),
+    ("ship", 8, 640, 3200),
+    ("faces", 8, 640, 3200),
+    ("pairs-1000", 1000, 16, 48),
+];
 
 pub(crate) fn bench() -> Result<Table, String> {
     let mut table =

@@ -1,13 +1,14 @@
 //! Our engine, playing a scene by either method.
 
+use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use fenderline_contact::{
-    Body, BodyId, BodyState, Memory, Mobility, Model, Outline, Pair, Vec2, Workspace, Wrench,
-    advance, step,
+    Body, BodyId, BodyState, Fender, FenderLaw, MaterialId, Memory, Mobility, Model, Outline, Pair,
+    ReactionFactors, Vec2, Workspace, Wrench, advance, step, vec2,
 };
 
-use crate::scenes::{Mass, Part, Plan};
+use crate::scenes::{FENDER_M, Mass, Part, Plan};
 use crate::world::World;
 
 /// Which of the two methods.
@@ -35,14 +36,16 @@ pub(crate) struct Ours {
 
 impl Ours {
     pub(crate) fn new(plan: &Plan, method: Method, step_s: f64) -> Ours {
-        let model = model(plan);
+        let (parts, fenders) =
+            if plan.faces { on_one_quay(plan) } else { (plan.parts.clone(), vec![]) };
+        let model = model(plan, &parts, fenders);
         Ours {
             memory: Memory::new(&model),
             work: Workspace::new(&model),
             model,
-            states: plan.parts.iter().map(|part| part.state).collect(),
-            loads: plan.parts.iter().map(|part| part.load).collect(),
-            masses: plan.parts.iter().map(|part| part.mass).collect(),
+            states: parts.iter().map(|part| part.state).collect(),
+            loads: parts.iter().map(|part| part.load).collect(),
+            masses: parts.iter().map(|part| part.mass).collect(),
             method,
             step_s,
             begun: None,
@@ -110,15 +113,46 @@ impl World for Ours {
     }
 }
 
-fn model(plan: &Plan) -> Model {
+/// What floats, one quay, and a face on it for each fixed block.
+fn on_one_quay(plan: &Plan) -> (Vec<Part>, Vec<Fender>) {
+    let (fixed, mut parts): (Vec<Part>, Vec<Part>) =
+        plan.parts.iter().cloned().partition(|part| part.mass.is_none());
+    let (width_m, projection_m) = FENDER_M;
+    let fenders = fixed.iter().zip(0..).map(|(part, key)| Fender {
+        name: format!("fender {key}"),
+        key,
+        body: BodyId(parts.len() as u32),
+        position_m: part.state.position_m + vec2(0.0, 0.5 * projection_m),
+        facing_rad: -0.25 * TAU,
+        width_m,
+        projection_m,
+        law: FenderLaw::Area,
+        material: MaterialId(0),
+        rated_deflection_m: 0.6,
+        stop: None,
+        factors: ReactionFactors::default(),
+    });
+    let fenders: Vec<Fender> = fenders.collect();
+    let east_m = fenders.first().map_or(0.0, |fender| fender.position_m.y);
+    let outline_m = [(-200.0, 0.0), (200.0, 0.0), (200.0, 20.0), (-200.0, 20.0)]
+        .map(|(x, y)| vec2(x, east_m + y));
+    let (state, load) = (BodyState::default(), Wrench::default());
+    parts.push(Part { outline_m: outline_m.to_vec(), mass: None, state, load });
+    (parts, fenders)
+}
+
+fn model(plan: &Plan, parts: &[Part], fenders: Vec<Fender>) -> Model {
     let mut builder = Model::builder();
     let material = builder.material(plan.material);
     let ids: Vec<BodyId> =
-        plan.parts.iter().zip(0..).map(|(part, key)| builder.body(body(part, key))).collect();
+        parts.iter().zip(0..).map(|(part, key)| builder.body(body(part, key))).collect();
+    for fender in fenders {
+        builder.fender(fender);
+    }
     if plan.anyone {
         builder.every_other_pair(material);
     } else {
-        let floats = |id: &&BodyId| plan.parts[id.0 as usize].mass.is_some();
+        let floats = |id: &&BodyId| parts[id.0 as usize].mass.is_some();
         for &one in ids.iter().filter(floats) {
             for &other in ids.iter().filter(|id| !floats(id)) {
                 builder.pair(Pair { bodies: [one, other], material });

@@ -40,7 +40,7 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench mmg [--markdown] [--rounds N]    steps a second of a ship in three degrees of freedom
        fenderline-bench instructions SCENE METHOD N      N warm steps, to be counted by a profiler
        fenderline-bench callgrind                        instructions a warm step, by valgrind
-SCENE is tug, ship, pairs-1000 or pairs-10000; METHOD is coupled, paper or rapier2d;
+SCENE is tug, ship, faces, pairs-1000 or pairs-10000; METHOD is coupled, paper or rapier2d;
 --out writes the figures as JSON too";
 
 /// Rounds of a bench where the caller does not say: enough that the medians of two runs agree to a

@@ -26,6 +26,8 @@ pub(crate) enum Scene {
     Tug,
     /// A ship alongside eight fenders.
     Ship,
+    /// The same, the fenders being faces of one quay where the engine has such.
+    Faces,
     /// So many tugs, each against a fender of its own, in a square of them; any body may touch any
     /// other.
     Pairs(usize),
@@ -36,6 +38,7 @@ impl Scene {
         match name {
             "tug" => Some(Scene::Tug),
             "ship" => Some(Scene::Ship),
+            "faces" => Some(Scene::Faces),
             "pairs-1000" => Some(Scene::Pairs(1_000)),
             "pairs-10000" => Some(Scene::Pairs(10_000)),
             _ => None,
@@ -48,6 +51,10 @@ impl Scene {
         match self {
             Scene::Tug => plan.tug_at_fender(vec2(0.0, 0.0)),
             Scene::Ship => plan.ship_at_fenders(),
+            Scene::Faces => {
+                plan.ship_at_fenders();
+                plan.faces = true;
+            }
             Scene::Pairs(count) => plan.square_of_tugs(count),
         }
         plan
@@ -81,11 +88,13 @@ pub(crate) struct Plan {
     /// Any body may touch any other; else what floats may touch what is fixed, pairs named one by
     /// one.
     pub(crate) anyone: bool,
+    /// What is fixed is a row of blocks along an east quay: our engine plays them as faces of one body.
+    pub(crate) faces: bool,
 }
 
 impl Plan {
     pub(crate) fn new(material: Material) -> Plan {
-        Plan { parts: Vec::new(), material, anyone: false }
+        Plan { parts: Vec::new(), material, anyone: false, faces: false }
     }
 
     pub(crate) fn fixed(&mut self, outline_m: Vec<Vec2>, position_m: Vec2, heading_rad: f64) {
@@ -152,6 +161,9 @@ const SHIP: [(f64, f64); 6] =
 
 /// A block of 4 × 1 m.
 const FENDER: [(f64, f64); 4] = [(-2.0, -0.5), (2.0, -0.5), (2.0, 0.5), (-2.0, 0.5)];
+
+/// Size of a fender's block along the quay and across it [m].
+pub(crate) const FENDER_M: (f64, f64) = (4.0, 1.0);
 
 /// A block about the origin, its length along x.
 pub(crate) fn block(length_m: f64, width_m: f64) -> Vec<Vec2> {

@@ -36,15 +36,16 @@ pub(crate) fn tell_of_patch(
     work: &mut Workspace,
     patch: &Patch,
     touch: &Touch,
-    inherited: &Inherited,
+    inherited: Inherited,
+    old: Option<&PatchMemory>,
 ) -> u32 {
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     match inherited {
         Inherited::Nothing => note(model, work, a, b, EventKind::ContactBegan),
         Inherited::Merged(_) => note(model, work, a, b, EventKind::PatchesMerged),
-        Inherited::One(_) => {}
+        Inherited::One(_) | Inherited::Part(_) => {}
     }
-    let told = inherited.memory().map_or(0, |m| m.flags);
+    let told = old.map_or(0, |m| m.flags);
     if let Some(face) = patch.candidate.fender(model) {
         return tell_of_fender(model, work, patch, face.id, touch.depth_m, told);
     }

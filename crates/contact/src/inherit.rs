@@ -1,6 +1,8 @@
 //! Which patch of this step goes on with which memory of the last: a contact's memory belongs to
 //! the pair of bodies and its patch, and outlives the walk from edge to edge and piece to piece.
 
+use alloc::vec::Vec;
+
 use crate::events::{note, tell_ends_and_splits};
 use crate::memory::{Memory, PatchMemory};
 use crate::model::Model;
@@ -13,18 +15,28 @@ use crate::workspace::{Candidate, Workspace};
 pub(crate) enum Inherited {
     /// A new contact.
     Nothing,
-    /// One patch, as it was.
-    One(PatchMemory),
+    /// One patch, as it was: its place in `Memory::patches`.
+    One(u32),
+    /// One patch's part that falls to this one, others having the rest: its place in `Workspace::shares`.
+    Part(u32),
     /// Several patches that became one: the mean of their shears, weighted by area (the shear is a
-    /// displacement, so that it neither adds up nor is lost), and the fastest first touch.
-    Merged(PatchMemory),
+    /// displacement, so that it neither adds up nor is lost), and the fastest first touch. Its place in
+    /// `Workspace::shares`.
+    Merged(u32),
 }
 
 impl Inherited {
-    pub(crate) fn memory(&self) -> Option<&PatchMemory> {
+    /// The memory itself; `shares` are those of the workspace.
+    #[inline]
+    pub(crate) fn of<'m>(
+        self,
+        memory: &'m Memory,
+        shares: &'m [PatchMemory],
+    ) -> Option<&'m PatchMemory> {
         match self {
             Inherited::Nothing => None,
-            Inherited::One(memory) | Inherited::Merged(memory) => Some(memory),
+            Inherited::One(place) => Some(&memory.patches[place as usize]),
+            Inherited::Part(place) | Inherited::Merged(place) => Some(&shares[place as usize]),
         }
     }
 }
@@ -33,6 +45,7 @@ impl Inherited {
 /// ended and patches that split.
 pub(crate) fn inherit_all(model: &Model, memory: &Memory, work: &mut Workspace) {
     work.inherited.clear();
+    work.shares.clear();
     let mut old = memory.patches.as_slice();
     let mut from = 0;
     while from < work.patches.len() {
@@ -47,10 +60,16 @@ pub(crate) fn inherit_all(model: &Model, memory: &Memory, work: &mut Workspace) 
             own = &[];
         }
         tell_ends_and_splits(model, work, own, from, to);
-        for index in from..to {
-            let inherited = inherit(own, &work.patches[from..to], &work.patches[index]);
-            work.inherited.push(inherited);
-        }
+        let Workspace { patches, inherited, shares, .. } = &mut *work;
+        let patches = &patches[from..to];
+        inherited.extend(patches.iter().map(|patch| match own {
+            [] => Inherited::Nothing,
+            // The patches that are left come after this one, and nothing else does.
+            [_] if patches.len() == 1 => {
+                Inherited::One((memory.patches.len() - old.len() - 1) as u32)
+            }
+            _ => inherit_of_several(own, patches, patch, shares),
+        }));
         from = to;
     }
     old.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
@@ -72,16 +91,12 @@ fn patches_of<'a>(
 }
 
 /// What `patch`, one of `patches` of its pair, inherits from `old`.
-#[inline]
-fn inherit(old: &[PatchMemory], patches: &[Patch], patch: &Patch) -> Inherited {
-    match old {
-        [] => Inherited::Nothing,
-        [only] if patches.len() == 1 => Inherited::One(*only),
-        _ => inherit_of_several(old, patches, patch),
-    }
-}
-
-fn inherit_of_several(old: &[PatchMemory], patches: &[Patch], patch: &Patch) -> Inherited {
+fn inherit_of_several(
+    old: &[PatchMemory],
+    patches: &[Patch],
+    patch: &Patch,
+    shares: &mut Vec<PatchMemory>,
+) -> Inherited {
     let mut parents =
         old.iter().filter(|m| continues(m, patch)).map(|m| share_of(m, patches, patch));
     let Some(first) = parents.next() else { return Inherited::Nothing };
@@ -102,7 +117,9 @@ fn inherit_of_several(old: &[PatchMemory], patches: &[Patch], patch: &Patch) -> 
         }
         merged.flags |= parent.flags;
     }
-    if several { Inherited::Merged(merged) } else { Inherited::One(merged) }
+    let place = shares.len() as u32;
+    shares.push(merged);
+    if several { Inherited::Merged(place) } else { Inherited::Part(place) }
 }
 
 /// The memory of one parent, with the part of its area that falls to `patch` among all that

@@ -54,6 +54,7 @@ mod limit;
 mod mass;
 mod memory;
 mod model;
+mod near;
 pub mod outline;
 mod overlap;
 mod report;

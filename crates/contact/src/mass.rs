@@ -68,6 +68,14 @@ impl InverseMatrix {
         )
     }
 
+    /// The matrix that this is the inverse of; `None` for a fixed body.
+    pub(crate) fn matrix(&self) -> Option<[[f64; 3]; 3]> {
+        let InverseMatrix { xx, xy, yy, xr, yr, rr } = *self;
+        let inverse = InverseMatrix::of(&[[xx, xy, xr], [xy, yy, yr], [xr, yr, rr]])?;
+        let InverseMatrix { xx, xy, yy, xr, yr, rr } = inverse;
+        Some([[xx, xy, xr], [xy, yy, yr], [xr, yr, rr]])
+    }
+
     /// Inverse of the inertia in yaw [1/(kg·m²)].
     pub(crate) fn of_turning(&self) -> f64 {
         self.rr

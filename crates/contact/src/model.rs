@@ -146,6 +146,10 @@ pub(crate) struct RankedBody {
     pub(crate) inverse_inertia: f64,
     /// M⁻¹ in the body's axes.
     pub(crate) inverse: InverseMatrix,
+    /// The largest inverse mass in any direction, without rotation [1/kg].
+    pub(crate) lightest_inverse_mass: f64,
+    /// About half of its width: a convex body's area is about its length times its width [m].
+    pub(crate) half_width_m: f64,
 }
 
 /// Two bodies by rank, the lower first.
@@ -354,6 +358,8 @@ impl RankedBody {
             inverse_mass: 1.0 / mass_kg,
             inverse_inertia: 1.0 / yaw_inertia_kgm2,
             inverse,
+            lightest_inverse_mass: inverse.lightest(),
+            half_width_m: 0.25 * body.outline.area_m2() / body.outline.radius_m(),
         }
     }
 

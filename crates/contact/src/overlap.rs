@@ -398,8 +398,9 @@ pub(crate) fn depth_m(work: &Workspace, patch: &Patch, along: Vec2) -> f64 {
     for lens in lenses {
         for &v in outline(work, lens) {
             let s = (v - origin).dot(along);
-            low = low.min(s);
-            high = high.max(s);
+            // Corners are numbers, so that plain comparisons do.
+            low = if s < low { s } else { low };
+            high = if s > high { s } else { high };
         }
     }
     high - low

@@ -53,10 +53,14 @@ fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     work.next_patches.clear();
     // The backward difference of eq. 3 is over the step that has gone, not the one to come.
     let elapsed_s = if memory.last_step_s > 0.0 { memory.last_step_s } else { step_s };
-    for index in 0..work.patches.len() {
-        let (patch, inherited) = (work.patches[index], work.inherited[index]);
-        contact(model, work, &patch, inherited, step_s, elapsed_s);
+    let patches = core::mem::take(&mut work.patches);
+    let shares = core::mem::take(&mut work.shares);
+    for (index, patch) in patches.iter().enumerate() {
+        let inherited = work.inherited[index];
+        let old = inherited.of(memory, &shares);
+        contact(model, work, patch, inherited, old, step_s, elapsed_s);
     }
+    (work.patches, work.shares) = (patches, shares);
 }
 
 /// Law and limit for one patch: adds its contact to the report and its memory to the next step's.
@@ -65,11 +69,11 @@ fn contact(
     work: &mut Workspace,
     patch: &Patch,
     inherited: Inherited,
+    old: Option<&PatchMemory>,
     step_s: f64,
     elapsed_s: f64,
 ) {
     let material = &model.materials()[patch.candidate.material.0 as usize];
-    let old = inherited.memory();
     let touch = touch(model, work, patch, old);
 
     // §3.2 and §3.4: the normal force.
@@ -102,7 +106,7 @@ fn contact(
         step_s,
     );
 
-    let flags = tell_of_patch(model, work, patch, &touch, &inherited);
+    let flags = tell_of_patch(model, work, patch, &touch, inherited, old);
     let report = Contact {
         shear_m: shear.shear_m,
         normal_force_n,
@@ -115,7 +119,7 @@ fn contact(
         stored_j: touch.stored_j * factor,
         peak_stored_j: touch.stored_j * factor,
         shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
-        ..touch.contact(model, work, patch)
+        ..touch.contact(model, work.poses[patch.candidate.a as usize].position_m, patch)
     };
     work.contacts.push(report);
     work.next_patches.push(PatchMemory {
@@ -148,6 +152,6 @@ fn gather(model: &Model, work: &mut Workspace) {
 fn remember(memory: &mut Memory, work: &mut Workspace, step_s: f64) {
     core::mem::swap(&mut memory.patches, &mut work.next_patches);
     core::mem::swap(&mut memory.hints, &mut work.next_hints);
-    memory.last_states.clone_from(&work.states);
+    core::mem::swap(&mut memory.last_states, &mut work.states);
     memory.last_step_s = step_s;
 }

@@ -107,8 +107,9 @@ fn by_face(model: &Model, work: &Workspace, patch: &Patch, face: &RankedFender) 
 
 impl Touch {
     /// The report of this patch without its forces, with the body that was added first as body 1:
-    /// a change of order turns n and t round and nothing else.
-    pub(crate) fn contact(&self, model: &Model, work: &Workspace, patch: &Patch) -> Contact {
+    /// a change of order turns n and t round and nothing else. `a_position_m`: where body A is.
+    #[inline]
+    pub(crate) fn contact(&self, model: &Model, a_position_m: Vec2, patch: &Patch) -> Contact {
         let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
         let (id_a, id_b) = (model.ranked[a].id, model.ranked[b].id);
         let swapped = id_a > id_b;
@@ -119,7 +120,7 @@ impl Touch {
             patch: patch.number,
             area_m2: patch.area_m2,
             depth_m: self.depth_m,
-            point_m: work.poses[a].position_m + self.arm_a_m,
+            point_m: a_position_m + self.arm_a_m,
             arm_1_m: if swapped { self.arm_b_m } else { self.arm_a_m },
             arm_2_m: if swapped { self.arm_a_m } else { self.arm_b_m },
             normal: if swapped { -self.normal } else { self.normal },
@@ -143,6 +144,7 @@ impl Touch {
     }
 
     /// What the next step needs to know of this patch's place.
+    #[inline]
     pub(crate) fn memory(&self, patch: &Patch) -> PatchMemory {
         PatchMemory {
             a: patch.candidate.a,

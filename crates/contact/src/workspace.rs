@@ -4,13 +4,16 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::coupled::island::Island;
+use crate::coupled::leap::Trial;
 use crate::coupled::rows::Row;
+use crate::coupled::tie::Tie;
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
 use crate::mass::InverseMatrix;
 use crate::memory::{HintMemory, Memory, PatchMemory};
 use crate::model::{MaterialId, Model};
+use crate::near::NearList;
 use crate::overlap::{Patch, PieceLens};
 use crate::report::{Contact, Event, Wrench};
 use crate::state::BodyState;
@@ -33,11 +36,13 @@ pub struct Workspace {
     /// How far from its centre of gravity each body may reach in this step, by rank [m].
     pub(crate) reach_m: Vec<f64>,
     pub(crate) candidates: Vec<Candidate>,
-    /// Order of the bodies along the x axis, warm from the last step.
-    pub(crate) by_x: Vec<(f64, u32)>,
+    /// Pairs that were near each other a while ago.
+    pub(crate) near: NearList,
     pub(crate) patches: Vec<Patch>,
     /// What each patch takes over from the last step.
     pub(crate) inherited: Vec<Inherited>,
+    /// What patches take over that is not one old patch as it was.
+    pub(crate) shares: Vec<PatchMemory>,
     pub(crate) lenses: Vec<PieceLens>,
     pub(crate) outline_m: Vec<Vec2>,
     pub(crate) clip: ClipBuffers,
@@ -56,17 +61,20 @@ pub struct Workspace {
     pub(crate) in_island: Vec<bool>,
     pub(crate) island_bodies: Vec<u32>,
     pub(crate) island_memory: Memory,
+    /// Where the last island's part of the memory's lists ended.
+    pub(crate) read_patches: usize,
+    pub(crate) read_hints: usize,
     pub(crate) all_patches: Vec<PatchMemory>,
     pub(crate) all_hints: Vec<HintMemory>,
     pub(crate) rows: Vec<Row>,
-    /// Earth-fixed inverse mass by rank, for the bodies of the island.
+    /// The same contacts as the solve sees them.
+    pub(crate) ties: Vec<Tie>,
+    /// The same contacts in a leap of the solve.
+    pub(crate) trials: Vec<Trial>,
+    /// Earth-fixed inverse mass by rank.
     pub(crate) inverses: Vec<InverseMatrix>,
-    /// Velocities before the solve by rank, for the bodies of the island.
-    pub(crate) before: Vec<BodyState>,
     /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank [J].
     pub(crate) unheld_j: Vec<f64>,
-    /// Largest change of velocity in the solve's last sweep [m/s].
-    pub(crate) last_change_mps: f64,
     /// First of the island's contacts in `contacts`.
     pub(crate) first_contact: usize,
 }
@@ -109,9 +117,10 @@ impl Workspace {
             teleported: Vec::with_capacity(count),
             reach_m: Vec::with_capacity(count),
             candidates: Vec::new(),
-            by_x: Vec::new(),
+            near: NearList::default(),
             patches: Vec::new(),
             inherited: Vec::new(),
+            shares: Vec::new(),
             lenses: Vec::new(),
             outline_m: Vec::new(),
             clip: ClipBuffers::default(),
@@ -127,13 +136,15 @@ impl Workspace {
             in_island: Vec::new(),
             island_bodies: Vec::new(),
             island_memory: Memory::new(model),
+            read_patches: 0,
+            read_hints: 0,
             all_patches: Vec::new(),
             all_hints: Vec::new(),
             rows: Vec::new(),
-            inverses: vec![InverseMatrix::default(); count],
-            before: vec![BodyState::default(); count],
+            ties: Vec::new(),
+            trials: Vec::new(),
+            inverses: Vec::with_capacity(count),
             unheld_j: vec![0.0; count],
-            last_change_mps: 0.0,
             first_contact: 0,
         }
     }

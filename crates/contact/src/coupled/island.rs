@@ -1,7 +1,7 @@
 //! Islands: bodies that may touch each other in this step, however indirectly. Each is solved apart,
 //! in sub-steps of its own. Fixed bodies join nothing.
 
-use crate::memory::Memory;
+use crate::memory::{HintMemory, Memory, PatchMemory};
 use crate::model::Model;
 use crate::workspace::{Candidate, Workspace};
 
@@ -15,6 +15,7 @@ pub(crate) struct Island {
 /// Splits the candidates into islands, in the order of their first candidates.
 pub(crate) fn split(model: &Model, work: &mut Workspace) {
     work.islands.clear();
+    (work.read_patches, work.read_hints) = (0, 0);
     work.in_island.clear();
     work.in_island.resize(model.ranked.len(), false);
     core::mem::swap(&mut work.all_candidates, &mut work.candidates);
@@ -72,37 +73,67 @@ fn find(root: &mut [u32], mut i: u32) -> u32 {
 /// Makes island `index` the one that the stages work on.
 pub(crate) fn enter(memory: &Memory, work: &mut Workspace, index: usize) {
     let Island { from, to } = work.islands[index];
-    let candidates = &work.all_candidates[from as usize..to as usize];
-    work.candidates.clear();
-    work.candidates.extend_from_slice(candidates);
-    work.first_contact = work.contacts.len();
-    work.island_bodies.clear();
-    for candidate in candidates {
+    let Workspace {
+        all_candidates,
+        candidates,
+        contacts,
+        first_contact,
+        in_island,
+        island_bodies,
+        island_memory: own,
+        islands,
+        read_patches,
+        read_hints,
+        ..
+    } = work;
+    *first_contact = contacts.len();
+    candidates.clear();
+    candidates.extend_from_slice(&all_candidates[from as usize..to as usize]);
+    island_bodies.clear();
+    for candidate in candidates.iter() {
         for rank in [candidate.a, candidate.b] {
-            if !work.in_island[rank as usize] {
-                work.in_island[rank as usize] = true;
-                work.island_bodies.push(rank);
+            if !in_island[rank as usize] {
+                in_island[rank as usize] = true;
+                island_bodies.push(rank);
             }
         }
     }
-    work.island_bodies.sort_unstable();
-    let own = &mut work.island_memory;
+    island_bodies.sort_unstable();
     own.fingerprint = memory.fingerprint;
     own.last_step_s = memory.last_step_s;
     own.patches.clear();
     own.hints.clear();
-    if work.islands.len() == 1 {
+    if islands.len() == 1 {
         own.patches.extend_from_slice(&memory.patches);
         own.hints.extend_from_slice(&memory.hints);
         return;
     }
-    for candidate in candidates {
+    for candidate in candidates.iter() {
         let key = candidate.key();
-        let at = memory.patches.partition_point(|m| m.candidate() < key);
-        own.patches.extend(memory.patches[at..].iter().take_while(|m| m.candidate() == key));
-        let at = memory.hints.partition_point(|m| m.candidate() < key);
-        own.hints.extend(memory.hints[at..].iter().take_while(|m| m.candidate() == key));
+        let run = run_of(&memory.patches, read_patches, key, PatchMemory::candidate);
+        own.patches.extend_from_slice(run);
+        let run = run_of(&memory.hints, read_hints, key, HintMemory::candidate);
+        own.hints.extend_from_slice(run);
     }
+}
+
+/// The items of one candidate in a sorted list. `read` is where the last run ended and mostly where the
+/// next one begins.
+fn run_of<'m, T>(
+    sorted: &'m [T],
+    read: &mut usize,
+    key: (u32, u32, u32),
+    key_of: fn(&T) -> (u32, u32, u32),
+) -> &'m [T] {
+    let before = |at: usize| at.checked_sub(1).is_none_or(|last| key_of(&sorted[last]) < key);
+    let after = |at: usize| sorted.get(at).is_none_or(|item| key_of(item) >= key);
+    let from = match *read {
+        at if at <= sorted.len() && before(at) && after(at) => at,
+        _ => sorted.partition_point(|item| key_of(item) < key),
+    };
+    let count = sorted[from..].iter().take_while(|item| key_of(item) == key).count();
+    *read = from + count;
+    &sorted[from..from + count]
 }
 
 /// Puts the island's memory with the others'.

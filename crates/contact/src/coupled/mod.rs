@@ -12,9 +12,11 @@
 //! 4. positions with the new velocities.
 
 pub(crate) mod island;
+pub(crate) mod leap;
 pub(crate) mod pace;
 pub(crate) mod rows;
 pub(crate) mod solve;
+pub(crate) mod tie;
 
 use crate::admit;
 use crate::broad;
@@ -25,7 +27,7 @@ use crate::model::Model;
 use crate::overlap::overlap;
 use crate::report::Wrench;
 use crate::state::BodyState;
-use crate::vec2::{Rotation, Vec2};
+use crate::vec2::Rotation;
 use crate::workspace::Workspace;
 
 /// Contact forces for the step of `step_s` seconds that begins at `states`, by the coupled method,
@@ -82,7 +84,7 @@ fn advance_island(model: &Model, work: &mut Workspace, step_s: f64) {
         rows::collect(model, work, &memory, h);
         solve::velocities(model, work, h);
         rows::book(model, work, h);
-        advance_positions(work, h);
+        advance_positions(model, work, h);
         core::mem::swap(&mut memory.patches, &mut work.next_patches);
         core::mem::swap(&mut memory.hints, &mut work.next_hints);
         memory.last_step_s = h;
@@ -90,35 +92,43 @@ fn advance_island(model: &Model, work: &mut Workspace, step_s: f64) {
     work.island_memory = memory;
 }
 
-/// Loads by rank, the room each body may need in the step, and no impulse yet.
+/// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no
+/// impulse yet.
 fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
     work.loads.clear();
     work.impulses.clear();
+    work.impulses.resize(model.ranked.len(), Wrench::default());
+    work.inverses.clear();
     work.room_mps.clear();
     for (rank, body) in model.ranked.iter().enumerate() {
-        let load = if body.is_fixed() { Wrench::default() } else { loads[body.id.0 as usize] };
+        let state = &work.states[rank];
+        let (mut load, mut inverse) = (Wrench::default(), body.inverse);
+        let mut room_mps = state.yaw_rate_radps.abs() * body.reach_m;
+        if !body.is_fixed() {
+            load = loads[body.id.0 as usize];
+            inverse = inverse.turned(work.poses[rank].rotation);
+            let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
+            room_mps += dv.length() + dr.abs() * body.reach_m;
+        }
         work.loads.push(load);
-        work.impulses.push(Wrench::default());
-        let inverse = body.inverse.turned(work.poses[rank].rotation);
-        let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-        let turn_radps = work.states[rank].yaw_rate_radps.abs() + dr.abs();
-        let room_mps = dv.length() + turn_radps * body.reach_m;
+        work.inverses.push(inverse);
         work.room_mps.push(room_mps);
-        let speed_mps = work.states[rank].velocity_mps.length();
-        work.reach_m[rank] += (speed_mps + room_mps) * step_s;
+        work.reach_m[rank] += (state.velocity_mps.length() + room_mps) * step_s;
     }
 }
 
-/// Positions with the new velocities.
-fn advance_positions(work: &mut Workspace, h: f64) {
+/// Positions with the new velocities, and inverse masses as the bodies are turned then.
+fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
     for &rank in &work.island_bodies {
         let rank = rank as usize;
         move_body(&mut work.states[rank], h);
         let state = work.states[rank];
         work.poses[rank].position_m = state.position_m;
         if state.yaw_rate_radps != 0.0 {
+            let rotation = Rotation::from_angle(state.heading_rad);
             work.headings_rad[rank] = state.heading_rad;
-            work.poses[rank].rotation = Rotation::from_angle(state.heading_rad);
+            work.poses[rank].rotation = rotation;
+            work.inverses[rank] = model.ranked[rank].inverse.turned(rotation);
         }
         work.teleported[rank] = false;
     }
@@ -136,7 +146,7 @@ fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
             continue;
         }
         let load = work.loads[rank];
-        let inverse = body.inverse.turned(work.poses[rank].rotation);
+        let inverse = &work.inverses[rank];
         let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
         work.states[rank].velocity_mps += dv;
         work.states[rank].yaw_rate_radps += dr;
@@ -187,10 +197,4 @@ fn remember(
     memory.last_states.clear();
     memory.last_states.extend(model.ranked.iter().map(|body| states[body.id.0 as usize]));
     memory.last_step_s = step_s;
-}
-
-/// Velocity of a body's point at `arm_m` from its centre of gravity [m/s].
-#[inline]
-pub(crate) fn point_velocity(state: &BodyState, arm_m: Vec2) -> Vec2 {
-    state.velocity_mps + arm_m.spun_by(state.yaw_rate_radps)
 }

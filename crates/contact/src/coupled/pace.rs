@@ -6,6 +6,7 @@ use crate::geometry::gap::gap_m;
 use crate::memory::HintMemory;
 use crate::model::{Model, RankedBody};
 use crate::overlap::{Patch, pieces_of};
+use crate::vec2::Vec2;
 use crate::workspace::{Candidate, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
@@ -22,32 +23,58 @@ pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 pub(crate) fn sub_steps(model: &Model, work: &Workspace, step_s: f64) -> u32 {
     let mut rate_squared = 0.0;
     let mut travel = 0.0_f64;
+    // In the order of the candidates.
+    let mut patches = work.patches.as_slice();
     for candidate in &work.candidates {
-        if !may_touch(model, work, candidate, step_s) {
+        let count = patches.iter().take_while(|p| p.candidate.key() == candidate.key()).count();
+        let (own, rest) = patches.split_at(count);
+        patches = rest;
+        if own.is_empty() && !may_touch(model, work, candidate, step_s) {
+            continue;
+        }
+        let closing_m = closing_mps(work, candidate) * step_s;
+        if let Some(face) = candidate.fender(model) {
+            let fender = &model.fenders()[face.id.0 as usize];
+            rate_squared += rate_squared_of_face(model, work, own, candidate, face, closing_m);
+            travel = travel.max(closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m));
             continue;
         }
         let a = &model.ranked[candidate.a as usize];
         let b = &model.ranked[candidate.b as usize];
-        let closing_m = closing_mps(work, candidate) * step_s;
-        if let Some(face) = candidate.fender(model) {
-            let fender = &model.fenders()[face.id.0 as usize];
-            rate_squared += rate_squared_of_face(model, work, candidate, face, closing_m);
-            travel = travel.max(closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m));
-            continue;
-        }
         let material = &model.materials()[candidate.material.0 as usize];
-        // The chord is at most as long as the smaller body; twice the inverse masses allow for
-        // the rotation of a contact off the centre.
+        // The chord is at most as long as the smaller body.
         let chord_m = 2.0 * a.radius_m.min(b.radius_m);
-        let inverse_mass = 2.0 * (a.inverse.lightest() + b.inverse.lightest());
+        let inverse_mass = inverse_mass(a, b, own, chord_m);
         let damping_rate = material.damping_nspm2 * chord_m * inverse_mass;
         rate_squared +=
             material.stiffness_npm2 * chord_m * inverse_mass + damping_rate * damping_rate;
-        travel =
-            travel.max(closing_m / (TRAVEL_PER_SUB_STEP * half_width_m(a).min(half_width_m(b))));
+        let half_width_m = a.half_width_m.min(b.half_width_m);
+        travel = travel.max(closing_m / (TRAVEL_PER_SUB_STEP * half_width_m));
     }
     let needed = (libm::sqrt(rate_squared) * step_s / TURN_PER_SUB_STEP).max(travel);
     libm::ceil(needed.clamp(1.0, f64::from(MOST_SUB_STEPS))) as u32
+}
+
+/// A bound on the inverse mass that two bodies oppose to a contact [1/kg]. Twice that without rotation
+/// allows for a contact off the centre; where the two touch already in one place, its lever may tell that
+/// rotation adds less. The patch lies on the chord, so that it moves by half of that at most.
+fn inverse_mass(a: &RankedBody, b: &RankedBody, own: &[Patch], chord_m: f64) -> f64 {
+    let of_body = |body: &RankedBody, lever_m: f64| {
+        let by_turning = body.inverse.of_turning() * lever_m * lever_m;
+        body.lightest_inverse_mass + by_turning.min(body.lightest_inverse_mass)
+    };
+    let chord = match own {
+        [only] if !only.collinear => only.chord_m,
+        _ => Vec2::ZERO,
+    };
+    let length_m = chord.length();
+    if length_m == 0.0 {
+        return of_body(a, f64::INFINITY) + of_body(b, f64::INFINITY);
+    }
+    let normal = chord.quarter_turn_back() * (1.0 / length_m);
+    let lever_m = |arm_m: Vec2| arm_m.cross(normal).abs() + 0.5 * chord_m;
+    let arm_a_m = own[0].centroid_m;
+    of_body(a, lever_m(arm_a_m)) + of_body(b, lever_m(arm_a_m - own[0].b_in_a.position_m))
 }
 
 /// A bound on the square of the rate of a fender and its hull, for all deflections that this step can
@@ -55,14 +82,14 @@ pub(crate) fn sub_steps(model: &Model, work: &Workspace, step_s: f64) -> u32 {
 fn rate_squared_of_face(
     model: &Model,
     work: &Workspace,
+    own: &[Patch],
     candidate: &Candidate,
     face: &RankedFender,
     closing_m: f64,
 ) -> f64 {
     let fender = &model.fenders()[face.id.0 as usize];
     let material = &model.materials()[face.material.0 as usize];
-    let of_face = |patch: &&Patch| patch.candidate.key() == candidate.key();
-    let area_m2: f64 = work.patches.iter().filter(of_face).map(|patch| patch.area_m2).sum();
+    let area_m2: f64 = own.iter().map(|patch| patch.area_m2).sum();
     let deflection_m = area_m2 / face.width_m + closing_m;
     let spring_npm = match fender.law {
         FenderLaw::Area => material.stiffness_npm2 * face.width_m,
@@ -76,18 +103,13 @@ fn rate_squared_of_face(
     let inverse_mass: f64 = [candidate.a, candidate.b]
         .map(|rank| {
             let arm_m = face_m - work.poses[rank as usize].position_m;
-            let inverse = &model.ranked[rank as usize].inverse;
-            inverse.lightest() + inverse.of_turning() * arm_m.length_squared()
+            let body = &model.ranked[rank as usize];
+            body.lightest_inverse_mass + body.inverse.of_turning() * arm_m.length_squared()
         })
         .iter()
         .sum();
     let damping_rate = material.damping_nspm2 * face.width_m * inverse_mass;
     (spring_npm + stop_npm) * face.largest_factor * inverse_mass + damping_rate * damping_rate
-}
-
-/// A convex body's area is about its length times its width.
-fn half_width_m(body: &RankedBody) -> f64 {
-    0.25 * body.area_m2 / body.radius_m
 }
 
 /// Could the pair touch in this step? By the gaps between its pieces.

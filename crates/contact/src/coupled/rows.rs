@@ -1,5 +1,6 @@
 //! The contacts of one sub-step: what the solve needs of each, and what is booked afterwards.
 
+use crate::coupled::tie::{Forces, Tie};
 use crate::events::tell_of_patch;
 use crate::inherit::Inherited;
 use crate::law::normal::{factor, normal_force};
@@ -8,56 +9,53 @@ use crate::model::{Material, Model};
 use crate::overlap::Patch;
 use crate::report::{Contact, ForceParts, Friction};
 use crate::touch::{Touch, touch};
-use crate::vec2::Vec2;
 use crate::workspace::Workspace;
 
-/// One contact of the solve.
+/// One contact of a sub-step: what is booked of it besides its forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Row {
-    /// Ranks.
-    pub(crate) a: u32,
-    pub(crate) b: u32,
     pub(crate) touch: Touch,
-    pub(crate) tangent: Vec2,
-    /// f, the normal law's force: N lies between 0 and it [N].
-    pub(crate) law_n: f64,
     /// What f is made of.
-    pub(crate) parts: ForceParts,
+    parts: ForceParts,
     /// Factor on spring and stop.
-    pub(crate) factor: f64,
-    /// γ v_ref: V_n⁺ may not fall below its negative [m/s].
-    pub(crate) rebound_mps: f64,
+    factor: f64,
     /// γ.
-    pub(crate) restitution: f64,
+    restitution: f64,
     /// Stored energy that nothing holds: see [`let_go`] [J].
-    pub(crate) unheld_j: f64,
-    /// n·K n and t·K t [1/kg].
-    pub(crate) inverse_normal: f64,
-    pub(crate) inverse_tangential: f64,
-    pub(crate) shear_stiffness_npm: f64,
-    pub(crate) friction_static: f64,
-    pub(crate) friction_dynamic: f64,
-    /// N and T, from the last sub-step and then from the solve [N].
-    pub(crate) normal_n: f64,
-    pub(crate) tangential_n: f64,
-    pub(crate) friction: Friction,
+    unheld_j: f64,
 }
 
-/// Laws and effective masses of every patch in `work`, in `work.rows`, and the inverse masses of the
-/// island's bodies as they are turned now.
+/// What the laws say of a contact.
+pub(crate) struct Laws<'m> {
+    pub(crate) material: &'m Material,
+    /// f [N].
+    pub(crate) law_n: f64,
+    /// γ v_ref [m/s].
+    pub(crate) rebound_mps: f64,
+}
+
+/// Laws and effective masses of every patch in `work`, in `work.rows` and `work.ties`.
 pub(crate) fn collect(model: &Model, work: &mut Workspace, memory: &Memory, h: f64) {
-    for &rank in &work.island_bodies {
-        let rank = rank as usize;
-        work.inverses[rank] = model.ranked[rank].inverse.turned(work.poses[rank].rotation);
-    }
     work.rows.clear();
+    work.ties.clear();
     work.next_patches.clear();
     let elapsed_s = if memory.last_step_s > 0.0 { memory.last_step_s } else { h };
-    for index in 0..work.patches.len() {
-        let (patch, inherited) = (work.patches[index], work.inherited[index]);
-        collect_one(model, work, &patch, &inherited, elapsed_s);
+    let patches = core::mem::take(&mut work.patches);
+    let shares = core::mem::take(&mut work.shares);
+    for (index, patch) in patches.iter().enumerate() {
+        let inherited = work.inherited[index];
+        let old = inherited.of(memory, &shares);
+        collect_one(model, work, patch, inherited, old, Time { elapsed_s, h });
     }
+    (work.patches, work.shares) = (patches, shares);
     let_go(model, work);
+}
+
+/// Time since the last (sub-)step began and length of this one [s].
+#[derive(Clone, Copy)]
+struct Time {
+    elapsed_s: f64,
+    h: f64,
 }
 
 /// Share of the speed that unheld energy would give, so that it stays below v_ref in a hit, where the
@@ -73,37 +71,41 @@ const LET_GO: f64 = 0.8;
 /// all contacts between the same two bodies, or of one body with what is fixed, let go together. As
 /// N ≤ f still, and N < f only while the contact opens, nothing is made out of nothing.
 fn let_go(model: &Model, work: &mut Workspace) {
-    let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
-    for &rank in &work.island_bodies {
-        work.unheld_j[rank as usize] = 0.0;
+    if work.rows.iter().all(|row| row.unheld_j == 0.0) {
+        return;
     }
-    for row in &work.rows {
-        match (fixed(row.a), fixed(row.b)) {
-            (true, _) => work.unheld_j[row.b as usize] += row.unheld_j,
-            (_, true) => work.unheld_j[row.a as usize] += row.unheld_j,
+    let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
+    let Workspace { rows, ties, unheld_j, inverses, island_bodies, .. } = work;
+    for &rank in island_bodies.iter() {
+        unheld_j[rank as usize] = 0.0;
+    }
+    for (row, tie) in rows.iter().zip(ties.iter()) {
+        match (fixed(tie.a), fixed(tie.b)) {
+            (true, _) => unheld_j[tie.b as usize] += row.unheld_j,
+            (_, true) => unheld_j[tie.a as usize] += row.unheld_j,
             _ => {}
         }
     }
     let mut from = 0;
-    while from < work.rows.len() {
-        let (a, b) = (work.rows[from].a, work.rows[from].b);
-        let count = work.rows[from..].iter().take_while(|row| (row.a, row.b) == (a, b)).count();
-        let rows = &mut work.rows[from..from + count];
+    while from < rows.len() {
+        let (a, b) = (ties[from].a, ties[from].b);
+        let count = ties[from..].iter().take_while(|tie| (tie.a, tie.b) == (a, b)).count();
+        let own = from..from + count;
         let unheld_j = match (fixed(a), fixed(b)) {
-            (true, _) => work.unheld_j[b as usize],
-            (_, true) => work.unheld_j[a as usize],
-            _ => rows.iter().map(|row| row.unheld_j).sum(),
+            (true, _) => unheld_j[b as usize],
+            (_, true) => unheld_j[a as usize],
+            _ => rows[own.clone()].iter().map(|row| row.unheld_j).sum(),
         };
         if unheld_j > 0.0 {
-            for row in rows {
+            for (row, tie) in rows[own.clone()].iter().zip(&mut ties[own]) {
                 // Without rotation: contacts at both ends of a ship do not turn her.
                 let along = row.touch.normal;
                 let inverse_mass: f64 = [a, b]
-                    .map(|rank| work.inverses[rank as usize].response(along, 0.0).0.dot(along))
+                    .map(|rank| inverses[rank as usize].response(along, 0.0).0.dot(along))
                     .iter()
                     .sum();
                 let speed_mps = LET_GO * libm::sqrt(2.0 * unheld_j * inverse_mass);
-                row.rebound_mps = row.rebound_mps.max(row.restitution * speed_mps);
+                tie.rebound_mps = tie.rebound_mps.max(row.restitution * speed_mps);
             }
         }
         from += count;
@@ -129,54 +131,33 @@ fn collect_one(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
-    inherited: &Inherited,
-    elapsed_s: f64,
+    inherited: Inherited,
+    old: Option<&PatchMemory>,
+    time: Time,
 ) {
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
-    let old = inherited.memory();
     let touch = touch(model, work, patch, old);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, patch.candidate.fender(model), &touch, old);
-    let parts = normal_force(material, &touch, factor, patch.area_m2, area_before_m2, elapsed_s);
+    let parts =
+        normal_force(material, &touch, factor, patch.area_m2, area_before_m2, time.elapsed_s);
     let law_n = parts.total_n();
     let (v_ref_mps, approaching) = reference_speed(touch.v_normal_mps, old);
-    let tangent = touch.normal.quarter_turn();
-    let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
-    let inverse_along = |along: Vec2| {
-        [(a, touch.arm_a_m), (b, touch.arm_b_m)]
-            .map(|(rank, arm)| {
-                let lever = arm.cross(along);
-                let (dv, dr) = work.inverses[rank].response(along, lever);
-                dv.dot(along) + dr * lever
-            })
-            .iter()
-            .sum::<f64>()
-    };
-    let row = Row {
-        a: patch.candidate.a,
-        b: patch.candidate.b,
-        tangent,
-        law_n,
-        parts,
-        factor,
-        rebound_mps: material.restitution * v_ref_mps,
-        restitution: material.restitution,
-        unheld_j: unheld_j(&touch, factor, law_n, old),
-        inverse_normal: inverse_along(touch.normal),
-        inverse_tangential: inverse_along(tangent),
-        shear_stiffness_npm: material.shear_stiffness_npm,
-        friction_static: material.friction_static,
-        friction_dynamic: material.friction_dynamic,
+    let laws = Laws { material, law_n, rebound_mps: material.restitution * v_ref_mps };
+    let begins_with = Forces {
         normal_n: old.map_or(law_n, |m| m.normal_force_n).min(law_n),
         tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
         friction: Friction::Stick,
-        touch,
     };
-    work.rows.push(row);
-    let flags = tell_of_patch(model, work, patch, &touch, inherited)
+    let [a, b] =
+        [patch.candidate.a, patch.candidate.b].map(|rank| (rank, &work.inverses[rank as usize]));
+    work.ties.push(Tie::new(a, b, &touch, &laws, begins_with, time.h));
+    let flags = tell_of_patch(model, work, patch, &touch, inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
     let memory = touch.memory(patch);
     work.next_patches.push(PatchMemory { flags, factor, v_normal_0_mps: v_ref_mps, ..memory });
+    let unheld_j = unheld_j(&touch, factor, law_n, old);
+    work.rows.push(Row { touch, parts, factor, restitution: material.restitution, unheld_j });
 }
 
 /// v_ref: the largest speed of approach since V_n last changed sign, and whether it approaches. The
@@ -196,80 +177,83 @@ fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) 
 
 /// Books impulses, work and peaks of a solved sub-step, and completes its memory.
 pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
-    for index in 0..work.rows.len() {
-        let row = work.rows[index];
-        let (a, b) = (row.a as usize, row.b as usize);
+    let Workspace {
+        rows,
+        ties,
+        patches,
+        next_patches,
+        states,
+        poses,
+        impulses,
+        contacts,
+        first_contact,
+        ..
+    } = work;
+    for (index, (row, tie)) in rows.iter().zip(ties.iter()).enumerate() {
         let touch = &row.touch;
-        let impulse = (touch.normal * -row.normal_n + row.tangent * row.tangential_n) * h;
-        work.impulses[a].force_n += impulse;
-        work.impulses[a].moment_nm += touch.arm_a_m.cross(impulse);
-        work.impulses[b].force_n -= impulse;
-        work.impulses[b].moment_nm -= touch.arm_b_m.cross(impulse);
+        let Forces { normal_n, tangential_n, friction } = tie.forces;
+        let impulse = (touch.normal * -normal_n + touch.normal.quarter_turn() * tangential_n) * h;
+        let on_a = &mut impulses[tie.a as usize];
+        on_a.force_n += impulse;
+        on_a.moment_nm += touch.arm_a_m.cross(impulse);
+        let on_b = &mut impulses[tie.b as usize];
+        on_b.force_n -= impulse;
+        on_b.moment_nm -= touch.arm_b_m.cross(impulse);
 
-        let shear_m = shear_after(&row);
-        let memory = &mut work.next_patches[index];
+        let shear_m = tie.shear_after_m();
+        let memory = &mut next_patches[index];
         memory.shear_m = shear_m;
-        memory.normal_force_n = row.normal_n;
-        memory.tangential_force_n = row.tangential_n;
+        memory.normal_force_n = normal_n;
+        memory.tangential_force_n = tangential_n;
 
-        let slip_mps =
-            mean_velocity(work, a, touch.arm_a_m) - mean_velocity(work, b, touch.arm_b_m);
-        let patch = work.patches[index];
-        let entry = entry_of(model, work, &patch, &row);
-        let contact = &mut work.contacts[entry];
-        contact.normal_force_n += row.normal_n * h;
-        contact.tangential_force_n += row.tangential_n * h;
-        contact.peak_normal_force_n = contact.peak_normal_force_n.max(row.normal_n);
+        // By the mean velocity within the sub-step.
+        let (v_normal_mps, v_tangential_mps) = tie.speeds(states);
+        let closing_m = 0.5 * (touch.v_normal_mps + v_normal_mps) * h;
+        let slip_m = 0.5 * (touch.v_tangential_mps + v_tangential_mps) * h;
+        let position_m = poses[tie.a as usize].position_m;
+        let own = &mut contacts[*first_contact..];
+        let place = match place_of(model, own, &patches[index], index) {
+            Some(place) => *first_contact + place,
+            None => {
+                contacts.push(Contact {
+                    factor: row.factor,
+                    stored_j: touch.stored_j * row.factor,
+                    ..touch.contact(model, position_m, &patches[index])
+                });
+                contacts.len() - 1
+            }
+        };
+        let contact = &mut contacts[place];
+        contact.normal_force_n += normal_n * h;
+        contact.tangential_force_n += tangential_n * h;
+        contact.peak_normal_force_n = contact.peak_normal_force_n.max(normal_n);
         contact.peak_depth_m = contact.peak_depth_m.max(touch.depth_m);
-        let closing_m = touch.normal.dot(slip_mps) * h;
-        let limiter_n = row.law_n - row.normal_n;
-        contact.work.normal_j -= row.normal_n * closing_m;
-        contact.work.tangential_j += row.tangential_n * row.tangent.dot(slip_mps) * h;
+        let limiter_n = tie.law_n - normal_n;
+        contact.work.normal_j -= normal_n * closing_m;
+        contact.work.tangential_j += tangential_n * slip_m;
         contact.work.damper_j -= row.parts.damper_n * closing_m;
         contact.work.limiter_j -= limiter_n * closing_m;
         contact.parts.add(&ForceParts { limiter_n, ..row.parts }, h);
         contact.peak_stored_j = contact.peak_stored_j.max(touch.stored_j * row.factor);
-        contact.shear_stored_j = 0.5 * row.shear_stiffness_npm * shear_m * shear_m;
+        contact.shear_stored_j = tie.shear_stored_j(shear_m);
         contact.shear_m = shear_m;
-        contact.limited |= row.normal_n < row.law_n;
-        if row.friction == Friction::Slip {
+        contact.limited |= normal_n < tie.law_n;
+        if friction == Friction::Slip {
             contact.friction = Friction::Slip;
         }
     }
 }
 
-/// Δs that goes on: as it is while it sticks, what the sliding force shears while it slips.
-fn shear_after(row: &Row) -> f64 {
-    match row.friction {
-        Friction::Stick => row.touch.shear_m,
-        Friction::Slip => -row.tangential_n / row.shear_stiffness_npm,
-    }
-}
-
-/// Mean over the sub-step of the velocity of a body's point [m/s].
-fn mean_velocity(work: &Workspace, rank: usize, arm_m: Vec2) -> Vec2 {
-    let before = super::point_velocity(&work.before[rank], arm_m);
-    let after = super::point_velocity(&work.states[rank], arm_m);
-    (before + after) * 0.5
-}
-
-/// The step's report of this patch: that of an earlier sub-step, or a new one.
-fn entry_of(model: &Model, work: &mut Workspace, patch: &Patch, row: &Row) -> usize {
-    let fresh = Contact {
-        factor: row.factor,
-        stored_j: row.touch.stored_j * row.factor,
-        ..row.touch.contact(model, work, patch)
-    };
-    let same = |c: &Contact| {
-        (c.body_1, c.body_2, c.fender, c.patch)
-            == (fresh.body_1, fresh.body_2, fresh.fender, fresh.patch)
-    };
-    let from = work.first_contact;
-    match work.contacts[from..].iter().position(same) {
-        Some(index) => from + index,
-        None => {
-            work.contacts.push(fresh);
-            work.contacts.len() - 1
-        }
+/// Where the step's report of this patch stands among the island's: at `guess` as long as the patches are
+/// those of the first sub-step.
+fn place_of(model: &Model, own: &[Contact], patch: &Patch, guess: usize) -> Option<usize> {
+    let [one, two] =
+        [patch.candidate.a, patch.candidate.b].map(|rank| model.ranked[rank as usize].id);
+    let fender = patch.candidate.fender(model).map(|face| face.id);
+    let wanted = (one.min(two), one.max(two), fender, patch.number);
+    let same = |c: &Contact| (c.body_1, c.body_2, c.fender, c.patch) == wanted;
+    match own.get(guess) {
+        Some(contact) if same(contact) => Some(guess),
+        _ => own.iter().position(same),
     }
 }

@@ -1,0 +1,335 @@
+//! One contact as the solve sees it: how it moves its two bodies, and what bounds its forces.
+
+use crate::coupled::rows::Laws;
+use crate::mass::InverseMatrix;
+use crate::report::Friction;
+use crate::state::BodyState;
+use crate::touch::Touch;
+use crate::vec2::Vec2;
+
+/// A contact's forces and all that a sweep needs, so that it reads nothing else but the bodies'
+/// velocities.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tie {
+    /// Ranks.
+    pub(crate) a: u32,
+    pub(crate) b: u32,
+    /// What does not move is not pushed.
+    a_floats: bool,
+    b_floats: bool,
+    along_n: Direction,
+    along_t: Direction,
+    /// n·K n, t·K n and t·K t [1/kg].
+    pub(crate) normal: f64,
+    cross: f64,
+    tangential: f64,
+    /// 1/(h n·K n) [kg/s].
+    force_per_speed: f64,
+    /// 1/(1 + k_s h² t·K t).
+    spring_share: f64,
+    /// Δs at the start of the sub-step [m].
+    shear_m: f64,
+    /// f, the normal law's force: N lies between 0 and it [N].
+    pub(crate) law_n: f64,
+    /// γ v_ref: V_n⁺ may not fall below its negative [m/s].
+    pub(crate) rebound_mps: f64,
+    shear_stiffness_npm: f64,
+    friction_static: f64,
+    friction_dynamic: f64,
+    /// The forces [N].
+    pub(crate) forces: Forces,
+}
+
+/// N and T of a contact [N], and whether it slips.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Forces {
+    pub(crate) normal_n: f64,
+    pub(crate) tangential_n: f64,
+    pub(crate) friction: Friction,
+}
+
+/// Where a normal force stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// At f.
+    Full,
+    /// Between, where V_n⁺ = −γ v_ref.
+    Tight,
+    /// At 0.
+    Open,
+}
+
+/// Forces as lines: what they are more than now [N], and their slopes with the speeds, against which
+/// they act [N·s/m].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line {
+    pub(crate) normal_n: f64,
+    pub(crate) normal_slope: f64,
+    pub(crate) tangential_n: f64,
+    pub(crate) tangential_slope: f64,
+}
+
+/// A direction at a contact: the lever about each body's centre of gravity, and how each body answers a
+/// unit impulse along it.
+#[derive(Clone, Copy, Debug)]
+struct Direction {
+    along: Vec2,
+    lever_a_m: f64,
+    lever_b_m: f64,
+    of_a: Answer,
+    of_b: Answer,
+}
+
+/// Change of a body's velocity and yaw rate by a unit impulse.
+#[derive(Clone, Copy, Debug)]
+struct Answer {
+    velocity: Vec2,
+    yaw_rate: f64,
+}
+
+impl Direction {
+    #[inline]
+    fn new(along: Vec2, touch: &Touch, a: &InverseMatrix, b: &InverseMatrix) -> Direction {
+        let (lever_a_m, lever_b_m) = (touch.arm_a_m.cross(along), touch.arm_b_m.cross(along));
+        let answer = |inverse: &InverseMatrix, lever_m: f64| {
+            let (velocity, yaw_rate) = inverse.response(along, lever_m);
+            Answer { velocity, yaw_rate }
+        };
+        let (of_a, of_b) = (answer(a, lever_a_m), answer(b, lever_b_m));
+        Direction { along, lever_a_m, lever_b_m, of_a, of_b }
+    }
+
+    /// j of A and B: the speed along this direction is j·v.
+    fn row(&self) -> [[f64; 3]; 2] {
+        let Vec2 { x, y } = self.along;
+        [[x, y, self.lever_a_m], [-x, -y, -self.lever_b_m]]
+    }
+
+    /// What a unit impulse along this direction changes of the relative velocity along `other` [1/kg].
+    #[inline]
+    fn seen_along(&self, other: &Direction) -> f64 {
+        let of = |answer: &Answer, lever_m: f64| {
+            answer.velocity.dot(other.along) + answer.yaw_rate * lever_m
+        };
+        of(&self.of_a, other.lever_a_m) + of(&self.of_b, other.lever_b_m)
+    }
+}
+
+impl Tie {
+    /// A contact between two bodies of these ranks and inverse masses, with the forces that it begins with.
+    #[inline]
+    pub(crate) fn new(
+        (a, inverse_a): (u32, &InverseMatrix),
+        (b, inverse_b): (u32, &InverseMatrix),
+        touch: &Touch,
+        laws: &Laws,
+        forces: Forces,
+        h: f64,
+    ) -> Tie {
+        let along_n = Direction::new(touch.normal, touch, inverse_a, inverse_b);
+        let along_t = Direction::new(touch.normal.quarter_turn(), touch, inverse_a, inverse_b);
+        let (normal, tangential) = (along_n.seen_along(&along_n), along_t.seen_along(&along_t));
+        let material = laws.material;
+        Tie {
+            a,
+            b,
+            a_floats: *inverse_a != InverseMatrix::default(),
+            b_floats: *inverse_b != InverseMatrix::default(),
+            cross: along_n.seen_along(&along_t),
+            along_n,
+            along_t,
+            normal,
+            tangential,
+            force_per_speed: 1.0 / (h * normal),
+            spring_share: 1.0 / (1.0 + material.shear_stiffness_npm * h * h * tangential),
+            shear_m: touch.shear_m,
+            law_n: laws.law_n,
+            rebound_mps: laws.rebound_mps,
+            shear_stiffness_npm: material.shear_stiffness_npm,
+            friction_static: material.friction_static,
+            friction_dynamic: material.friction_dynamic,
+            forces,
+        }
+    }
+
+    /// V_n and V_t of the two bodies as they move now [m/s].
+    #[inline]
+    pub(crate) fn speeds(&self, states: &[BodyState]) -> (f64, f64) {
+        let (a, b) = (&states[self.a as usize], &states[self.b as usize]);
+        let apart = a.velocity_mps - b.velocity_mps;
+        let along = |d: &Direction| {
+            apart.dot(d.along) + (a.yaw_rate_radps * d.lever_a_m - b.yaw_rate_radps * d.lever_b_m)
+        };
+        (along(&self.along_n), along(&self.along_t))
+    }
+
+    /// Gives the two bodies an impulse of N and T and its opposite [N·s]: on A it is −N n + T t.
+    #[inline]
+    pub(crate) fn push(&self, states: &mut [BodyState], normal_ns: f64, tangential_ns: f64) {
+        let change = |state: &mut BodyState, n: &Answer, t: &Answer, sign: f64| {
+            let (n_ns, t_ns) = (-sign * normal_ns, sign * tangential_ns);
+            state.velocity_mps += n.velocity * n_ns + t.velocity * t_ns;
+            state.yaw_rate_radps += n.yaw_rate * n_ns + t.yaw_rate * t_ns;
+        };
+        if self.a_floats {
+            change(&mut states[self.a as usize], &self.along_n.of_a, &self.along_t.of_a, 1.0);
+        }
+        if self.b_floats {
+            change(&mut states[self.b as usize], &self.along_n.of_b, &self.along_t.of_b, -1.0);
+        }
+    }
+
+    /// The speeds after a change of the forces [N].
+    #[inline]
+    pub(crate) fn speeds_after(
+        &self,
+        (normal_mps, tangential_mps): (f64, f64),
+        (more_n, more_t): (f64, f64),
+        h: f64,
+    ) -> (f64, f64) {
+        (
+            normal_mps + h * (more_t * self.cross - more_n * self.normal),
+            tangential_mps + h * (more_t * self.tangential - more_n * self.cross),
+        )
+    }
+
+    /// Its forces given all others': N = mid(0, N at which V_n⁺ = −γ v_ref, f), and then the implicit
+    /// shear spring, T = −k_s(Δs + h V_t⁺), and Coulomb's limits on it. V_n and V_t are those with the
+    /// forces that it has.
+    #[inline]
+    pub(crate) fn relaxed(&self, (normal_mps, tangential_mps): (f64, f64), h: f64) -> Forces {
+        let now = &self.forces;
+        let tight_n = now.normal_n + (normal_mps + self.rebound_mps) * self.force_per_speed;
+        let normal_n = tight_n.min(self.law_n).max(0.0);
+        if self.shear_stiffness_npm == 0.0 {
+            return Forces { normal_n, tangential_n: 0.0, friction: Friction::Stick };
+        }
+        // V_t⁺ with the new N if T were 0, then T from T(1 + k_s h² t·K t) = −k_s(Δs + h V_t).
+        let without_mps = tangential_mps
+            - h * ((normal_n - now.normal_n) * self.cross + now.tangential_n * self.tangential);
+        let spring_n =
+            -self.shear_stiffness_npm * (self.shear_m + h * without_mps) * self.spring_share;
+        // Once it slips in this sub-step it holds again only below the sliding force: else, with μ_k
+        // below μ_s, the sweeps would go to and fro between the two.
+        let holds = match now.friction {
+            Friction::Stick => self.friction_static,
+            Friction::Slip => self.friction_dynamic,
+        };
+        if spring_n.abs() <= holds * normal_n {
+            Forces { normal_n, tangential_n: spring_n, friction: Friction::Stick }
+        } else {
+            let tangential_n = (self.friction_dynamic * normal_n).copysign(spring_n);
+            Forces { normal_n, tangential_n, friction: Friction::Slip }
+        }
+    }
+
+    /// The ranks of its bodies that float, A's and B's.
+    pub(crate) fn floating(&self) -> [Option<u32>; 2] {
+        [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
+    }
+
+    /// V_n = j·v, with the velocities (north, east, yaw) of A and B.
+    pub(crate) fn normal_row(&self) -> [[f64; 3]; 2] {
+        self.along_n.row()
+    }
+
+    /// V_t = j·v, in the same way.
+    pub(crate) fn tangential_row(&self) -> [[f64; 3]; 2] {
+        self.along_t.row()
+    }
+
+    /// N where a tight contact is a stiff line through its present force, of slope κ = stiffness/(h n·K n).
+    fn on_stiff_line_n(&self, normal_mps: f64, stiffness: f64) -> f64 {
+        let slope = stiffness * self.force_per_speed;
+        self.forces.normal_n + slope * (normal_mps + self.rebound_mps)
+    }
+
+    /// Where N stands between its bounds at a V_n.
+    pub(crate) fn kind(&self, normal_mps: f64, stiffness: f64) -> Kind {
+        match self.on_stiff_line_n(normal_mps, stiffness) {
+            n if n >= self.law_n => Kind::Full,
+            n if n <= 0.0 => Kind::Open,
+            _ => Kind::Tight,
+        }
+    }
+
+    /// What the forces are more than now at these speeds, and how they change with them. What slips does so
+    /// with the present N.
+    pub(crate) fn line(
+        &self,
+        (normal_mps, tangential_mps): (f64, f64),
+        kind: Kind,
+        stiffness: f64,
+        h: f64,
+    ) -> Line {
+        let now = &self.forces;
+        let (normal_n, normal_slope) = match kind {
+            Kind::Full => (self.law_n, 0.0),
+            Kind::Open => (0.0, 0.0),
+            Kind::Tight => {
+                (self.on_stiff_line_n(normal_mps, stiffness), stiffness * self.force_per_speed)
+            }
+        };
+        let (tangential_n, tangential_slope) = match now.friction {
+            Friction::Slip => (now.tangential_n, 0.0),
+            Friction::Stick => (
+                -self.shear_stiffness_npm * (self.shear_m + h * tangential_mps),
+                self.shear_stiffness_npm * h,
+            ),
+        };
+        Line {
+            normal_n: normal_n - now.normal_n,
+            normal_slope,
+            tangential_n: tangential_n - now.tangential_n,
+            tangential_slope,
+        }
+    }
+
+    /// The forces at these speeds, by the same lines and within all bounds.
+    pub(crate) fn stiffened(
+        &self,
+        speeds: (f64, f64),
+        kind: Kind,
+        stiffness: f64,
+        h: f64,
+    ) -> Forces {
+        let line = self.line(speeds, kind, stiffness, h);
+        let now = &self.forces;
+        let normal_n = (now.normal_n + line.normal_n).min(self.law_n).max(0.0);
+        let most_n = match now.friction {
+            Friction::Stick => self.friction_static,
+            Friction::Slip => self.friction_dynamic,
+        } * normal_n;
+        let tangential_n = (now.tangential_n + line.tangential_n).clamp(-most_n, most_n);
+        Forces { normal_n, tangential_n, friction: now.friction }
+    }
+
+    /// The largest change of its own velocity by a change of its forces [m/s].
+    #[inline]
+    pub(crate) fn change_mps(&self, (more_n, more_t): (f64, f64), h: f64) -> f64 {
+        (more_n * self.normal).abs().max((more_t * self.tangential).abs()) * h
+    }
+
+    /// Δs that goes on: as it is while it sticks, what the sliding force shears while it slips [m].
+    #[inline]
+    pub(crate) fn shear_after_m(&self) -> f64 {
+        match self.forces.friction {
+            Friction::Stick => self.shear_m,
+            Friction::Slip => -self.forces.tangential_n / self.shear_stiffness_npm,
+        }
+    }
+
+    /// ½ k_s Δs² [J].
+    #[inline]
+    pub(crate) fn shear_stored_j(&self, shear_m: f64) -> f64 {
+        0.5 * self.shear_stiffness_npm * shear_m * shear_m
+    }
+}
+
+impl Forces {
+    /// What they are more than others.
+    #[inline]
+    pub(crate) fn less(&self, other: &Forces) -> (f64, f64) {
+        (self.normal_n - other.normal_n, self.tangential_n - other.tangential_n)
+    }
+}

@@ -1,0 +1,143 @@
+//! Pairs of bodies that are near each other, kept from step to step.
+//!
+//! The list holds every pair whose circles meet when each is drawn a little too large; as long as no body
+//! has used up its own slack, by moving or by a longer reach, every pair whose true circles meet is in it.
+//! Whoever reads it asks for the true circles, so that when it was made decides how fast an answer comes
+//! and not what it is.
+
+use alloc::vec::Vec;
+
+use crate::model::Model;
+use crate::vec2::{Pose, Vec2};
+
+/// What a body's circle in the list is larger than its own, as a share. More makes the list longer, less
+/// makes it short-lived.
+const SLACK: f64 = 0.1;
+
+/// What of its slack a body may use: less than all, for the rounding of what is compared.
+const USABLE: f64 = 0.999;
+
+/// The list, and where the bodies were when it was made.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct NearList {
+    /// The model it was made for.
+    fingerprint: u64,
+    /// By rank.
+    circles: Vec<Circle>,
+    /// Ranks, the lower first, in order.
+    pairs: Vec<(u32, u32)>,
+    /// The bodies by the southern ends of their circles.
+    by_x: Vec<(f64, u32)>,
+}
+
+/// A body's enlarged circle.
+#[derive(Clone, Copy, Debug)]
+struct Circle {
+    center_m: Vec2,
+    radius_m: f64,
+}
+
+impl Circle {
+    #[inline]
+    fn meets(&self, other: &Circle) -> bool {
+        let reach_m = self.radius_m + other.radius_m;
+        (self.center_m - other.center_m).length_squared() <= reach_m * reach_m
+    }
+
+    /// Does it hold the circle of the same body now?
+    #[inline]
+    fn holds(&self, center_m: Vec2, radius_m: f64) -> bool {
+        let slack_m = USABLE * (self.radius_m - radius_m);
+        slack_m >= 0.0 && (center_m - self.center_m).length_squared() <= slack_m * slack_m
+    }
+}
+
+impl NearList {
+    /// The pairs, among them all that no `Pair` of the model names, that are not both fixed and whose
+    /// circles of `reach_m` meet.
+    pub(crate) fn pairs(&self) -> &[(u32, u32)] {
+        &self.pairs
+    }
+
+    /// Brings the list up to date for bodies at `poses` that reach so far, both by rank.
+    pub(crate) fn refresh(&mut self, model: &Model, poses: &[Pose], reach_m: &[f64]) {
+        let good = self.fingerprint == model.fingerprint
+            && self.circles.len() == poses.len()
+            && self
+                .circles
+                .iter()
+                .zip(poses)
+                .zip(reach_m)
+                .all(|((circle, pose), &reach_m)| circle.holds(pose.position_m, reach_m));
+        if !good {
+            self.fingerprint = model.fingerprint;
+            self.circles.clear();
+            self.circles.extend(poses.iter().zip(reach_m).map(|(pose, &reach_m)| Circle {
+                center_m: pose.position_m,
+                radius_m: reach_m * (1.0 + SLACK),
+            }));
+            self.sweep(model);
+        }
+    }
+
+    /// Sweep and prune: the bodies are kept sorted by the southern ends of their circles, which moves
+    /// little from list to list, so that an insertion sort costs one pass.
+    fn sweep(&mut self, model: &Model) {
+        let count = self.circles.len();
+        if self.by_x.len() != count {
+            self.by_x.clear();
+            self.by_x.extend((0..count as u32).map(|rank| (0.0, rank)));
+        }
+        for (south_m, rank) in &mut self.by_x {
+            let circle = &self.circles[*rank as usize];
+            *south_m = circle.center_m.x - circle.radius_m;
+        }
+        insertion_sort(&mut self.by_x);
+        self.pairs.clear();
+        for (i, &(_, one)) in self.by_x.iter().enumerate() {
+            let circle = self.circles[one as usize];
+            let north_m = circle.center_m.x + circle.radius_m;
+            for &(south_m, two) in &self.by_x[i + 1..] {
+                if south_m > north_m {
+                    break;
+                }
+                if circle.meets(&self.circles[two as usize]) {
+                    let (a, b) = (one.min(two), one.max(two));
+                    let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
+                    let both_fixed = fixed(a) && fixed(b);
+                    if !both_fixed && !named(model, a, b) {
+                        self.pairs.push((a, b));
+                    }
+                }
+            }
+        }
+        self.pairs.sort_unstable();
+    }
+}
+
+fn named(model: &Model, a: u32, b: u32) -> bool {
+    model.pairs.binary_search_by_key(&(a, b), |p| (p.a, p.b)).is_ok()
+}
+
+/// By position, then rank: a total order. Falls back to a full sort when the order is far off (first
+/// list, teleports).
+fn insertion_sort(by_x: &mut [(f64, u32)]) {
+    let mut moves = 0usize;
+    for i in 1..by_x.len() {
+        let mut j = i;
+        while j > 0 && after(by_x[j - 1], by_x[j]) {
+            by_x.swap(j - 1, j);
+            j -= 1;
+            moves += 1;
+        }
+        if moves > 32 * by_x.len() {
+            by_x.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
+            return;
+        }
+    }
+}
+
+#[inline]
+fn after(p: (f64, u32), q: (f64, u32)) -> bool {
+    p.0 > q.0 || (p.0 == q.0 && p.1 > q.1)
+}

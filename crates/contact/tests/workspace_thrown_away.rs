@@ -1,0 +1,121 @@
+//! What a workspace keeps between steps decides how fast an answer comes, never what it is: a run that
+//! gets a new one every step gives the same bits as one that keeps its own.
+
+mod support;
+
+use fenderline_contact::{
+    BodyId, BodyState, Contact, Event, Fender, FenderLaw, Material, MaterialId, Memory, Mobility,
+    Model, ReactionFactors, Vec2, Workspace, Wrench, advance, step, vec2,
+};
+use support::harbour::{PAPER, at, body};
+use support::shapes::{ellipse, hull, points, rectangle, stepped_ship};
+
+const STEP_S: f64 = 0.25;
+const STEPS: usize = 120;
+
+/// Tugs, barges and stepped ships adrift before a quay with fenders, in each other's way.
+fn crowd() -> (Model, Vec<BodyState>, Vec<Wrench>) {
+    let shapes = [rectangle(24.0, 9.0), hull(40.0, 11.0, 12), ellipse(20.0, 8.0, 20, &[])];
+    let mut builder = Model::builder();
+    let mut states = Vec::new();
+    let mut loads = Vec::new();
+    let quay = points(&[(-200.0, 0.0), (200.0, 0.0), (200.0, 20.0), (-200.0, 20.0)]);
+    let quay = builder.body(body(500, &quay, false));
+    states.push(at(0.0, 130.0, 0.0));
+    loads.push(Wrench::default());
+    for number in 0..30_u64 {
+        let shape = if number % 10 == 7 { &stepped_ship() } else { &shapes[number as usize % 3] };
+        let free = number % 11 != 5;
+        // Keys in another order than bodies.
+        builder.body(body((number * 7) % 31, shape, free));
+        let (row, column) = ((number / 6) as f64, (number % 6) as f64);
+        let mut state =
+            at(-130.0 + 45.0 * column + 7.0 * row, -90.0 + 45.0 * row, 0.4 * row + 0.9 * column);
+        if free {
+            state.velocity_mps = vec2(0.7 - 0.3 * row, 2.0 - 0.6 * column);
+            state.yaw_rate_radps = 0.02 * (column - row);
+        }
+        states.push(state);
+        loads.push(Wrench { force_n: vec2(0.0, 2e5), moment_nm: 1e5 * (column - 2.0) });
+    }
+    let material = builder.material(Material { damping_nspm2: 2e4, ..PAPER });
+    for number in 0..8_u64 {
+        builder.fender(fender(quay, material, number));
+    }
+    builder.every_other_pair(material);
+    (builder.build().expect("a good model"), states, loads)
+}
+
+fn fender(body: BodyId, material: MaterialId, key: u64) -> Fender {
+    Fender {
+        name: format!("fender {key}"),
+        key,
+        body,
+        position_m: vec2(-140.0 + 40.0 * key as f64, 0.0),
+        facing_rad: -0.5 * core::f64::consts::PI,
+        width_m: 3.0,
+        projection_m: 1.5,
+        law: FenderLaw::linear(2e6),
+        material,
+        rated_deflection_m: 0.9,
+        stop: None,
+        factors: ReactionFactors::default(),
+    }
+}
+
+/// All that a step gives.
+type Found = (Vec<Contact>, Vec<Wrench>, Vec<Event>, Vec<BodyState>, Vec<u8>);
+
+/// Every step of a run; `after` moves the states on. `fresh`: a new workspace for each.
+fn run(
+    one_step: fn(&Model, &mut Memory, &mut Workspace, &mut [BodyState], &[Wrench]),
+    fresh: bool,
+) -> Vec<Found> {
+    let (model, mut states, loads) = crowd();
+    let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
+    (0..STEPS)
+        .map(|_| {
+            if fresh {
+                work = Workspace::new(&model);
+            }
+            one_step(&model, &mut memory, &mut work, &mut states, &loads);
+            let (contacts, wrenches) = (work.contacts().to_vec(), work.wrenches().to_vec());
+            (contacts, wrenches, work.events().to_vec(), states.clone(), memory.snapshot())
+        })
+        .collect()
+}
+
+fn same_bits(one_step: fn(&Model, &mut Memory, &mut Workspace, &mut [BodyState], &[Wrench])) {
+    let (kept, thrown_away) = (run(one_step, false), run(one_step, true));
+    for (index, (one, other)) in kept.iter().zip(&thrown_away).enumerate() {
+        // Debug text shows every bit of a float that is not NaN.
+        assert_eq!(format!("{one:?}"), format!("{other:?}"), "step {index}");
+    }
+    let contacts: usize = kept.iter().map(|found| found.0.len()).sum();
+    let on_fenders = kept.iter().flat_map(|found| &found.0).filter(|c| c.fender.is_some()).count();
+    assert!(contacts > 8 * STEPS && on_fenders > STEPS, "{contacts} {on_fenders}");
+}
+
+#[test]
+fn a_workspace_thrown_away_every_step_changes_no_bit_of_the_papers_method() {
+    same_bits(|model, memory, work, states, loads| {
+        step(model, memory, work, states, STEP_S).expect("good states");
+        let floats = |index: usize| model.bodies()[index].mobility != Mobility::Fixed;
+        for (index, state) in states.iter_mut().enumerate().filter(|(index, _)| floats(*index)) {
+            let (push, load) = (work.wrenches()[index], loads[index]);
+            let more_mps: Vec2 = (push.force_n + load.force_n) * (STEP_S / 1e6);
+            state.velocity_mps += more_mps;
+            state.yaw_rate_radps += (push.moment_nm + load.moment_nm) * (STEP_S / 6e7);
+            state.position_m += state.velocity_mps * STEP_S;
+            state.heading_rad += state.yaw_rate_radps * STEP_S;
+        }
+    });
+}
+
+#[test]
+fn a_workspace_thrown_away_every_step_changes_no_bit_of_the_coupled_method() {
+    same_bits(|model, memory, work, states, loads| {
+        advance(model, memory, work, states, loads, STEP_S).expect("good states and loads");
+        states.copy_from_slice(work.states_after());
+    });
+}
