@@ -29,6 +29,7 @@ fn pontoon_and_tug(mass_kg: f64, facing: Material, step_s: f64) -> Setup {
         fenders: vec![],
         berthing: None,
         loads: vec![],
+        world: fenderline_sim::WorldSetup::default(),
     };
     setup.materials = [("steel", spring(50e6, 0.1)), ("facing", facing)]
         .map(|(name, material)| NamedMaterial { name: name.into(), material })

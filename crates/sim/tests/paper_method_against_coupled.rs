@@ -47,6 +47,7 @@ fn ship_beside_fenders(count: usize, gap_m: f64, material: Material, step_s: f64
         fenders: vec![],
         berthing: None,
         loads: vec![],
+        world: fenderline_sim::WorldSetup::default(),
     }
 }
 

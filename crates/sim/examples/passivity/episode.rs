@@ -145,6 +145,7 @@ fn setup(episode: &Episode) -> Setup {
         fenders: (0..4).map(|k| fender(k, episode.law)).collect(),
         berthing: None,
         loads: vec![],
+        world: fenderline_sim::WorldSetup::default(),
     }
 }
 

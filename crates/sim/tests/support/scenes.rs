@@ -85,6 +85,7 @@ pub(crate) fn cone_fender(
         facing_rad: -FRAC_PI_2,
         width_m: 2.0,
         height_m: 3.0,
+        above_water_m: 2.0,
         projection_m: height_m,
         rated: Rated::of(&law, 0.72 * height_m),
         stop: Some(Stop {
@@ -145,6 +146,7 @@ fn coupled(step_s: f64, duration_s: f64, bodies: Vec<BodySetup>) -> Setup {
         fenders: vec![],
         berthing: None,
         loads: vec![],
+        world: fenderline_sim::WorldSetup::default(),
     }
 }
 
