@@ -13,8 +13,8 @@ pub(crate) const MANIFEST: &str = "fuzz/Cargo.toml";
 pub(crate) const SECONDS: u64 = 20;
 
 /// A target, and folders with inputs to start from besides its seeds.
-const TARGETS: [(&str, &[&str]); 3] =
-    [("clip", &[]), ("scenario", &["scenarios"]), ("snapshot", &[])];
+const TARGETS: [(&str, &[&str]); 4] =
+    [("advance", &[]), ("clip", &[]), ("scenario", &["scenarios"]), ("snapshot", &[])];
 
 /// `cargo xtask fuzz`.
 pub(crate) fn fuzz_command(seconds: u64) -> ExitCode {

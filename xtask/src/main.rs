@@ -1,4 +1,4 @@
-//! The project's own chores: `cargo xtask test`, `cargo xtask fuzz`, `cargo xtask bench`.
+//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
@@ -7,6 +7,7 @@ mod bench;
 mod command;
 mod compare;
 mod fuzz;
+mod passivity;
 mod scenarios;
 mod step;
 mod test;
@@ -19,7 +20,8 @@ usage: cargo xtask test                   everything that a change must pass
        cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
        cargo xtask bench [clip|step|accuracy|mmg|callgrind]...
                                           times and answers against the peers, instructions a step
-                                          (all five)";
+                                          (all five)
+       cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -33,6 +35,11 @@ fn main() -> ExitCode {
         ["fuzz"] => fuzz::fuzz_command(fuzz::SECONDS),
         ["fuzz", seconds] => match seconds.parse() {
             Ok(seconds) => fuzz::fuzz_command(seconds),
+            Err(_) => usage(),
+        },
+        ["passivity"] => passivity::passivity_command(passivity::EPISODES),
+        ["passivity", episodes] => match episodes.parse() {
+            Ok(episodes) => passivity::passivity_command(episodes),
             Err(_) => usage(),
         },
         ["bench", benches @ ..] => bench::bench(benches),

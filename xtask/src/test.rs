@@ -116,6 +116,7 @@ fn same_bits_in(folder: &Path) -> Result<(), String> {
         ("scenarios/paper/experiment_2_4kn.toml", vec!["--format", "parquet"]),
         ("scenarios/paper/experiment_1_step_0.1s.toml", vec!["--set", "time.integrator=rk4"]),
         ("scenarios/berth/leaning_on_eight_fenders.toml", vec![]),
+        ("scenarios/berth/eight_cones_at_5_deg.toml", vec![]),
     ] {
         let results = |name: &str, profile: &str| {
             let out = folder.join(name);

@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test binary uses its own part")]
 
+pub(crate) mod scenes;
+
 use fenderline_contact::{Material, Outline, Vec2, vec2};
 use fenderline_sim::{
     BodySetup, BodyVelocity, Integrator, MassProperties, Method, NamedMaterial, PairSetup, Setup,

@@ -1,0 +1,168 @@
+//! One hit: a tug at any heading, speed and spin meets fenders on a quay or a pontoon.
+
+use std::f64::consts::PI;
+
+use fenderline_contact::{FenderLaw, Material, vec2};
+use fenderline_sim::{
+    FenderSetup, Integrator, MassProperties, Method, PairSetup, Setup, Simulation,
+};
+
+use crate::draw::Draw;
+use crate::support::scenes::{FENDER_HEIGHT_M, berth_materials, cone_fender, quay, tug};
+use crate::support::{floating, rectangle, spring};
+
+/// What is drawn of an episode.
+#[derive(Clone, Debug)]
+pub(crate) struct Episode {
+    /// Of the pontoon that carries the fenders; `None`: a quay.
+    host_kg: Option<f64>,
+    /// Added masses in sway over the displacement, of tug and pontoon.
+    added: [f64; 2],
+    boxy: bool,
+    heading_rad: f64,
+    along_m: f64,
+    approach_mps: f64,
+    slide_mps: f64,
+    spin_radps: f64,
+    pub(crate) restitution: f64,
+    friction: f64,
+    sliding_share: f64,
+    shear_stiffness_npm: f64,
+    law: Law,
+    pub(crate) step_s: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Law {
+    Cone,
+    Linear,
+    Area,
+}
+
+/// What became of the energy, in parts of the kinetic energy before.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Outcome {
+    /// Lost to contact.
+    lost: f64,
+    /// Made by what no contact and no load did: a momentum that turns with its body, within a step.
+    pub(crate) turning: f64,
+    pub(crate) touched: bool,
+    /// Outline on outline besides.
+    pub(crate) touched_structure: bool,
+}
+
+impl Outcome {
+    /// By contact.
+    pub(crate) fn gain(&self) -> f64 {
+        -self.lost
+    }
+
+    /// By all that there is.
+    pub(crate) fn gain_with_turning(&self) -> f64 {
+        self.turning - self.lost
+    }
+}
+
+/// The episode of a seed.
+pub(crate) fn drawn(seed: u64, anisotropic: bool) -> Episode {
+    let mut draw = Draw::new(seed);
+    let added = [draw.between(0.0, 0.9), draw.between(0.0, 0.9)];
+    Episode {
+        host_kg: draw.one_of(&[false, true]).then(|| libm::exp10(draw.between(5.0, 8.0))),
+        added: if anisotropic { added } else { [0.0; 2] },
+        boxy: draw.one_of(&[false, true]),
+        heading_rad: draw.between(-PI, PI),
+        along_m: draw.between(-12.0, 12.0),
+        approach_mps: draw.between(0.05, 1.5),
+        slide_mps: draw.between(-0.5, 0.5),
+        spin_radps: draw.between(-0.05, 0.05),
+        restitution: draw.between(0.0, 0.9),
+        friction: draw.between(0.0, 0.8),
+        sliding_share: draw.between(0.3, 1.0),
+        shear_stiffness_npm: libm::exp10(draw.between(5.5, 8.0)),
+        law: draw.one_of(&[Law::Cone, Law::Linear, Law::Area]),
+        step_s: draw.one_of(&[0.05, 0.1, 0.5, 1.0]),
+    }
+}
+
+/// Plays it for 20 s.
+pub(crate) fn play(episode: &Episode) -> Outcome {
+    let mut simulation = Simulation::new(setup(episode)).expect("a good set-up");
+    let before_j = simulation.energy().kinetic_j;
+    let (mut touched, mut touched_structure) = (false, false);
+    while !simulation.is_done() {
+        let record = simulation.step().expect("a good step");
+        touched |= record.contacts.iter().any(|c| c.fender.is_some());
+        touched_structure |= record.contacts.iter().any(|c| c.fender.is_none());
+    }
+    let energy = simulation.energy();
+    Outcome {
+        lost: 1.0 - (energy.kinetic_j - energy.residual_j) / before_j,
+        turning: energy.residual_j / before_j,
+        touched,
+        touched_structure,
+    }
+}
+
+fn setup(episode: &Episode) -> Setup {
+    let mut host = quay();
+    host.mass = episode.host_kg.map(|mass_kg| MassProperties {
+        mass_kg,
+        yaw_inertia_kgm2: mass_kg * 100.0,
+        added_sway_kg: mass_kg * episode.added[0],
+        ..Default::default()
+    });
+    let own = tug();
+    let outline = if episode.boxy { rectangle(32.0, 11.0) } else { own.outline };
+    // The hull's farthest point towards the quay, a little off the face.
+    let reach_m = farthest_east_m(outline.vertices(), episode.heading_rad);
+    let mut tug = floating("tug", outline, 930e3, 8.0);
+    tug.mass.as_mut().expect("she floats").added_sway_kg = 930e3 * episode.added[1];
+    tug.heading_rad = episode.heading_rad;
+    tug.position_m = vec2(episode.along_m, -FENDER_HEIGHT_M - reach_m - 0.05);
+    let (sin, cos) = (libm::sin(episode.heading_rad), libm::cos(episode.heading_rad));
+    tug.velocity.surge_mps = episode.slide_mps * cos + episode.approach_mps * sin;
+    tug.velocity.sway_mps = -episode.slide_mps * sin + episode.approach_mps * cos;
+    tug.velocity.yaw_radps = episode.spin_radps;
+
+    let mut materials = berth_materials();
+    materials[0].material.restitution = episode.restitution;
+    materials[1].material = Material {
+        shear_stiffness_npm: episode.shear_stiffness_npm,
+        friction_static: episode.friction,
+        friction_dynamic: episode.friction * episode.sliding_share,
+        ..spring(400e3, episode.restitution)
+    };
+    Setup {
+        step_s: episode.step_s,
+        duration_s: 20.0,
+        integrator: Integrator::SemiImplicit,
+        method: Method::Coupled,
+        bodies: vec![host, tug],
+        materials,
+        pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
+        every_other_pair: None,
+        fenders: (0..4).map(|k| fender(k, episode.law)).collect(),
+        berthing: None,
+        loads: vec![],
+        world: fenderline_sim::WorldSetup::default(),
+    }
+}
+
+fn farthest_east_m(vertices: &[fenderline_contact::Vec2], heading_rad: f64) -> f64 {
+    let (sin, cos) = (libm::sin(heading_rad), libm::cos(heading_rad));
+    vertices.iter().map(|v| v.x * sin + v.y * cos).fold(0.0, f64::max)
+}
+
+/// Four of them, 4 m wide and half a metre apart.
+fn fender(k: u32, law: Law) -> FenderSetup {
+    let along_m = 4.5 * (f64::from(k) - 1.5);
+    let mut fender = cone_fender(&format!("fender {k}"), along_m, FENDER_HEIGHT_M, 1.2e6);
+    fender.width_m = 4.0;
+    match law {
+        Law::Cone => {}
+        Law::Linear => fender.law = FenderLaw::linear(1.5e6),
+        Law::Area => (fender.law, fender.rated) = (FenderLaw::Area, None),
+    }
+    fender
+}

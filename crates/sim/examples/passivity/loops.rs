@@ -1,0 +1,128 @@
+//! Work of a closed, frictionless loop: the corner of a hull is taken round the corner of a quay and
+//! back to where it was, the bow into the quay on one side and out on the other.
+//!
+//! Along the chord's normal kS is no gradient of anything (contact model §2), so that each round gains or
+//! loses; along a face it is one, and a round does nothing.
+
+use std::f64::consts::{PI, TAU};
+
+use fenderline_contact::{
+    Body, BodyId, BodyState, Fender, FenderLaw, Material, MaterialId, Memory, Mobility, Model,
+    Outline, Pair, ReactionFactors, Rotation, Vec2, Workspace, step, vec2,
+};
+
+use crate::support::{outline, rectangle, spring};
+
+/// The paper's k [N/m²].
+const STIFFNESS_NPM2: f64 = 500e3;
+/// The ship's corner goes round a circle of this radius about a point this far within both sides of
+/// the quay [m].
+const RADIUS_M: f64 = 2.0;
+const WITHIN_M: f64 = 0.5;
+const SHIP_CORNER_M: Vec2 = vec2(149.0, 23.0);
+/// Steps round the circle; their error falls with the square of their number.
+const STEPS: u32 = 20_000;
+
+/// Measures both; false where the face's loop did work.
+pub(crate) fn report() -> bool {
+    println!(
+        "frictionless closed loops of {RADIUS_M} m round a corner, k = {:.0} kN/m²:",
+        STIFFNESS_NPM2 * 1e-3
+    );
+    let mut closed = true;
+    for heading_deg in [10.0, 20.0, 30.0, 40.0] {
+        let heading_rad = f64::to_radians(heading_deg);
+        let (chord_j, most_j) = round(&corner(), heading_rad, STEPS);
+        let (face_j, face_most_j) = round(&face(), heading_rad, STEPS);
+        let (coarse_j, _) = round(&face(), heading_rad, STEPS / 4);
+        println!(
+            "  hull at {heading_deg:2}°: chord {:+8.2} kJ of {:.0} kJ put in; face {:+.1e} kJ of {:.0} kJ \
+             ({:+.1e} in a quarter of the steps)",
+            chord_j * 1e-3,
+            most_j * 1e-3,
+            face_j * 1e-3,
+            face_most_j * 1e-3,
+            coarse_j * 1e-3
+        );
+        closed &= face_j.abs() <= 1e-6 * face_most_j;
+    }
+    println!("  {}", if closed { "a face's loop does no work" } else { "A FACE'S LOOP DID WORK" });
+    closed
+}
+
+/// Work on the ship round the loop, and the most that it had taken from her on the way [J].
+fn round(model: &Model, heading_rad: f64, steps: u32) -> (f64, f64) {
+    let turned = Rotation::from_angle(heading_rad);
+    let middle_m = vec2(WITHIN_M, WITHIN_M) - turned.apply(SHIP_CORNER_M);
+    let at = |index: f64| {
+        let angle = TAU * index / f64::from(steps);
+        middle_m + vec2(libm::cos(angle), libm::sin(angle)) * RADIUS_M
+    };
+    let (mut work_j, mut least_j) = (0.0, 0.0_f64);
+    for index in 0..steps {
+        let index = f64::from(index);
+        let force_n = force_on_ship_n(model, at(index + 0.5), heading_rad);
+        work_j += force_n.dot(at(index + 1.0) - at(index));
+        least_j = least_j.min(work_j);
+    }
+    (work_j, -least_j)
+}
+
+/// The springs' force, before any limiter.
+fn force_on_ship_n(model: &Model, position_m: Vec2, heading_rad: f64) -> Vec2 {
+    let (mut memory, mut work) = (Memory::new(model), Workspace::new(model));
+    let ship = BodyState { position_m, heading_rad, ..BodyState::default() };
+    step(model, &mut memory, &mut work, &[BodyState::default(), ship], 0.1).expect("good states");
+    // The quay was added first: the force on the ship is +N n.
+    work.contacts()
+        .iter()
+        .fold(Vec2::ZERO, |sum, c| sum + c.normal * (c.parts.spring_n + c.parts.stop_n))
+}
+
+/// A quay with its corner at the origin.
+fn corner() -> Model {
+    let square = [vec2(0.0, 0.0), vec2(60.0, 0.0), vec2(60.0, 60.0), vec2(0.0, 60.0)];
+    model(outline(&square), None, spring(STIFFNESS_NPM2, 1.0))
+}
+
+/// The same corner as the end of a fender's face, the quay 4 m behind it.
+fn face() -> Model {
+    let quay = [vec2(4.0, 0.0), vec2(60.0, 0.0), vec2(60.0, 60.0), vec2(4.0, 60.0)];
+    let fender = Fender {
+        name: "face".into(),
+        key: 0,
+        body: BodyId(0),
+        position_m: vec2(4.0, 10.0),
+        facing_rad: PI,
+        width_m: 20.0,
+        projection_m: 4.0,
+        law: FenderLaw::Area,
+        material: MaterialId(0),
+        rated_deflection_m: 4.0,
+        stop: None,
+        factors: ReactionFactors::default(),
+    };
+    model(outline(&quay), Some(fender), spring(STIFFNESS_NPM2, 1.0))
+}
+
+fn model(quay: Outline, fender: Option<Fender>, material: Material) -> Model {
+    let mut builder = Model::builder();
+    let mut add = |name: &str, key, outline, mobility| {
+        builder.body(Body { name: name.into(), key, outline, mobility })
+    };
+    let bodies = [
+        add("quay", 0, quay, Mobility::Fixed),
+        add(
+            "ship",
+            1,
+            rectangle(2.0 * SHIP_CORNER_M.x, 2.0 * SHIP_CORNER_M.y),
+            Mobility::Free { mass_kg: 9e7, yaw_inertia_kgm2: 5e11 },
+        ),
+    ];
+    let material = builder.material(material);
+    if let Some(fender) = fender {
+        builder.fender(fender);
+    }
+    builder.pair(Pair { bodies, material });
+    builder.build().expect("a good model")
+}

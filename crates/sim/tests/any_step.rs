@@ -1,0 +1,114 @@
+//! The coupled method at long time steps against its own converged solution: peak force, peak depth,
+//! and the speeds in the end.
+
+mod support;
+
+use fenderline_contact::BodyState;
+use fenderline_sim::{Setup, Simulation};
+use support::scenes::{oblique_berthing, tug_impact};
+
+/// The converged solution's Δt [s], as issue 3 asks.
+const CONVERGED_S: f64 = 1e-3;
+
+/// What issue 3 asks for.
+const TOLERANCE: f64 = 0.02;
+
+/// What is compared of a run.
+#[derive(Debug)]
+struct Outcome {
+    /// Peak normal force and peak depth of every contact that there was, in a fixed order.
+    peaks: Vec<(String, f64, f64)>,
+    after: Vec<BodyState>,
+    /// Largest speed of each body in the run, and its largest rate of turn or, where that is more, the
+    /// rate at which it would have as much energy in yaw: the scales of what is left in the end.
+    fastest: Vec<(f64, f64)>,
+}
+
+fn outcome(setup: Setup) -> Outcome {
+    let mut simulation = Simulation::new(setup).expect("a good set-up");
+    let mut fastest = vec![(0.0_f64, 0.0_f64); simulation.states().len()];
+    while !simulation.is_done() {
+        let record = simulation.step().expect("a good step");
+        for (most, state) in fastest.iter_mut().zip(record.states.iter()) {
+            most.0 = most.0.max(state.velocity_mps.length());
+            most.1 = most.1.max(state.yaw_rate_radps.abs());
+        }
+    }
+    for (most, body) in fastest.iter_mut().zip(&simulation.setup().bodies) {
+        let Some(mass) = body.mass else { continue };
+        let gyradius_m = (mass.yaw_inertia_kgm2 / mass.mass_kg).sqrt();
+        most.1 = most.1.max(most.0 / gyradius_m);
+    }
+    // A pair with fenders is told of fender by fender: the summary of such a pair adds up peaks that
+    // come at different times of a long step.
+    let fenders = simulation.setup().fenders.len();
+    let quay = |bodies: [usize; 2]| fenders > 0 && bodies[0] == 0;
+    let pairs = simulation.pair_summaries().iter().filter(|p| !quay(p.bodies));
+    let mut peaks: Vec<_> = pairs
+        .map(|p| (format!("pair {:?}", p.bodies), p.peak_normal_force_n, p.peak_depth_m))
+        .collect();
+    peaks.extend(
+        simulation
+            .fender_summaries()
+            .map(|f| (format!("fender {}", f.fender), f.peak_reaction_n, f.peak_deflection_m)),
+    );
+    Outcome { peaks, after: simulation.states().to_vec(), fastest }
+}
+
+/// Below this share of the largest in the run a final velocity is next to zero.
+const NEXT_TO_ZERO: f64 = 0.05;
+
+/// What a deviation of `right` is measured by: itself, or where that is next to zero, as what is left of
+/// a swing on undamped springs, which has any phase after ten minutes, the largest in the run.
+fn scale(right: f64, largest: f64) -> f64 {
+    if right < NEXT_TO_ZERO * largest { largest } else { right }
+}
+
+/// Peaks against the largest of their kind in the scene: the eighth fender of a row gets next to nothing.
+fn assert_close(what: &str, ours: &Outcome, converged: &Outcome) {
+    let largest =
+        |of: fn(&(String, f64, f64)) -> f64| converged.peaks.iter().map(of).fold(0.0, f64::max);
+    let (force_n, depth_m) = (largest(|p| p.1), largest(|p| p.2));
+    assert_eq!(ours.peaks.len(), converged.peaks.len(), "{what}: {ours:?}");
+    for (one, right) in ours.peaks.iter().zip(&converged.peaks) {
+        assert_eq!(one.0, right.0, "{what}");
+        assert!((one.1 - right.1).abs() <= TOLERANCE * force_n, "{what}: {one:?} {right:?}");
+        assert!((one.2 - right.2).abs() <= TOLERANCE * depth_m, "{what}: {one:?} {right:?}");
+    }
+    for body in 0..ours.after.len() {
+        let (one, right) = (ours.after[body], converged.after[body]);
+        let (speed_mps, turn_radps) = converged.fastest[body];
+        let off_mps = (one.velocity_mps - right.velocity_mps).length();
+        let scale_mps = scale(right.velocity_mps.length(), speed_mps);
+        assert!(
+            off_mps <= TOLERANCE * scale_mps,
+            "{what}, body {body}: {one:?} {right:?} of {scale_mps} m/s"
+        );
+        let off_radps = (one.yaw_rate_radps - right.yaw_rate_radps).abs();
+        let scale_radps = scale(right.yaw_rate_radps.abs(), turn_radps);
+        assert!(
+            off_radps <= TOLERANCE * scale_radps,
+            "{what}, body {body}: {one:?} {right:?} of {scale_radps} rad/s"
+        );
+    }
+}
+
+fn assert_any_step(what: &str, scene: impl Fn(f64) -> Setup, steps_s: &[f64]) {
+    let converged = outcome(scene(CONVERGED_S));
+    for &step_s in steps_s {
+        assert_close(&format!("{what}, Δt {step_s}"), &outcome(scene(step_s)), &converged);
+    }
+}
+
+const STEPS_S: [f64; 4] = [0.1, 0.5, 1.0, 2.0];
+
+#[test]
+fn a_tugs_impact_on_a_ship_is_the_same_at_any_time_step() {
+    assert_any_step("amidships", |step_s| tug_impact(2.06, 0.0, step_s), &STEPS_S);
+    assert_any_step("60 m forward", |step_s| tug_impact(2.06, 60.0, step_s), &STEPS_S);
+}
+
+#[test]
+fn an_oblique_berthing_on_eight_fenders_is_the_same_at_any_time_step() {
+    assert_any_step("berthing", oblique_berthing, &STEPS_S);
+}

@@ -1,0 +1,208 @@
+//! The table of the contact model's §5, both columns: what the paper's method gives and what is right.
+//! The wrong answers are held too, so that the comparison stays what it is said to be.
+
+mod support;
+
+use fenderline_contact::{
+    BodyState, FollowingHost, HostIntegration, HostSettings, HostWorkspace, Material, vec2,
+};
+use fenderline_sim::{
+    BodySetup, Integrator, Load, Method, NamedMaterial, PairSetup, Setup, Simulation,
+};
+use support::{fixed, floating, rectangle, spring, two};
+
+fn run(setup: Setup) -> Simulation {
+    let mut simulation = Simulation::new(setup).expect("a good set-up");
+    while !simulation.is_done() {
+        simulation.step().expect("a good step");
+    }
+    simulation
+}
+
+/// As the paper does it: forward Euler, each pair limited by itself.
+fn by_the_paper(mut setup: Setup) -> Setup {
+    setup.method = Method::Paper;
+    setup.integrator = Integrator::Euler;
+    setup
+}
+
+/// A ship of 100,000 t, 200 m × 32 m, beside `count` fenders 4 m wide, `gap_m` off.
+fn ship_beside_fenders(count: usize, gap_m: f64, material: Material, step_s: f64) -> Setup {
+    let mut bodies: Vec<BodySetup> = vec![floating("ship", rectangle(200.0, 32.0), 1e8, 50.0)];
+    for k in 0..count {
+        let mut fender = fixed(&format!("fender {k:02}"), rectangle(4.0, 4.0));
+        let along_m = if count == 1 { 0.0 } else { -80.0 + 160.0 * k as f64 / (count - 1) as f64 };
+        fender.position_m = vec2(along_m, 18.0 + gap_m);
+        bodies.push(fender);
+    }
+    Setup {
+        step_s,
+        duration_s: 900.0,
+        integrator: Integrator::SemiImplicit,
+        method: Method::Coupled,
+        bodies,
+        materials: vec![NamedMaterial { name: "rubber".into(), material }],
+        pairs: (1..=count).map(|k| PairSetup { bodies: [0, k], material: 0 }).collect(),
+        every_other_pair: None,
+        fenders: vec![],
+        berthing: None,
+        loads: vec![],
+        world: fenderline_sim::WorldSetup::default(),
+    }
+}
+
+/// The tug of 1,000 t, 10 m wide, bow against a wall `gap_m` off.
+fn tug_at_a_wall(gap_m: f64, speed_mps: f64, material: Material, step_s: f64) -> Setup {
+    let mut tug = floating("tug", rectangle(32.0, 10.0), 1e6, 8.0);
+    tug.velocity.surge_mps = speed_mps;
+    let mut wall = fixed("wall", rectangle(20.0, 100.0));
+    wall.position_m = vec2(26.0 + gap_m, 0.0);
+    let mut setup = two(tug, wall, material, Integrator::SemiImplicit, step_s, 120.0);
+    setup.method = Method::Coupled;
+    setup
+}
+
+fn pushed(mut setup: Setup, north_n: f64, east_n: f64) -> Setup {
+    setup.loads.push(Load {
+        body: 0,
+        force_n: vec2(north_n, east_n),
+        moment_nm: 0.0,
+        from_s: 0.0,
+        until_s: f64::INFINITY,
+    });
+    setup
+}
+
+#[test]
+fn leaning_on_one_fender_for_a_quarter_of_an_hour() {
+    let setup = pushed(ship_beside_fenders(1, 0.0, spring(500e3, 0.1), 0.1), 0.0, 500e3);
+    let depth_m = run(setup.clone()).states()[0].position_m.y;
+    assert!((depth_m / 0.25 - 1.0).abs() < 0.005, "{depth_m} m, F/(k·width) is 0.25 m");
+    // The limiter knows no load: the table's 0.94 m, and she still goes in.
+    let paper = run(by_the_paper(setup));
+    let state = paper.states()[0];
+    assert!((state.position_m.y / 0.94 - 1.0).abs() < 0.1, "{state:?}");
+    assert!(state.velocity_mps.y > 1e-5, "{state:?}");
+}
+
+/// The paper's equations with forward Euler and no limiter: one body on a spring of k·width, from
+/// `start`, its depth and speed. Depths after every step, and the last speed.
+fn bare_spring(
+    mass_kg: f64,
+    stiffness_npm: f64,
+    push_n: f64,
+    start: (f64, f64),
+    step_s: f64,
+    duration_s: f64,
+) -> (Vec<f64>, f64) {
+    let (mut x_m, mut v_mps) = start;
+    let mut path_m = vec![];
+    for _ in 0..(duration_s / step_s).round() as u64 {
+        let force_n = push_n - stiffness_npm * x_m.max(0.0);
+        x_m += v_mps * step_s;
+        v_mps += force_n / mass_kg * step_s;
+        path_m.push(x_m);
+    }
+    (path_m, v_mps)
+}
+
+#[test]
+fn leaning_without_a_limiter_swings_for_ever_and_more_and_more() {
+    let (path_m, _) = bare_spring(1e8, 2e6, 500e3, (0.0, 0.0), 0.1, 900.0);
+    let [first_m, last_m] = [&path_m[..1500], &path_m[7500..]]
+        .map(|part| part.iter().fold(0.0_f64, |deepest, &x| deepest.max(x)));
+    // An undamped spring swings to 0.5 m. Each step makes 1 + (ωΔt)² of the energy: in ten minutes the
+    // swing about 0.25 m would be e^0.6 times as wide, were she never off the fender.
+    assert!(first_m > 0.5 && last_m > 1.3 * first_m, "{first_m} m, then {last_m} m");
+}
+
+#[test]
+fn eight_stiff_fenders() {
+    let gaps_m = (0..30).map(|k| 0.5 + 0.001 * f64::from(k));
+    let rebounds = |by: fn(Setup) -> Setup| -> Vec<f64> {
+        let one = |gap_m| {
+            let mut setup = ship_beside_fenders(8, gap_m, spring(50e6, 0.1), 0.1);
+            setup.duration_s = 30.0;
+            setup.bodies[0].velocity.sway_mps = 0.3;
+            -run(by(setup)).states()[0].velocity_mps.y / 0.3
+        };
+        gaps_m.clone().map(one).collect()
+    };
+    for rebound in rebounds(|setup| setup) {
+        assert!((rebound / 0.1 - 1.0).abs() < 0.03, "{rebound} v₀");
+    }
+    // Each pair allows γv₀ by itself, and they add up, the more the later in a step they turn her.
+    let worst = rebounds(by_the_paper).into_iter().fold(0.0, f64::max);
+    assert!((worst / 0.47 - 1.0).abs() < 0.1, "the table's 0.47 v₀: {worst}");
+}
+
+#[test]
+fn ten_stiff_fenders_at_a_second_a_step() {
+    let mut setup = ship_beside_fenders(10, 0.5, spring(50e6, 0.1), 1.0);
+    setup.duration_s = 60.0;
+    setup.bodies[0].velocity.sway_mps = 0.3;
+    let rebound = -run(setup.clone()).states()[0].velocity_mps.y / 0.3;
+    assert!((rebound / 0.1 - 1.0).abs() < 0.03, "{rebound} v₀");
+    let rebound = -run(by_the_paper(setup)).states()[0].velocity_mps.y / 0.3;
+    assert!(rebound > 1.0, "faster than she came: {rebound} v₀");
+}
+
+#[test]
+fn a_tug_pushing_on_a_wall_for_two_minutes() {
+    let setup = pushed(tug_at_a_wall(0.0, 0.0, spring(400e3, 0.1), 0.1), 500e3, 0.0);
+    let depth_m = run(setup.clone()).states()[0].position_m.x;
+    assert!((depth_m / 0.125 - 1.0).abs() < 0.005, "{depth_m} m, F/(k·width) is 0.125 m");
+    let depth_m = run(by_the_paper(setup)).states()[0].position_m.x;
+    assert!(depth_m > 1.0, "metres of creep: {depth_m} m");
+}
+
+#[test]
+fn forward_euler_without_a_limiter() {
+    // The table's tug: 1,000 t at 2.06 m/s on k·width of 6.5 MN/m, Δt 0.1 s. Each step makes 1 + (ωΔt)²
+    // of the energy.
+    let (_, v_mps) = bare_spring(1e6, 6.5e6, 0.0, (-2.0, 2.06), 0.1, 10.0);
+    // 10 %: the table does not say where in a step she touches.
+    assert!((v_mps / -2.87 - 1.0).abs() < 0.1, "{v_mps} m/s");
+    // γ = 1: only what would leave faster than it came is cut.
+    for step_s in [0.05, 0.1, 0.2] {
+        let mut setup = tug_at_a_wall(2.0, 2.06, spring(650e3, 1.0), step_s);
+        setup.integrator = Integrator::Euler;
+        let left_mps = -run(setup).states()[0].velocity_mps.x;
+        assert!(left_mps <= 2.06 + 1e-9, "Δt {step_s}: {left_mps} m/s");
+        let left_mps = left_as_a_following_host(step_s);
+        assert!(left_mps <= 2.06 + 1e-9, "as a following host, Δt {step_s}: {left_mps} m/s");
+    }
+    // A host that adds the mean force to longer steps of its own is not where the engine was: such a
+    // one must follow.
+    let left_mps = left_as_a_following_host(0.5);
+    assert!(left_mps <= 2.06 + 1e-9, "as a following host, Δt 0.5: {left_mps} m/s");
+}
+
+#[test]
+fn two_seconds_a_step() {
+    // v/ω of a half sine, ω = √(5 MN/m / 1e6 kg).
+    let setup = tug_at_a_wall(2.0, 2.06, spring(500e3, 0.1), 2.0);
+    let depth_m = run(setup.clone()).pair_summaries()[0].peak_depth_m;
+    assert!((depth_m / 0.9213 - 1.0).abs() < 0.005, "{depth_m} m");
+    let depth_m = run(by_the_paper(setup)).pair_summaries()[0].peak_depth_m;
+    // It first sees the wall after two steps, four metres beyond it.
+    assert!(depth_m > 3.0, "metres: {depth_m} m");
+}
+
+/// The speed at which the tug leaves a co-simulation master with forward Euler that tells nothing.
+fn left_as_a_following_host(step_s: f64) -> f64 {
+    let setup = tug_at_a_wall(2.0, 2.06, spring(650e3, 1.0), step_s);
+    let simulation = Simulation::new(setup).unwrap();
+    let model = simulation.model();
+    let settings = HostSettings { delay_steps: 0, integration: HostIntegration::ForwardEuler };
+    let mut host = FollowingHost::new(model, settings);
+    let mut work = HostWorkspace::new(model);
+    let mut states: Vec<BodyState> = simulation.states().to_vec();
+    for _ in 0..simulation.steps_total() {
+        let force_n = host.step(model, &mut work, &states, None, step_s).unwrap()[0].force_n;
+        let velocity_mps = states[0].velocity_mps;
+        states[0].position_m += velocity_mps * step_s;
+        states[0].velocity_mps += force_n * (step_s / 1e6);
+    }
+    -states[0].velocity_mps.x
+}
