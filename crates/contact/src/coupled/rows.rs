@@ -206,9 +206,13 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         work.impulses[b].force_n -= impulse;
         work.impulses[b].moment_nm -= touch.arm_b_m.cross(impulse);
 
-        let shear_m = shear_after(&row);
+        let v_after_mps = (super::point_velocity(&work.states[a], touch.arm_a_m)
+            - super::point_velocity(&work.states[b], touch.arm_b_m))
+        .dot(row.tangent);
+        let shear_m = shear_after(&row, v_after_mps, h);
         let memory = &mut work.next_patches[index];
-        memory.shear_m = shear_m;
+        // What the bodies move in this sub-step is found again in the next one's kinematics.
+        memory.shear_m = shear_m - h * v_after_mps;
         memory.normal_force_n = row.normal_n;
         memory.tangential_force_n = row.tangential_n;
 
@@ -238,10 +242,15 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
     }
 }
 
-/// Δs that goes on: as it is while it sticks, what the sliding force shears while it slips.
-fn shear_after(row: &Row) -> f64 {
+/// Δs at the end of the sub-step [m]: grown by h V̄ while it sticks, what the sliding force shears while
+/// it slips.
+fn shear_after(row: &Row, v_after_mps: f64, h: f64) -> f64 {
     match row.friction {
-        Friction::Stick => row.touch.shear_m,
+        Friction::Stick => {
+            let share = super::solve::implicit_share(row, h);
+            row.touch.shear_m
+                + h * ((1.0 - share) * row.touch.v_tangential_mps + share * v_after_mps)
+        }
         Friction::Slip => -row.tangential_n / row.shear_stiffness_npm,
     }
 }
