@@ -31,6 +31,8 @@ pub(crate) struct Row {
     pub(crate) restitution: f64,
     /// Stored energy that nothing holds: see [`let_go`] [J].
     pub(crate) unheld_j: f64,
+    /// What N may give the bodies in this sub-step at most: see [`may_give_j`] [J].
+    pub(crate) may_give_j: f64,
     /// n·K n and t·K t [1/kg].
     pub(crate) inverse_normal: f64,
     pub(crate) inverse_tangential: f64,
@@ -55,7 +57,10 @@ pub(crate) fn collect(model: &Model, work: &mut Workspace, memory: &Memory, h: f
     let elapsed_s = if memory.last_step_s > 0.0 { memory.last_step_s } else { h };
     for index in 0..work.patches.len() {
         let (patch, inherited) = (work.patches[index], work.inherited[index]);
-        collect_one(model, work, &patch, &inherited, elapsed_s);
+        let placed = [patch.candidate.a, patch.candidate.b]
+            .iter()
+            .any(|&rank| memory.last_step_s == 0.0 || work.teleported[rank as usize]);
+        collect_one(model, work, &patch, &inherited, elapsed_s, placed);
     }
     let_go(model, work);
 }
@@ -125,12 +130,32 @@ fn unheld_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory>) -
     stored_j * share * share
 }
 
+/// What a contact may give the bodies [J]: what it has taken from them. A spring whose force is that of
+/// the sub-step's start returns a little more than it took, by up to ωh/2; where it gives nearly all of it
+/// back (γ near 1), or the first touch fell deep into a sub-step, somebody would leave faster than it
+/// came. Bodies that were *put* into contact (`placed`) get what the spring holds then, or f δ, a bound on
+/// it between outlines, whose law has no potential.
+fn may_give_j(
+    touch: &Touch,
+    factor: f64,
+    law_n: f64,
+    old: Option<&PatchMemory>,
+    placed: bool,
+) -> f64 {
+    match (old, placed) {
+        (Some(memory), _) => memory.taken_j,
+        (None, false) => 0.0,
+        (None, true) => (touch.stored_j * factor).max(law_n * touch.depth_m),
+    }
+}
+
 fn collect_one(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
     inherited: &Inherited,
     elapsed_s: f64,
+    placed: bool,
 ) {
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
     let old = inherited.memory();
@@ -162,6 +187,7 @@ fn collect_one(
         rebound_mps: material.restitution * v_ref_mps,
         restitution: material.restitution,
         unheld_j: unheld_j(&touch, factor, law_n, old),
+        may_give_j: may_give_j(&touch, factor, law_n, old, placed),
         inverse_normal: inverse_along(touch.normal),
         inverse_tangential: inverse_along(tangent),
         shear_stiffness_npm: material.shear_stiffness_npm,
@@ -193,6 +219,9 @@ fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) 
     };
     (v_ref_mps, approaching)
 }
+
+/// Beyond this a memory would not be restored [J].
+const MOST_TAKEN_J: f64 = 1e29;
 
 /// Books impulses, work and peaks of a solved sub-step, and completes its memory.
 pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
@@ -228,6 +257,8 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         let closing_m = touch.normal.dot(slip_mps) * h;
         let limiter_n = row.law_n - row.normal_n;
         contact.work.normal_j -= row.normal_n * closing_m;
+        let taken_j = row.may_give_j + row.normal_n * closing_m;
+        work.next_patches[index].taken_j = taken_j.clamp(0.0, MOST_TAKEN_J);
         contact.work.tangential_j += row.tangential_n * row.tangent.dot(slip_mps) * h;
         contact.work.damper_j -= row.parts.damper_n * closing_m;
         contact.work.limiter_j -= limiter_n * closing_m;

@@ -111,7 +111,23 @@ fn relax(work: &mut Workspace, index: usize, h: f64) -> f64 {
 #[inline]
 fn normal(row: &Row, v_normal_mps: f64, h: f64) -> f64 {
     let tight_n = row.normal_n + (v_normal_mps + row.rebound_mps) / (h * row.inverse_normal);
-    tight_n.min(row.law_n).max(0.0)
+    passive(row, v_normal_mps, tight_n.min(row.law_n).max(0.0), h)
+}
+
+/// `normal_n`, or less where it would give the bodies more than the contact may.
+///
+/// The work of N on the bodies is N h (½ N h/E − s), with s the mean of V_n before the sub-step and of V_n
+/// after it were N 0.
+#[inline]
+fn passive(row: &Row, v_normal_mps: f64, normal_n: f64, h: f64) -> f64 {
+    let without_mps = v_normal_mps + row.normal_n * h * row.inverse_normal;
+    let mean_mps = 0.5 * (row.touch.v_normal_mps + without_mps);
+    let work_j = normal_n * h * (0.5 * normal_n * h * row.inverse_normal - mean_mps);
+    if work_j <= row.may_give_j {
+        return normal_n;
+    }
+    let root = libm::sqrt(mean_mps * mean_mps + 2.0 * row.inverse_normal * row.may_give_j);
+    (mean_mps + root).max(0.0) / (row.inverse_normal * h)
 }
 
 /// The implicit shear spring and Coulomb's limits on it.
