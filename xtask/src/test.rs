@@ -170,7 +170,7 @@ fn independent() -> Result<Done, String> {
     compared.map(|()| Done::Good)
 }
 
-/// Enough to meet each kind of gain that has been found; the whole number is `cargo xtask passivity`.
+/// Seconds of it; `cargo xtask passivity` plays twenty times as many, and finds rarer gains.
 fn passive() -> Result<Done, String> {
     passivity::passivity(5_000).map(|()| Done::Good)
 }
