@@ -20,6 +20,11 @@ use crate::vec2::{Pose, Vec2, vec2};
 /// to about 1e-12 m.
 const ON_SIDE_M: f64 = 1e-9;
 
+/// An overlap smaller than this has no centroid to speak of [m²], and a force smaller than this no line
+/// [N]: what rounding leaves of either, divided by itself, would be anywhere.
+const SMALLEST_AREA_M2: f64 = 1e-18;
+const SMALLEST_FORCE_N: f64 = 1e-6;
+
 /// A hull pressed on a fender, before factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Press {
@@ -94,10 +99,14 @@ pub(crate) fn press<'a>(
     let pushed = vec2(spring[0] + stop[0], spring[1] + stop[1]);
     let moment = spring[2] + stop[2];
     let size_n = pushed.length();
-    let centroid = vec2(sums.moment_x, sums.moment_s) * (1.0 / sums.area);
+    let centroid = if sums.area > SMALLEST_AREA_M2 {
+        vec2(sums.moment_x, sums.moment_s) * (1.0 / sums.area)
+    } else {
+        Vec2::ZERO // the middle of the face
+    };
 
     // A hull wholly within the zone stores the same wherever it is: out along the axis.
-    let (push, point) = if size_n > 0.0 {
+    let (push, point) = if size_n > SMALLEST_FORCE_N {
         let off = (centroid.cross(pushed) - moment) / (size_n * size_n);
         (pushed * (1.0 / size_n), centroid + pushed.quarter_turn() * off)
     } else {

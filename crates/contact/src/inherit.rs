@@ -116,6 +116,7 @@ fn inherit_of_several(
             merged.v_tangential_0_mps = parent.v_tangential_0_mps;
         }
         merged.flags |= parent.flags;
+        merged.taken_j += parent.taken_j;
     }
     let place = shares.len() as u32;
     shares.push(merged);
@@ -123,11 +124,12 @@ fn inherit_of_several(
 }
 
 /// The memory of one parent, with the part of its area that falls to `patch` among all that
-/// continue it: what an overlap loses by parting is no loss of area to the damper.
+/// continue it: what an overlap loses by parting is no loss of area to the damper. Energy parts likewise.
 fn share_of(parent: &PatchMemory, patches: &[Patch], patch: &Patch) -> PatchMemory {
     let heirs = patches.iter().filter(|p| continues(parent, p));
     let heirs_m2: f64 = heirs.map(|p| p.area_m2).sum();
-    PatchMemory { area_m2: parent.area_m2 * (patch.area_m2 / heirs_m2), ..*parent }
+    let share = patch.area_m2 / heirs_m2;
+    PatchMemory { area_m2: parent.area_m2 * share, taken_j: parent.taken_j * share, ..*parent }
 }
 
 /// Does the patch lie where the old one lay, as one of the two bodies sees it? A contact that slides

@@ -53,6 +53,9 @@ pub(crate) struct PatchMemory {
     pub(crate) tangential_force_n: f64,
     /// Factor on the law, as it was when the contact began.
     pub(crate) factor: f64,
+    /// What the bodies have lost to the normal force and not got back, by the coupled method [J]: the
+    /// most that it may give them.
+    pub(crate) taken_j: f64,
     /// Extent of the patch in each body's frame [m]: which patch is which when there are several.
     pub(crate) extent_in_a: Extent,
     pub(crate) extent_in_b: Extent,

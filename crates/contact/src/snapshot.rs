@@ -8,7 +8,7 @@
 //! | 8 | Δt of the last step |
 //! | 4, 4, 4 | numbers of states, patches and hints |
 //! | 48 each | states, by rank |
-//! | 204 each | patches |
+//! | 212 each | patches |
 //! | 40 each | hints |
 //! | 8 | FNV-1a of all before |
 //!
@@ -26,11 +26,11 @@ use crate::state::BodyState;
 use crate::vec2::{Vec2, vec2};
 
 /// The version that [`Memory::snapshot`] writes and [`Memory::restore`] reads.
-pub const SNAPSHOT_VERSION: u32 = 2;
+pub const SNAPSHOT_VERSION: u32 = 3;
 
 const MAGIC: &[u8; 8] = b"fndrline";
 const STATE_BYTES: usize = 48;
-const PATCH_BYTES: usize = 204;
+const PATCH_BYTES: usize = 212;
 const HINT_BYTES: usize = 40;
 
 impl Memory {
@@ -170,7 +170,9 @@ impl Writer {
         [p.area_m2, p.shear_m, p.v_normal_0_mps, p.v_tangential_0_mps]
             .into_iter()
             .for_each(|v| self.number(v));
-        [p.normal_force_n, p.tangential_force_n, p.factor].into_iter().for_each(|v| self.number(v));
+        [p.normal_force_n, p.tangential_force_n, p.factor, p.taken_j]
+            .into_iter()
+            .for_each(|v| self.number(v));
         [p.point_in_a_m, p.point_in_b_m, p.normal_in_a, p.normal_in_b]
             .into_iter()
             .for_each(|v| self.vector(v));
@@ -240,6 +242,7 @@ impl<'a> Reader<'a> {
             normal_force_n: self.number()?,
             tangential_force_n: self.number()?,
             factor: self.number()?,
+            taken_j: self.number()?,
             point_in_a_m: self.vector()?,
             point_in_b_m: self.vector()?,
             normal_in_a: self.vector()?,

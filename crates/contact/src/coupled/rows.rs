@@ -32,6 +32,8 @@ pub(crate) struct Laws<'m> {
     pub(crate) law_n: f64,
     /// γ v_ref [m/s].
     pub(crate) rebound_mps: f64,
+    /// What N may give the bodies in this sub-step at most: see [`may_give_j`] [J].
+    pub(crate) may_give_j: f64,
 }
 
 /// Laws and effective masses of every patch in `work`, in `work.rows` and `work.ties`.
@@ -45,17 +47,23 @@ pub(crate) fn collect(model: &Model, work: &mut Workspace, memory: &Memory, h: f
     for (index, patch) in patches.iter().enumerate() {
         let inherited = work.inherited[index];
         let old = inherited.of(memory, &shares);
-        collect_one(model, work, patch, inherited, old, Time { elapsed_s, h });
+        let placed = memory.last_step_s == 0.0
+            || [patch.candidate.a, patch.candidate.b]
+                .iter()
+                .any(|&rank| work.teleported[rank as usize]);
+        collect_one(model, work, patch, inherited, old, Time { elapsed_s, h, placed });
     }
     (work.patches, work.shares) = (patches, shares);
     let_go(model, work);
 }
 
-/// Time since the last (sub-)step began and length of this one [s].
+/// Time since the last (sub-)step began and length of this one [s]; and whether bodies were put where they
+/// are rather than moved there.
 #[derive(Clone, Copy)]
 struct Time {
     elapsed_s: f64,
     h: f64,
+    placed: bool,
 }
 
 /// Share of the speed that unheld energy would give, so that it stays below v_ref in a hit, where the
@@ -127,6 +135,25 @@ fn unheld_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory>) -
     stored_j * share * share
 }
 
+/// What a contact may give the bodies [J]: what it has taken from them. A spring whose force is that of
+/// the sub-step's start returns a little more than it took, by up to ωh/2; where it gives nearly all of it
+/// back (γ near 1), or the first touch fell deep into a sub-step, somebody would leave faster than it
+/// came. Bodies that were *put* into contact (`placed`) get what the spring holds then, or f δ, a bound on
+/// it between outlines, whose law has no potential.
+fn may_give_j(
+    touch: &Touch,
+    factor: f64,
+    law_n: f64,
+    old: Option<&PatchMemory>,
+    placed: bool,
+) -> f64 {
+    match (old, placed) {
+        (Some(memory), _) => memory.taken_j,
+        (None, false) => 0.0,
+        (None, true) => (touch.stored_j * factor).max(law_n * touch.depth_m),
+    }
+}
+
 fn collect_one(
     model: &Model,
     work: &mut Workspace,
@@ -143,7 +170,12 @@ fn collect_one(
         normal_force(material, &touch, factor, patch.area_m2, area_before_m2, time.elapsed_s);
     let law_n = parts.total_n();
     let (v_ref_mps, approaching) = reference_speed(touch.v_normal_mps, old);
-    let laws = Laws { material, law_n, rebound_mps: material.restitution * v_ref_mps };
+    let laws = Laws {
+        material,
+        law_n,
+        rebound_mps: material.restitution * v_ref_mps,
+        may_give_j: may_give_j(&touch, factor, law_n, old, time.placed),
+    };
     let begins_with = Forces {
         normal_n: old.map_or(law_n, |m| m.normal_force_n).min(law_n),
         tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
@@ -175,6 +207,9 @@ fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) 
     (v_ref_mps, approaching)
 }
 
+/// Beyond this a memory would not be restored [J].
+const MOST_TAKEN_J: f64 = 1e29;
+
 /// Books impulses, work and peaks of a solved sub-step, and completes its memory.
 pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
     let Workspace {
@@ -200,16 +235,18 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         on_b.force_n -= impulse;
         on_b.moment_nm -= touch.arm_b_m.cross(impulse);
 
-        let shear_m = tie.shear_after_m();
-        let memory = &mut next_patches[index];
-        memory.shear_m = shear_m;
-        memory.normal_force_n = normal_n;
-        memory.tangential_force_n = tangential_n;
-
         // By the mean velocity within the sub-step.
         let (v_normal_mps, v_tangential_mps) = tie.speeds(states);
         let closing_m = 0.5 * (touch.v_normal_mps + v_normal_mps) * h;
         let slip_m = 0.5 * (touch.v_tangential_mps + v_tangential_mps) * h;
+
+        let shear_m = tie.shear_after_m(v_tangential_mps, h);
+        let memory = &mut next_patches[index];
+        // What the bodies move in this sub-step is found again in the next one's kinematics.
+        memory.shear_m = shear_m - h * v_tangential_mps;
+        memory.normal_force_n = normal_n;
+        memory.tangential_force_n = tangential_n;
+        memory.taken_j = (tie.may_give_j + normal_n * closing_m).clamp(0.0, MOST_TAKEN_J);
         let position_m = poses[tie.a as usize].position_m;
         let own = &mut contacts[*first_contact..];
         let place = match place_of(model, own, &patches[index], index) {

@@ -5,8 +5,9 @@
 //! - 0 ≤ N_i ≤ f_i, V_n,i⁺ + γ v_ref,i ≥ 0, and N_i < f_i only where that bound is tight: a boxed
 //!   linear complementarity problem, N_i = mid(0, N at which the bound is tight, f_i). With one
 //!   contact and no load this is the paper's limiter.
-//! - T_i = −k_s(Δs + h V_t⁺), the shear spring taken implicitly, within Coulomb's limits: it neither
-//!   creeps under a steady load nor rings when k_s h²/m is large.
+//! - T_i = −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺, the shear spring taken implicitly, within
+//!   Coulomb's limits: see [`super::tie::implicit_share`].
+//! - N_i gives the bodies no more energy than it has taken from them.
 //!
 //! Projected Gauss–Seidel on the bodies' velocities, warm-started with the last forces, in the fixed
 //! order of the contacts. What is slow to settle is helped by leaps ([`super::leap`]). Bounded work: what has
@@ -159,7 +160,7 @@ mod tests {
                 Touch { normal: vec2(0.0, 1.0), arm_a_m, shear_m: 1e-4, ..Touch::default() };
             let law_n = 3e5 + 1e4 * f64::from(k * k % 7);
             let rebound_mps = 1e-3 + 1e-5 * f64::from(k * k % 5);
-            let laws = Laws { material: &RUBBER, law_n, rebound_mps };
+            let laws = Laws { material: &RUBBER, law_n, rebound_mps, may_give_j: f64::MAX };
             let forces = Forces { normal_n: law_n, tangential_n: 0.0, friction: Friction::Stick };
             Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, H)
         });
