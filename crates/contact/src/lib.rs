@@ -74,7 +74,7 @@ pub use host::{FollowingHost, HostIntegration, HostSettings, HostWorkspace};
 pub use memory::Memory;
 pub use model::{Body, BodyId, Material, MaterialId, Mobility, Model, ModelBuilder, Pair};
 pub use outline::{Outline, OutlineError, OutlineNotice};
-pub use report::{Contact, ContactWork, Event, EventKind, ForceParts, Friction, Wrench};
+pub use report::{Contact, ContactWork, Event, EventKind, ForceParts, Friction, Motion, Wrench};
 pub use snapshot::SNAPSHOT_VERSION;
 pub use state::BodyState;
 pub use step::step;

@@ -4,6 +4,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use alloc::{format, vec};
 
+use crate::coupled::turning::Turning;
 use crate::error::ModelError;
 use crate::fender::{self, Fender, FenderId, FenderLaw, RankedFender};
 use crate::geometry::convex::ConvexPolygon;
@@ -54,6 +55,35 @@ pub enum Mobility {
         /// symmetric [kg, kg·m, kg·m²].
         matrix: [[f64; 3]; 3],
     },
+    /// A floating body whose mass differs between surge and sway, and whose momentum the engine turns with
+    /// it where it moves the body itself (Kirchhoff's equations, Munk's moment among them): the host's loads
+    /// then hold no Coriolis or centripetal terms. Otherwise as [`Mobility::Massive`].
+    Afloat {
+        /// Displacement and added mass in surge [kg].
+        surge_kg: f64,
+        /// Displacement and added mass in sway [kg].
+        sway_kg: f64,
+        /// Moment of inertia about the vertical, added mass included [kg·m²].
+        yaw_inertia_kgm2: f64,
+    },
+}
+
+impl Mobility {
+    /// The mass matrix over surge, sway and yaw; `None` for a fixed body [kg, kg·m, kg·m²].
+    #[must_use]
+    pub fn matrix(&self) -> Option<[[f64; 3]; 3]> {
+        let diagonal = |surge, sway, yaw| [[surge, 0.0, 0.0], [0.0, sway, 0.0], [0.0, 0.0, yaw]];
+        match *self {
+            Mobility::Fixed => None,
+            Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
+                Some(diagonal(mass_kg, mass_kg, yaw_inertia_kgm2))
+            }
+            Mobility::Massive { matrix } => Some(matrix),
+            Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
+                Some(diagonal(surge_kg, sway_kg, yaw_inertia_kgm2))
+            }
+        }
+    }
 }
 
 /// A body as the engine knows it.
@@ -150,6 +180,8 @@ pub(crate) struct RankedBody {
     pub(crate) lightest_inverse_mass: f64,
     /// About half of its width: a convex body's area is about its length times its width [m].
     pub(crate) half_width_m: f64,
+    /// Masses in surge, sway and yaw of a body whose momentum the engine turns with it.
+    pub(crate) turns: Option<Turning>,
 }
 
 /// Two bodies by rank, the lower first.
@@ -271,6 +303,10 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
     let (mass_kg, yaw_inertia_kgm2) = match body.mobility {
         Mobility::Fixed => return Ok(()),
         Mobility::Free { mass_kg, yaw_inertia_kgm2 } => (mass_kg, yaw_inertia_kgm2),
+        Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
+            check_mass(body, "mass in surge", surge_kg)?;
+            (sway_kg, yaw_inertia_kgm2)
+        }
         Mobility::Massive { matrix } => {
             let [[_, b, c], [d, _, e], [f, g, _]] = matrix;
             if (b, c, e) != (d, f, g) || InverseMatrix::of(&matrix).is_none() {
@@ -279,15 +315,16 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
             (matrix[0][0].max(matrix[1][1]), matrix[2][2])
         }
     };
-    let check = |field, value: f64| {
-        if value > 0.0 && value <= LARGEST_MASS {
-            return Ok(());
-        }
-        let must = "positive and at most 1e30";
-        Err(ModelError::OutOfRange { owner: body.name.clone(), field, value, must })
-    };
-    check("mass", mass_kg)?;
-    check("yaw inertia", yaw_inertia_kgm2)
+    check_mass(body, "mass", mass_kg)?;
+    check_mass(body, "yaw inertia", yaw_inertia_kgm2)
+}
+
+fn check_mass(body: &Body, field: &'static str, value: f64) -> Result<(), ModelError> {
+    if value > 0.0 && value <= LARGEST_MASS {
+        return Ok(());
+    }
+    let must = "positive and at most 1e30";
+    Err(ModelError::OutOfRange { owner: body.name.clone(), field, value, must })
 }
 
 /// Beyond this products of masses, stiffnesses and areas could overflow.
@@ -342,6 +379,10 @@ impl RankedBody {
                 let inverse = InverseMatrix::isotropic(mass_kg, yaw_inertia_kgm2);
                 (mass_kg, yaw_inertia_kgm2, Some(inverse))
             }
+            Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
+                let matrix = body.mobility.matrix().expect("it floats");
+                (surge_kg.min(sway_kg), yaw_inertia_kgm2, InverseMatrix::of(&matrix))
+            }
             Mobility::Massive { matrix } => {
                 let lightest = matrix[0][0].min(matrix[1][1]);
                 (lightest, matrix[2][2], InverseMatrix::of(&matrix))
@@ -360,6 +401,7 @@ impl RankedBody {
             inverse,
             lightest_inverse_mass: inverse.lightest(),
             half_width_m: 0.25 * body.outline.area_m2() / body.outline.radius_m(),
+            turns: Turning::of(&body.mobility),
         }
     }
 
@@ -465,8 +507,16 @@ fn fingerprint(model: &Model) -> u64 {
         hash.word(body.key);
         hash.word(ranked.inverse_mass.to_bits());
         hash.word(ranked.inverse_inertia.to_bits());
-        if let Mobility::Massive { matrix } = body.mobility {
-            matrix.iter().flatten().for_each(|m| hash.word(m.to_bits()));
+        match body.mobility {
+            Mobility::Fixed | Mobility::Free { .. } => {}
+            Mobility::Massive { matrix } => {
+                matrix.iter().flatten().for_each(|m| hash.word(m.to_bits()));
+            }
+            Mobility::Afloat { surge_kg, sway_kg, .. } => {
+                hash.word(u64::MAX);
+                hash.word(surge_kg.to_bits());
+                hash.word(sway_kg.to_bits());
+            }
         }
         for v in body.outline.vertices() {
             hash.word(v.x.to_bits());

@@ -153,6 +153,16 @@ pub struct Wrench {
     pub moment_nm: f64,
 }
 
+/// How far a body went in a step, by the velocities that forces work along: a steady load times it is that
+/// load's work.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// Σ ½(v + v⁺)h over the sub-steps, earth-fixed [m].
+    pub way_m: Vec2,
+    /// Σ ½(r + r⁺)h [rad].
+    pub turn_rad: f64,
+}
+
 /// Something that a user should know of, beyond the forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {

@@ -15,7 +15,7 @@ use crate::memory::{HintMemory, Memory, PatchMemory};
 use crate::model::{MaterialId, Model};
 use crate::near::NearList;
 use crate::overlap::{Patch, PieceLens};
-use crate::report::{Contact, Event, Wrench};
+use crate::report::{Contact, Event, Motion, Wrench};
 use crate::state::BodyState;
 use crate::vec2::{Pose, Vec2};
 
@@ -50,6 +50,10 @@ pub struct Workspace {
     pub(crate) next_hints: Vec<HintMemory>,
     // What only the coupled method needs.
     pub(crate) states_after: Vec<BodyState>,
+    /// How far each body went, by rank and then by id; and velocities before a solve, for the island.
+    pub(crate) motions: Vec<Motion>,
+    pub(crate) motions_by_id: Vec<Motion>,
+    pub(crate) before: Vec<(Vec2, f64)>,
     /// Loads and contact impulses by rank.
     pub(crate) loads: Vec<Wrench>,
     pub(crate) impulses: Vec<Wrench>,
@@ -127,6 +131,9 @@ impl Workspace {
             next_patches: Vec::new(),
             next_hints: Vec::new(),
             states_after: Vec::with_capacity(count),
+            motions: Vec::with_capacity(count),
+            motions_by_id: Vec::with_capacity(count),
+            before: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
             impulses: Vec::with_capacity(count),
             room_mps: Vec::with_capacity(count),
@@ -154,6 +161,12 @@ impl Workspace {
     #[must_use]
     pub fn states_after(&self) -> &[BodyState] {
         &self.states_after
+    }
+
+    /// How far each body went in the last step by [`crate::advance`], one a body: what a load works along.
+    #[must_use]
+    pub fn motions(&self) -> &[Motion] {
+        &self.motions_by_id
     }
 
     /// Contacts of the last step, sorted by the bodies' keys and patch.

@@ -1,6 +1,6 @@
 //! The energy ledger: where every joule of a step came from.
 
-use fenderline_contact::{BodyState, Contact, ContactWork, Vec2, Wrench};
+use fenderline_contact::{BodyState, Contact, ContactWork, Motion, Vec2, Wrench};
 
 use crate::record::{ContactBook, Energy};
 use crate::rigid_body::Inertia;
@@ -18,6 +18,14 @@ impl MeanVelocity {
         MeanVelocity {
             velocity_mps: (before.velocity_mps + after.velocity_mps) * 0.5,
             yaw_rate_radps: 0.5 * (before.yaw_rate_radps + after.yaw_rate_radps),
+        }
+    }
+
+    /// That of the engine's motion, sub-steps included.
+    pub(crate) fn over(motion: &Motion, step_s: f64) -> MeanVelocity {
+        MeanVelocity {
+            velocity_mps: motion.way_m * (1.0 / step_s),
+            yaw_rate_radps: motion.turn_rad / step_s,
         }
     }
 

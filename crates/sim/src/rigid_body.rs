@@ -14,6 +14,8 @@ pub(crate) struct Inertia {
     pub(crate) coupling_kgm: f64,
     /// The Coriolis and centripetal terms of the added mass are among its loads already.
     pub(crate) turning_is_loaded: bool,
+    /// The engine moves the body and turns its momentum with it.
+    pub(crate) engine_turns: bool,
     pub(crate) fixed: bool,
 }
 
@@ -21,7 +23,7 @@ impl Inertia {
     /// By the paper's method the mass is displacement plus the *smallest* added mass in the plane,
     /// in every direction (§3.1 of the paper), for the limiter and for the motion alike: else the
     /// limiter's promise of γV⁰ would not be kept. The coupled method takes each as it is.
-    pub(crate) fn of(mass: Option<&MassProperties>, method: Method) -> Inertia {
+    pub(crate) fn of(mass: Option<&MassProperties>, method: Method, engine_turns: bool) -> Inertia {
         let Some(m) = mass else {
             return Inertia {
                 surge_kg: 0.0,
@@ -29,6 +31,7 @@ impl Inertia {
                 yaw_kgm2: 0.0,
                 coupling_kgm: 0.0,
                 turning_is_loaded: false,
+                engine_turns: false,
                 fixed: true,
             };
         };
@@ -45,6 +48,7 @@ impl Inertia {
             yaw_kgm2: m.yaw_inertia_kgm2 + m.added_yaw_kgm2,
             coupling_kgm: 0.0,
             turning_is_loaded: false,
+            engine_turns,
             fixed: false,
         }
     }
@@ -57,6 +61,7 @@ impl Inertia {
             yaw_kgm2: matrix[2][2],
             coupling_kgm: matrix[1][2],
             turning_is_loaded: true,
+            engine_turns: false,
             fixed: false,
         }
     }
@@ -69,6 +74,13 @@ impl Inertia {
         if self.surge_kg == self.sway_kg && self.coupling_kgm == 0.0 {
             return Mobility::Free { mass_kg: self.surge_kg, yaw_inertia_kgm2: self.yaw_kgm2 };
         }
+        if self.engine_turns {
+            return Mobility::Afloat {
+                surge_kg: self.surge_kg,
+                sway_kg: self.sway_kg,
+                yaw_inertia_kgm2: self.yaw_kgm2,
+            };
+        }
         let c = self.coupling_kgm;
         let matrix = [[self.surge_kg, 0.0, 0.0], [0.0, self.sway_kg, c], [0.0, c, self.yaw_kgm2]];
         Mobility::Massive { matrix }
@@ -80,7 +92,7 @@ impl Inertia {
     /// them); nothing where the mass is the same in all directions.
     pub(crate) fn momentum_wrench(&self, state: &BodyState) -> Wrench {
         let difference_kg = self.sway_kg - self.surge_kg;
-        if difference_kg == 0.0 || self.turning_is_loaded {
+        if difference_kg == 0.0 || self.turning_is_loaded || self.engine_turns {
             return Wrench::default();
         }
         let rotation = state.pose().rotation;

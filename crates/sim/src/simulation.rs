@@ -335,15 +335,20 @@ impl Simulation {
     fn book(&mut self) {
         let step_s = self.setup.step_s;
         let buffers = &mut self.buffers;
-        for ((mean, before), after) in
-            buffers.mean.iter_mut().zip(&buffers.before).zip(&self.states)
-        {
-            *mean = MeanVelocity::of(before, after);
+        let engine_moved = self.setup.integrator == Integrator::SemiImplicit;
+        if self.setup.method == Method::Coupled && engine_moved {
+            for (mean, motion) in buffers.mean.iter_mut().zip(self.work.motions()) {
+                *mean = MeanVelocity::over(motion, step_s);
+            }
+        } else {
+            let states = buffers.before.iter().zip(&self.states);
+            for (mean, (before, after)) in buffers.mean.iter_mut().zip(states) {
+                *mean = MeanVelocity::of(before, after);
+            }
         }
         let contacts = self.work.contacts();
         self.books.open(contacts);
         let rk4 = self.setup.integrator == Integrator::Rk4;
-        let engine_moved = self.setup.integrator == Integrator::SemiImplicit;
         let mut add = |contacts, by| self.books.add(contacts, &buffers.mean, step_s, by);
         match self.setup.method {
             Method::Coupled if engine_moved => add(contacts, WorkBy::Engine),
@@ -425,7 +430,11 @@ fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
 
 /// The inertia of each body. A vessel has that of her model.
 fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
-    let of_body = |body: &crate::setup::BodySetup| Inertia::of(body.mass.as_ref(), setup.method);
+    let engine_moves =
+        setup.method == Method::Coupled && setup.integrator == Integrator::SemiImplicit;
+    let of_body = |body: &crate::setup::BodySetup| {
+        Inertia::of(body.mass.as_ref(), setup.method, engine_moves)
+    };
     let mut inertias: Vec<Inertia> = setup.bodies.iter().map(of_body).collect();
     let density_kgpm3 = setup.world.environment.water_density_kgpm3;
     for vessel in &setup.world.vessels {

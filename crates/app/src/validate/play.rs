@@ -148,7 +148,9 @@ impl MomentumWatch {
             Mobility::Fixed => None,
             Mobility::Free { mass_kg, yaw_inertia_kgm2 } => Some((mass_kg, yaw_inertia_kgm2)),
             // Momentum of a body whose mass differs with direction is not m v.
-            Mobility::Massive { .. } => panic!("the case's bodies have one mass in all directions"),
+            Mobility::Massive { .. } | Mobility::Afloat { .. } => {
+                panic!("the case's bodies have one mass in all directions")
+            }
         });
         let inertias: Vec<_> = inertias.collect();
         let start = momentum(&inertias, states);

@@ -17,6 +17,7 @@ pub(crate) mod pace;
 pub(crate) mod rows;
 pub(crate) mod solve;
 pub(crate) mod tie;
+pub(crate) mod turning;
 
 use crate::admit;
 use crate::broad;
@@ -25,7 +26,7 @@ use crate::inherit::inherit_all;
 use crate::memory::Memory;
 use crate::model::Model;
 use crate::overlap::overlap;
-use crate::report::Wrench;
+use crate::report::{Motion, Wrench};
 use crate::state::BodyState;
 use crate::vec2::Rotation;
 use crate::workspace::Workspace;
@@ -82,7 +83,9 @@ fn advance_island(model: &Model, work: &mut Workspace, step_s: f64) {
         }
         inherit_all(model, &memory, work);
         rows::collect(model, work, &memory, h);
+        begin_motion(work);
         solve::velocities(model, work, h);
+        end_motion(work, h);
         rows::book(model, work, h);
         advance_positions(model, work, h);
         core::mem::swap(&mut memory.patches, &mut work.next_patches);
@@ -98,6 +101,8 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
     work.loads.clear();
     work.impulses.clear();
     work.impulses.resize(model.ranked.len(), Wrench::default());
+    work.motions.clear();
+    work.motions.resize(model.ranked.len(), Motion::default());
     work.inverses.clear();
     work.room_mps.clear();
     for (rank, body) in model.ranked.iter().enumerate() {
@@ -124,8 +129,13 @@ fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
         move_body(&mut work.states[rank], h);
         let state = work.states[rank];
         work.poses[rank].position_m = state.position_m;
-        if state.yaw_rate_radps != 0.0 {
+        let turns = &model.ranked[rank].turns;
+        if state.yaw_rate_radps != 0.0 || turns.is_some() {
             let rotation = Rotation::from_angle(state.heading_rad);
+            if let Some(turns) = turns {
+                let before = work.poses[rank].rotation;
+                turns.turn(&mut work.states[rank], before, rotation, h);
+            }
             work.headings_rad[rank] = state.heading_rad;
             work.poses[rank].rotation = rotation;
             work.inverses[rank] = model.ranked[rank].inverse.turned(rotation);
@@ -148,9 +158,38 @@ fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
         let load = work.loads[rank];
         let inverse = &work.inverses[rank];
         let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-        work.states[rank].velocity_mps += dv;
-        work.states[rank].yaw_rate_radps += dr;
-        move_body(&mut work.states[rank], step_s);
+        let (state, pose) = (&mut work.states[rank], work.poses[rank]);
+        let motion = &mut work.motions[rank];
+        motion.way_m = (state.velocity_mps + dv * 0.5) * step_s;
+        motion.turn_rad = (state.yaw_rate_radps + 0.5 * dr) * step_s;
+        state.velocity_mps += dv;
+        state.yaw_rate_radps += dr;
+        move_body(state, step_s);
+        if let Some(turns) = &body.turns {
+            turns.turn(state, pose.rotation, Rotation::from_angle(state.heading_rad), step_s);
+        }
+    }
+}
+
+/// Takes note of the velocities before a solve.
+fn begin_motion(work: &mut Workspace) {
+    let Workspace { island_bodies, before, states, .. } = work;
+    before.clear();
+    let velocities = |&rank: &u32| {
+        let state = &states[rank as usize];
+        (state.velocity_mps, state.yaw_rate_radps)
+    };
+    before.extend(island_bodies.iter().map(velocities));
+}
+
+/// Adds what the mean of the velocities before and after a solve makes of the way: a force times it is that
+/// force's work exactly.
+fn end_motion(work: &mut Workspace, h: f64) {
+    let Workspace { island_bodies, before, states, motions, .. } = work;
+    for (&rank, &(velocity_mps, yaw_rate_radps)) in island_bodies.iter().zip(before.iter()) {
+        let (state, motion) = (&states[rank as usize], &mut motions[rank as usize]);
+        motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
+        motion.turn_rad += 0.5 * (yaw_rate_radps + state.yaw_rate_radps) * h;
     }
 }
 
@@ -171,12 +210,14 @@ fn report(model: &Model, work: &mut Workspace, step_s: f64) {
     }
     work.wrenches.resize(model.bodies().len(), Wrench::default());
     work.states_after.resize(model.bodies().len(), BodyState::default());
+    work.motions_by_id.resize(model.bodies().len(), Motion::default());
     for (rank, body) in model.ranked.iter().enumerate() {
         let impulse = work.impulses[rank];
         let id = body.id.0 as usize;
         work.wrenches[id] =
             Wrench { force_n: impulse.force_n * share, moment_nm: impulse.moment_nm * share };
         work.states_after[id] = work.states[rank];
+        work.motions_by_id[id] = work.motions[rank];
     }
 }
 

@@ -10,8 +10,8 @@ use crate::vec2::Vec2;
 use crate::workspace::{Candidate, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
-/// costs at most (ωh)²/2 of the depth: 2 % here, and less as the bounds on ω below are wide.
-const TURN_PER_SUB_STEP: f64 = 0.2;
+/// costs at most (ωh)²/2 of the depth: 0.5 % here, and less as the bounds on ω below are wide.
+const TURN_PER_SUB_STEP: f64 = 0.1;
 
 /// Largest share of the thinner body's half-width that the two may close in a sub-step.
 const TRAVEL_PER_SUB_STEP: f64 = 0.5;

@@ -183,7 +183,7 @@ fn acceleration(state: &BodyState, mobility: Mobility, sum: &Wrench) -> (Vec2, f
         Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
             [[mass_kg, 0.0, 0.0], [0.0, mass_kg, 0.0], [0.0, 0.0, yaw_inertia_kgm2]]
         }
-        Mobility::Massive { matrix } => matrix,
+        Mobility::Massive { .. } | Mobility::Afloat { .. } => mobility.matrix().expect("it floats"),
     };
     let (sin, cos) = libm::sincos(state.heading_rad);
     let force = sum.force_n;
