@@ -83,7 +83,8 @@ fn the_mean_wrench_alone_leaves_a_forward_euler_host_elsewhere() {
         let mut master = Master::new(story.clone(), integration, 0, Service::PlainTold);
         master.run(step_s, 30.0);
         let off = difference(&story, master.states(), &right);
-        assert!(off > 0.09, "Δt {step_s}: {off}");
+        // Five times what `FollowingHost` is held to.
+        assert!(off > 0.05, "Δt {step_s}: {off}");
     }
 }
 

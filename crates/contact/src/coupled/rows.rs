@@ -83,7 +83,7 @@ fn let_go(model: &Model, work: &mut Workspace) {
         return;
     }
     let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
-    let Workspace { rows, ties, unheld_j, inverses, island_bodies, .. } = work;
+    let Workspace { rows, ties, next_patches, unheld_j, inverses, island_bodies, .. } = work;
     for &rank in island_bodies.iter() {
         unheld_j[rank as usize] = 0.0;
     }
@@ -105,7 +105,8 @@ fn let_go(model: &Model, work: &mut Workspace) {
             _ => rows[own.clone()].iter().map(|row| row.unheld_j).sum(),
         };
         if unheld_j > 0.0 {
-            for (row, tie) in rows[own.clone()].iter().zip(&mut ties[own]) {
+            let memories = &mut next_patches[own.clone()];
+            for ((row, tie), memory) in rows[own.clone()].iter().zip(&mut ties[own]).zip(memories) {
                 // Without rotation: contacts at both ends of a ship do not turn her.
                 let along = row.touch.normal;
                 let inverse_mass: f64 = [a, b]
@@ -114,6 +115,8 @@ fn let_go(model: &Model, work: &mut Workspace) {
                     .sum();
                 let speed_mps = LET_GO * libm::sqrt(2.0 * unheld_j * inverse_mass);
                 tie.rebound_mps = tie.rebound_mps.max(row.restitution * speed_mps);
+                // It goes on until the contact closes again: else the bound would come and go with N.
+                memory.v_normal_0_mps = memory.v_normal_0_mps.max(speed_mps);
             }
         }
         from += count;
