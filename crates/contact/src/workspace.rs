@@ -51,8 +51,8 @@ pub struct Workspace {
     // What only the coupled method needs.
     pub(crate) states_after: Vec<BodyState>,
     /// How far each body went, by rank and then by id; and velocities before a solve, for the island.
+    pub(crate) motions_by_rank: Vec<Motion>,
     pub(crate) motions: Vec<Motion>,
-    pub(crate) motions_by_id: Vec<Motion>,
     pub(crate) before: Vec<(Vec2, f64)>,
     /// Loads and contact impulses by rank.
     pub(crate) loads: Vec<Wrench>,
@@ -131,8 +131,8 @@ impl Workspace {
             next_patches: Vec::new(),
             next_hints: Vec::new(),
             states_after: Vec::with_capacity(count),
+            motions_by_rank: Vec::with_capacity(count),
             motions: Vec::with_capacity(count),
-            motions_by_id: Vec::with_capacity(count),
             before: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
             impulses: Vec::with_capacity(count),
@@ -166,7 +166,7 @@ impl Workspace {
     /// How far each body went in the last step by [`crate::advance`], one a body: what a load works along.
     #[must_use]
     pub fn motions(&self) -> &[Motion] {
-        &self.motions_by_id
+        &self.motions
     }
 
     /// Contacts of the last step, sorted by the bodies' keys and patch.

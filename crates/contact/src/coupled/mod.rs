@@ -101,8 +101,8 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
     work.loads.clear();
     work.impulses.clear();
     work.impulses.resize(model.ranked.len(), Wrench::default());
-    work.motions.clear();
-    work.motions.resize(model.ranked.len(), Motion::default());
+    work.motions_by_rank.clear();
+    work.motions_by_rank.resize(model.ranked.len(), Motion::default());
     work.inverses.clear();
     work.room_mps.clear();
     for (rank, body) in model.ranked.iter().enumerate() {
@@ -159,7 +159,7 @@ fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
         let inverse = &work.inverses[rank];
         let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
         let (state, pose) = (&mut work.states[rank], work.poses[rank]);
-        let motion = &mut work.motions[rank];
+        let motion = &mut work.motions_by_rank[rank];
         motion.way_m = (state.velocity_mps + dv * 0.5) * step_s;
         motion.turn_rad = (state.yaw_rate_radps + 0.5 * dr) * step_s;
         state.velocity_mps += dv;
@@ -185,9 +185,9 @@ fn begin_motion(work: &mut Workspace) {
 /// Adds what the mean of the velocities before and after a solve makes of the way: a force times it is that
 /// force's work exactly.
 fn end_motion(work: &mut Workspace, h: f64) {
-    let Workspace { island_bodies, before, states, motions, .. } = work;
+    let Workspace { island_bodies, before, states, motions_by_rank, .. } = work;
     for (&rank, &(velocity_mps, yaw_rate_radps)) in island_bodies.iter().zip(before.iter()) {
-        let (state, motion) = (&states[rank as usize], &mut motions[rank as usize]);
+        let (state, motion) = (&states[rank as usize], &mut motions_by_rank[rank as usize]);
         motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
         motion.turn_rad += 0.5 * (yaw_rate_radps + state.yaw_rate_radps) * h;
     }
@@ -210,14 +210,14 @@ fn report(model: &Model, work: &mut Workspace, step_s: f64) {
     }
     work.wrenches.resize(model.bodies().len(), Wrench::default());
     work.states_after.resize(model.bodies().len(), BodyState::default());
-    work.motions_by_id.resize(model.bodies().len(), Motion::default());
+    work.motions.resize(model.bodies().len(), Motion::default());
     for (rank, body) in model.ranked.iter().enumerate() {
         let impulse = work.impulses[rank];
         let id = body.id.0 as usize;
         work.wrenches[id] =
             Wrench { force_n: impulse.force_n * share, moment_nm: impulse.moment_nm * share };
         work.states_after[id] = work.states[rank];
-        work.motions_by_id[id] = work.motions[rank];
+        work.motions[id] = work.motions_by_rank[rank];
     }
 }
 
