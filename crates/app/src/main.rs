@@ -2,7 +2,8 @@
 //!
 //! `cli` is the command line; `run` and `check` are the commands; `load` reads a scenario;
 //! `output` writes the result files, `report` the page, with the charts of `plot`; `touched` and
-//! `verdict` are what both say of a fender.
+//! `verdict` are what both say of a fender, `world` of vessels, tugs and lines; `provider` speaks with other
+//! programs that put forces on bodies.
 
 mod check;
 mod cli;
@@ -11,12 +12,14 @@ mod load;
 mod output;
 mod plot;
 mod progress;
+mod provider;
 mod report;
 mod run;
 mod terminal;
 mod touched;
 mod validate;
 mod verdict;
+mod world;
 
 use std::process::ExitCode;
 

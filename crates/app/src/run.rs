@@ -2,6 +2,7 @@
 
 mod fenders;
 mod printed;
+mod world;
 
 use std::path::{Path, PathBuf};
 
@@ -15,8 +16,10 @@ use crate::output::{
     Events, Folder, Outcome, Tables, integrator_text, method_text, publish, summary,
 };
 use crate::progress::Progress;
+use crate::provider::{ProviderNotices, Providers};
 use crate::report::{self, Recorder};
 use crate::terminal::{say, tell};
+use crate::world::WorldTotals;
 
 /// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
 ///
@@ -45,13 +48,21 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     )?;
     let mut recorder = Recorder::new(simulation.setup(), simulation.energy());
     let mut events = Events::default();
+    let mut world = WorldTotals::new(simulation.setup());
+    let mut providers = Providers::start(&simulation)?;
+    let mut provider_notices = ProviderNotices::default();
 
-    play(&mut simulation, |step| {
-        tables.write(step)?;
-        recorder.record(step);
-        events.count(step);
-        Ok(())
-    })?;
+    play(
+        &mut simulation,
+        |simulation| providers.ask(simulation, &mut provider_notices),
+        |step| {
+            tables.write(step)?;
+            recorder.record(step);
+            events.count(step);
+            world.add(step);
+            Ok(())
+        },
+    )?;
 
     let fenders: Vec<FenderSummary> = simulation.fender_summaries().cloned().collect();
     let outcome = Outcome {
@@ -66,6 +77,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         events: &events,
         fenders: &fenders,
         berthing: simulation.berthing(),
+        world: &world,
+        providers: &provider_notices,
     };
     let files = tables.files();
     let summary = summary(&outcome, &files)?;
@@ -74,16 +87,19 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     say(&printed::summary(&outcome, &folder_path, &files))
 }
 
-/// Steps `simulation` to its end and shows `each` step; a bar shows the progress on a terminal.
+/// Steps `simulation` to its end and shows `each` step; what comes from outside is set `before` each. A bar
+/// shows the progress on a terminal.
 ///
 /// # Errors
 /// A step that the simulation cannot make, or the first error of `each`.
 pub(crate) fn play(
     simulation: &mut Simulation,
+    mut before: impl FnMut(&mut Simulation),
     mut each: impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let mut progress = Progress::new(simulation.steps_total());
     while !simulation.is_done() {
+        before(simulation);
         let step = simulation.step().map_err(|e| Failure::case(format_args!("error: {e}")))?;
         each(&step)?;
         progress.advance(step.index + 1);

@@ -44,12 +44,8 @@ impl<R> CsvTable<R> {
                     // exponent where the digits would run away.
                     let _ = write!(self.field, "{value:?}");
                 }
-                Value::Body(body) => {
-                    self.field.extend_from_slice(self.names.bodies[body(row)].as_bytes());
-                }
-                Value::Fender(fender) => {
-                    let name = fender(row).map_or("", |index| &self.names.fenders[index]);
-                    self.field.extend_from_slice(name.as_bytes());
+                Value::Name(list, index) => {
+                    self.field.extend_from_slice(self.names.get(list, index(row)).as_bytes());
                 }
                 Value::Word(word) => self.field.extend_from_slice(word(row).as_bytes()),
                 Value::Flag(flag) => {

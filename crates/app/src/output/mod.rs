@@ -1,4 +1,5 @@
-//! Result files: tables of bodies, contacts, fenders and energy, the summary, the report.
+//! Result files: tables of bodies, contacts, fenders, vessels, tugs, lines and energy, the summary, the
+//! report.
 //!
 //! A file has its final name only when the whole run is done and everything is on the disk; until
 //! then it is called `NAME.part`. `summary.json` gets its name last of all: where it is, all of the
@@ -11,6 +12,7 @@ mod parquet;
 mod part_file;
 mod summary;
 mod tables;
+mod world_tables;
 
 use core::fmt;
 use std::path::{Path, PathBuf};
@@ -23,7 +25,7 @@ pub(crate) use summary::{Events, event_text, integrator_text, is_plain, method_t
 pub(crate) use tables::Tables;
 
 /// Every file that a run may leave; an earlier run's are removed at the start.
-const RESULT_FILES: [&str; 10] = [
+const RESULT_FILES: [&str; 18] = [
     SUMMARY,
     "bodies.csv",
     "bodies.parquet",
@@ -33,6 +35,14 @@ const RESULT_FILES: [&str; 10] = [
     "energy.parquet",
     "fenders.csv",
     "fenders.parquet",
+    "lines.csv",
+    "lines.parquet",
+    "thrusters.csv",
+    "thrusters.parquet",
+    "tugs.csv",
+    "tugs.parquet",
+    "vessels.csv",
+    "vessels.parquet",
     REPORT,
 ];
 const SUMMARY: &str = "summary.json";

@@ -5,6 +5,8 @@ use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
 use fenderline_sim::{Energy, FenderSummary, PairSummary, Setup};
 
 use super::Events;
+use crate::provider::ProviderNotices;
+use crate::world::WorldTotals;
 
 /// A run when it is done.
 #[derive(Clone, Debug)]
@@ -31,4 +33,8 @@ pub(crate) struct Outcome<'a> {
     pub(crate) fenders: &'a [FenderSummary],
     /// The berthing by formula and in the run, where the scenario asks for it and a fender was touched.
     pub(crate) berthing: Option<Result<&'a BerthingOutcome, &'a BerthingError>>,
+    /// Vessels, tugs and lines.
+    pub(crate) world: &'a WorldTotals,
+    /// What happened to the programs that put forces on bodies.
+    pub(crate) providers: &'a ProviderNotices,
 }

@@ -27,9 +27,7 @@ pub(super) struct ParquetTable<R> {
     columns: Vec<Column<R>>,
     /// Values of the current row group, one store a column.
     stores: Vec<Store>,
-    body_names: Vec<ByteArray>,
-    fender_names: Vec<ByteArray>,
-    no_name: ByteArray,
+    names: Names,
     rows: usize,
 }
 
@@ -45,7 +43,7 @@ impl Store {
     fn for_value<R>(value: &Value<R>) -> Store {
         match value {
             Value::Float(_) => Store::Float(Vec::new()),
-            Value::Body(_) | Value::Fender(_) | Value::Word(_) => Store::Text(Vec::new()),
+            Value::Name(..) | Value::Word(_) => Store::Text(Vec::new()),
             Value::Flag(_) => Store::Flag(Vec::new()),
             Value::Count(_) => Store::Count(Vec::new()),
         }
@@ -109,19 +107,7 @@ impl<R> ParquetTable<R> {
                 SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))
             })
             .map_err(|e| OutputError::new(&path, e))?;
-        let texts = |names: &[String]| {
-            names.iter().map(|name| ByteArray::from(name.as_str())).collect::<Vec<_>>()
-        };
-        Ok(ParquetTable {
-            writer,
-            path,
-            columns,
-            stores,
-            body_names: texts(&names.bodies),
-            fender_names: texts(&names.fenders),
-            no_name: ByteArray::from(""),
-            rows: 0,
-        })
+        Ok(ParquetTable { writer, path, columns, stores, names: names.clone(), rows: 0 })
     }
 
     /// Adds a row.
@@ -135,12 +121,8 @@ impl<R> ParquetTable<R> {
                     }
                     values.push(value);
                 }
-                (Value::Body(body), Store::Text(values)) => {
-                    values.push(self.body_names[body(row)].clone());
-                }
-                (Value::Fender(fender), Store::Text(values)) => {
-                    let name = fender(row).map_or(&self.no_name, |i| &self.fender_names[i]);
-                    values.push(name.clone());
+                (Value::Name(list, index), Store::Text(values)) => {
+                    values.push(ByteArray::from(self.names.get(*list, index(row))));
                 }
                 (Value::Word(word), Store::Text(values)) => {
                     values.push(ByteArray::from(word(row)));

@@ -7,6 +7,7 @@ use super::columns::{
     contacts_columns, energy_columns, fenders_columns,
 };
 use super::part_file::{Folder, Sealed};
+use super::world_tables::WorldTables;
 use super::{Format, OutputError, REPORT, SUMMARY, WrittenFile, csv, parquet};
 use crate::touched::touched;
 
@@ -17,14 +18,14 @@ enum Store<R> {
 }
 
 /// One table, in the format that the user asked for.
-struct Table<R> {
+pub(super) struct Table<R> {
     name: &'static str,
     store: Store<R>,
     rows: u64,
 }
 
 /// Where and how the tables of a run are written.
-struct Place<'a> {
+pub(super) struct Place<'a> {
     folder: &'a Folder,
     format: Format,
     names: Names,
@@ -32,7 +33,7 @@ struct Place<'a> {
 }
 
 impl<R> Table<R> {
-    fn create(
+    pub(super) fn create(
         place: &Place<'_>,
         name: &'static str,
         columns: Vec<Column<R>>,
@@ -48,7 +49,7 @@ impl<R> Table<R> {
         Ok(Table { name, store, rows: 0 })
     }
 
-    fn push(&mut self, row: &R) -> Result<(), OutputError> {
+    pub(super) fn push(&mut self, row: &R) -> Result<(), OutputError> {
         self.rows += 1;
         match &mut self.store {
             Store::Csv(table) => table.push(row),
@@ -56,25 +57,26 @@ impl<R> Table<R> {
         }
     }
 
-    fn finish(self) -> Result<Sealed, OutputError> {
+    pub(super) fn finish(self) -> Result<Sealed, OutputError> {
         match self.store {
             Store::Csv(table) => table.finish(),
             Store::Parquet(table) => table.finish(),
         }
     }
 
-    fn file(&self, format: Format) -> WrittenFile {
+    pub(super) fn file(&self, format: Format) -> WrittenFile {
         let name = format!("{}.{}", self.name, format.extension());
         WrittenFile { name, rows: Some(self.rows) }
     }
 }
 
-/// All tables of a run; that of the fenders only where the set-up has any.
+/// All tables of a run; those of fenders, vessels, tugs and lines only where the set-up has any.
 pub(crate) struct Tables {
     bodies: Table<BodyRow>,
     contacts: Table<ContactRow>,
     energy: Table<EnergyRow>,
     fenders: Option<Table<FenderRow>>,
+    world: WorldTables,
     format: Format,
     step_s: f64,
     /// Width times height of each fender's face [m²].
@@ -94,10 +96,7 @@ impl Tables {
         start: Energy,
         facts: &[(&str, String)],
     ) -> Result<Tables, OutputError> {
-        let names = Names {
-            bodies: setup.bodies.iter().map(|body| body.name.clone()).collect(),
-            fenders: setup.fenders.iter().map(|fender| fender.name.clone()).collect(),
-        };
+        let names = Names::of(setup);
         let place = Place { folder, format, names, facts };
         let fenders = match setup.fenders.as_slice() {
             [] => None,
@@ -110,6 +109,7 @@ impl Tables {
             contacts: Table::create(&place, "contacts", contacts_columns())?,
             energy,
             fenders,
+            world: WorldTables::create(&place, &setup.world)?,
             format,
             step_s: setup.step_s,
             faces_m2: setup.fenders.iter().map(|f| f.width_m * f.height_m).collect(),
@@ -135,6 +135,7 @@ impl Tables {
                 table.push(&FenderRow::new(t_s, fender, self.faces_m2[fender], now))?;
             }
         }
+        self.world.write(step)?;
         // The same product as the next step's start, so that the rows of both tables meet.
         let end_s = (step.index + 1) as f64 * self.step_s;
         self.energy.push(&EnergyRow { t_s: end_s, energy: step.energy })
@@ -145,6 +146,7 @@ impl Tables {
         let whole = |name: &str| WrittenFile { name: name.to_owned(), rows: None };
         let mut files = vec![self.bodies.file(self.format), self.contacts.file(self.format)];
         files.extend(self.fenders.as_ref().map(|table| table.file(self.format)));
+        files.extend(self.world.files(self.format));
         files.extend([self.energy.file(self.format), whole(REPORT), whole(SUMMARY)]);
         files
     }
@@ -155,6 +157,7 @@ impl Tables {
         if let Some(table) = self.fenders {
             files.push(table.finish()?);
         }
+        files.extend(self.world.finish()?);
         Ok(files)
     }
 }

@@ -1,6 +1,7 @@
 //! Other programs that put forces on bodies: one process a provider, one line of JSON a question and an
 //! answer.
 
+mod notices;
 mod process;
 mod protocol;
 
@@ -10,6 +11,8 @@ use fenderline_sim::{ProviderSetup, Simulation};
 
 use self::process::Process;
 use crate::failure::Failure;
+
+pub(crate) use notices::{ProviderNotice, ProviderNotices, provider_event_key};
 
 /// All providers of a run.
 pub(crate) struct Providers {
@@ -24,14 +27,6 @@ struct Provider {
     provided: Provided,
 }
 
-/// Something that happened to a provider, as results tell it.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct ProviderNotice {
-    pub(crate) t_s: f64,
-    pub(crate) provider: usize,
-    pub(crate) event: ProviderEvent,
-}
-
 impl Providers {
     /// Starts the processes of a set-up.
     ///
@@ -39,8 +34,8 @@ impl Providers {
     /// A command that cannot be started.
     pub(crate) fn start(simulation: &Simulation) -> Result<Providers, Failure> {
         let setup = simulation.setup();
-        let mut all = Vec::with_capacity(setup.providers.len());
-        for provider in &setup.providers {
+        let mut all = Vec::with_capacity(setup.world.providers.len());
+        for provider in &setup.world.providers {
             let body = &setup.bodies[provider.body].name;
             let hello = protocol::hello(body, setup.step_s);
             let process = Process::start(&provider.command, provider.timeout_s, &hello);
@@ -56,12 +51,8 @@ impl Providers {
     }
 
     /// Asks every provider for the step to come and hands the sums to the simulation; what happened is
-    /// given to `tell`.
-    pub(crate) fn ask(
-        &mut self,
-        simulation: &mut Simulation,
-        mut tell: impl FnMut(ProviderNotice),
-    ) {
+    /// added to `notices`.
+    pub(crate) fn ask(&mut self, simulation: &mut Simulation, notices: &mut ProviderNotices) {
         if self.all.is_empty() {
             return;
         }
@@ -70,12 +61,11 @@ impl Providers {
         for (index, provider) in self.all.iter_mut().enumerate() {
             let body = provider.setup.body;
             let question = Question { t_s, step_s, state: simulation.states()[body] };
-            let wrench =
-                provider.provided.ask(&mut provider.process, &question, &mut self.events);
+            let wrench = provider.provided.ask(&mut provider.process, &question, &mut self.events);
             self.wrenches[body].force_n += wrench.force_n;
             self.wrenches[body].moment_nm += wrench.moment_nm;
             for event in self.events.drain(..) {
-                tell(ProviderNotice { t_s, provider: index, event });
+                notices.add(ProviderNotice { t_s, provider: index, event });
             }
         }
         simulation.set_external(&self.wrenches);

@@ -12,6 +12,12 @@ use super::protocol;
 /// Longest line that a provider may write [bytes].
 const LONGEST_LINE: u64 = 64 * 1024;
 
+/// Questions that may wait for their answers: as many as any pipe holds, so that one that does not read
+/// cannot block the run.
+const UNANSWERED: u64 = 8;
+/// Timeouts in a row after which nobody waits for a provider, until it answers something.
+const PATIENCE: u32 = 3;
+
 /// A running provider.
 pub(super) struct Process {
     child: Child,
@@ -20,6 +26,9 @@ pub(super) struct Process {
     lines: Receiver<String>,
     timeout: Duration,
     asked: u64,
+    /// The first question that is not answered yet.
+    unanswered: u64,
+    timeouts: u32,
 }
 
 impl Process {
@@ -43,7 +52,8 @@ impl Process {
         let (send, lines) = sync_channel(64);
         std::thread::spawn(move || listen(output, &send));
         let timeout = Duration::from_secs_f64(timeout_s);
-        let mut process = Process { child, input, lines, timeout, asked: 0 };
+        let mut process =
+            Process { child, input, lines, timeout, asked: 0, unanswered: 0, timeouts: 0 };
         process.say(hello);
         Ok(process)
     }
@@ -69,19 +79,35 @@ impl Process {
 
 impl ForceProvider for Process {
     fn ask(&mut self, question: &Question) -> Answer {
-        let n = self.asked;
-        self.asked += 1;
-        self.say(&protocol::question(n, question));
-        let until = Instant::now() + self.timeout;
+        let mut is_asked = false;
+        let waits = if self.timeouts < PATIENCE { self.timeout } else { Duration::ZERO };
+        let mut until = Instant::now() + waits;
         loop {
+            if !is_asked && self.asked < self.unanswered + UNANSWERED {
+                self.say(&protocol::question(self.asked, question));
+                self.asked += 1;
+                is_asked = true;
+            }
             let left = until.saturating_duration_since(Instant::now());
             match self.lines.recv_timeout(left) {
-                Ok(line) => match protocol::answer(&line, question) {
-                    Some((answered, wrench)) if answered == n => return Answer::Wrench(wrench),
-                    // An answer that came too late for its own step, or a line that is none.
-                    _ => {}
-                },
-                Err(RecvTimeoutError::Timeout) => return Answer::Late,
+                Ok(line) => {
+                    // A line that is no answer is passed over.
+                    let Some((n, wrench)) = protocol::answer(&line, question) else { continue };
+                    if is_asked && n.saturating_add(1) == self.asked {
+                        (self.unanswered, self.timeouts) = (self.asked, 0);
+                        return Answer::Wrench(wrench);
+                    }
+                    // It came too late for its own step; who answers again is waited for again.
+                    self.unanswered = self.unanswered.max(n.saturating_add(1)).min(self.asked);
+                    if self.timeouts >= PATIENCE {
+                        self.timeouts = 0;
+                        until = Instant::now() + self.timeout;
+                    }
+                }
+                Err(RecvTimeoutError::Timeout) => {
+                    self.timeouts = self.timeouts.saturating_add(1);
+                    return Answer::Late;
+                }
                 Err(RecvTimeoutError::Disconnected) => return Answer::Dead(self.epitaph()),
             }
         }

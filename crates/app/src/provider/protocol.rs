@@ -78,9 +78,16 @@ mod tests {
         assert_eq!((n, wrench.force_n, wrench.moment_nm), (3, vec2(1.0, 2.0), 4.0));
         let (_, own) = answer(r#"{"n": 3, "body_force_n": [1, 0]}"#, &asked).expect("an answer");
         assert!((own.force_n - vec2(0.0, 1.0)).length() < 1e-15);
-        for line in ["", "NaN", "{}", "[]", r#"{"n": -1}"#, r#"{"n": 0, "force_n": [1]}"#,
-            r#"{"n": 0, "force_n": ["a", 1]}"#, r#"{"n": 0, "force_n": [1, 1], "body_force_n": [1, 1]}"#]
-        {
+        for line in [
+            "",
+            "NaN",
+            "{}",
+            "[]",
+            r#"{"n": -1}"#,
+            r#"{"n": 0, "force_n": [1]}"#,
+            r#"{"n": 0, "force_n": ["a", 1]}"#,
+            r#"{"n": 0, "force_n": [1, 1], "body_force_n": [1, 1]}"#,
+        ] {
             assert_eq!(answer(line, &asked), None, "{line}");
         }
     }

@@ -88,11 +88,15 @@ fn play(name: &str, text: &str) -> Result<Played, Failure> {
     let mut momentum = MomentumWatch::new(simulation.model(), simulation.states());
     let along = line_of_centres(simulation.states());
     let mut trace = Vec::new();
-    run::play(&mut simulation, |step| {
-        trace.push(sample(step, along));
-        momentum.watch(step.states_after);
-        Ok(())
-    })?;
+    run::play(
+        &mut simulation,
+        |_| (),
+        |step| {
+            trace.push(sample(step, along));
+            momentum.watch(step.states_after);
+            Ok(())
+        },
+    )?;
     let [pair] = simulation.pair_summaries() else {
         return Err(Failure::case(format_args!("error: {file_name}: no contact")));
     };

@@ -29,7 +29,8 @@ pub struct TugAtWork {
     pub force: Force,
     /// Where it acts, from midship [m].
     pub at_m: Vec2,
-    limited: bool,
+    /// She could not give all that she was ordered to in the last step.
+    pub limited: bool,
 }
 
 impl TugAtWork {

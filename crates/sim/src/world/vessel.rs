@@ -179,7 +179,8 @@ impl VesselSetup {
     }
 
     /// Velocity through the water at midship.
-    fn velocity(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Velocity {
+    #[must_use]
+    pub fn velocity(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Velocity {
         let draught_m = self.ship.particulars.draught_m;
         let current = environment.current(state.position_m, t_s, draught_m);
         let own =

@@ -2,7 +2,7 @@
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench};
 
-use super::{Column, body, float};
+use super::{Column, List, float, name};
 
 /// One body at the start of one step.
 pub(in crate::output) struct BodyRow {
@@ -41,7 +41,7 @@ impl BodyRow {
 pub(in crate::output) fn bodies_columns() -> Vec<Column<BodyRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
-        body("body", "name of the body", |r| r.body),
+        name("body", "name of the body", List::Bodies, |r| Some(r.body)),
         float("x_m", "m", "position of the centre of gravity, north", |r| r.position_m.x),
         float("y_m", "m", "position of the centre of gravity, east", |r| r.position_m.y),
         float("heading_rad", "rad", "heading ψ, clockwise from north", |r| r.heading_rad),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use fenderline_contact::{Contact, Friction};
 use fenderline_sim::ContactBook;
 
-use super::{Column, Value, body, fender, float};
+use super::{Column, List, Value, flag, float, name};
 
 /// One patch of contact in one step.
 pub(in crate::output) struct ContactRow {
@@ -43,10 +43,12 @@ impl ContactWorks {
 pub(in crate::output) fn contacts_columns() -> Vec<Column<ContactRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
-        body("body_1", "name of the body that is first in the scenario", |r| {
-            r.contact.body_1.0 as usize
+        name("body_1", "name of the body that is first in the scenario", List::Bodies, |r| {
+            Some(r.contact.body_1.0 as usize)
         }),
-        body("body_2", "name of the other body", |r| r.contact.body_2.0 as usize),
+        name("body_2", "name of the other body", List::Bodies, |r| {
+            Some(r.contact.body_2.0 as usize)
+        }),
         float("area_m2", "m²", "overlap area S", |r| r.contact.area_m2),
         float("depth_m", "m", "penetration δ, extent of the overlap along the normal", |r| {
             r.contact.depth_m
@@ -82,21 +84,19 @@ pub(in crate::output) fn contacts_columns() -> Vec<Column<ContactRow>> {
                 Friction::Slip => "slip",
             }),
         },
-        Column {
-            name: "limited",
-            unit: "-",
-            meaning: "whether the impulse-momentum limiter cut a force",
-            value: Value::Flag(|r| r.contact.limited),
-        },
+        flag("limited", "whether the impulse-momentum limiter cut a force", |r| r.contact.limited),
         Column {
             name: "patch",
             unit: "1",
             meaning: "number of the patch of contact within the pair, from 0",
             value: Value::Count(|r| r.contact.patch),
         },
-        fender("fender", "name of the fender; empty where outline meets outline", |r| {
-            r.contact.fender.map(|id| id.0 as usize)
-        }),
+        name(
+            "fender",
+            "name of the fender; empty where outline meets outline",
+            List::Fenders,
+            |r| r.contact.fender.map(|id| id.0 as usize),
+        ),
         float("spring_n", "N", "of N: area spring or reaction curve, with its factors", |r| {
             r.contact.parts.spring_n
         }),

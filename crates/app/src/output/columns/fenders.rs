@@ -1,6 +1,6 @@
 //! The table of fenders.
 
-use super::{Column, fender, float};
+use super::{Column, List, float, name};
 use crate::touched::TouchedFender;
 
 /// One touched fender in one step.
@@ -28,7 +28,7 @@ impl FenderRow {
 pub(in crate::output) fn fenders_columns() -> Vec<Column<FenderRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
-        fender("fender", "name of the fender", |r| Some(r.fender)),
+        name("fender", "name of the fender", List::Fenders, |r| Some(r.fender)),
         float("deflection_m", "m", "deflection at the start of the step", |r| {
             r.touched.deflection_m
         }),

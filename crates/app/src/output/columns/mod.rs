@@ -5,11 +5,21 @@ mod bodies;
 mod contacts;
 mod energy;
 mod fenders;
+mod lines;
+mod thrusters;
+mod tugs;
+mod vessels;
+
+use fenderline_sim::Setup;
 
 pub(super) use bodies::{BodyRow, bodies_columns};
 pub(super) use contacts::{ContactRow, ContactWorks, contacts_columns};
 pub(super) use energy::{EnergyRow, energy_columns};
 pub(super) use fenders::{FenderRow, fenders_columns};
+pub(super) use lines::{LineRow, lines_columns};
+pub(super) use thrusters::{ThrusterRow, thrusters_columns};
+pub(super) use tugs::{TugRow, tugs_columns};
+pub(super) use vessels::{VesselRow, vessels_columns};
 
 /// One column of a table with rows of type `R`.
 pub(super) struct Column<R> {
@@ -27,10 +37,8 @@ pub(super) struct Column<R> {
 pub(super) enum Value<R> {
     /// A number.
     Float(fn(&R) -> f64),
-    /// The index of a body, written as its name.
-    Body(fn(&R) -> usize),
-    /// The index of a fender, written as its name; empty where there is none.
-    Fender(fn(&R) -> Option<usize>),
+    /// An index into one of the lists of [`Names`], written as the name there; empty where there is none.
+    Name(List, fn(&R) -> Option<usize>),
     /// One of a few words.
     Word(fn(&R) -> &'static str),
     /// A truth value.
@@ -39,11 +47,52 @@ pub(super) enum Value<R> {
     Count(fn(&R) -> u32),
 }
 
+/// Which list of names an index is into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum List {
+    Bodies,
+    Fenders,
+    Vessels,
+    Tugs,
+    Lines,
+}
+
 /// Names that rows hold by index.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Names {
-    pub(super) bodies: Vec<String>,
-    pub(super) fenders: Vec<String>,
+    bodies: Vec<String>,
+    fenders: Vec<String>,
+    /// A vessel has the name of her body.
+    vessels: Vec<String>,
+    tugs: Vec<String>,
+    lines: Vec<String>,
+}
+
+impl Names {
+    /// Of a set-up.
+    pub(super) fn of(setup: &Setup) -> Names {
+        let world = &setup.world;
+        let body = |index: usize| setup.bodies[index].name.clone();
+        Names {
+            bodies: setup.bodies.iter().map(|body| body.name.clone()).collect(),
+            fenders: setup.fenders.iter().map(|fender| fender.name.clone()).collect(),
+            vessels: world.vessels.iter().map(|vessel| body(vessel.body)).collect(),
+            tugs: world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
+            lines: world.lines.iter().map(|line| line.line.name.clone()).collect(),
+        }
+    }
+
+    /// The name at an index; empty without one.
+    pub(super) fn get(&self, list: List, index: Option<usize>) -> &str {
+        let names = match list {
+            List::Bodies => &self.bodies,
+            List::Fenders => &self.fenders,
+            List::Vessels => &self.vessels,
+            List::Tugs => &self.tugs,
+            List::Lines => &self.lines,
+        };
+        index.map_or("", |index| &names[index])
+    }
 }
 
 const fn float<R>(
@@ -55,14 +104,15 @@ const fn float<R>(
     Column { name, unit, meaning, value: Value::Float(value) }
 }
 
-const fn body<R>(name: &'static str, meaning: &'static str, value: fn(&R) -> usize) -> Column<R> {
-    Column { name, unit: "-", meaning, value: Value::Body(value) }
-}
-
-const fn fender<R>(
+const fn name<R>(
     name: &'static str,
     meaning: &'static str,
+    list: List,
     value: fn(&R) -> Option<usize>,
 ) -> Column<R> {
-    Column { name, unit: "-", meaning, value: Value::Fender(value) }
+    Column { name, unit: "-", meaning, value: Value::Name(list, value) }
+}
+
+const fn flag<R>(name: &'static str, meaning: &'static str, value: fn(&R) -> bool) -> Column<R> {
+    Column { name, unit: "-", meaning, value: Value::Flag(value) }
 }

@@ -3,6 +3,7 @@
 mod berthing;
 mod events;
 mod fenders;
+mod world;
 
 use fenderline_contact::{BodyState, Rotation};
 use fenderline_sim::{Energy, Integrator, Method, PairSummary};
@@ -15,6 +16,7 @@ use berthing::berthing_json;
 use events::events_json;
 pub(crate) use events::{Events, event_text, is_plain};
 use fenders::fenders_json;
+use world::put_world;
 
 /// The word that a scenario file uses.
 pub(crate) fn method_text(method: Method) -> &'static str {
@@ -70,6 +72,7 @@ pub(crate) fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<St
     if let Some(berthing) = outcome.berthing {
         whole["berthing"] = berthing_json(berthing, setup);
     }
+    put_world(&mut whole, outcome);
     match first_null(&whole) {
         None => Ok(format!("{whole:#}\n")),
         Some(key) => Err(OutputError::new(

@@ -1,0 +1,55 @@
+//! The table of tugs.
+
+use core::f64::consts::TAU;
+
+use fenderline_sim::TugAtWork;
+use fenderline_sim::tug::TugOrder;
+
+use super::{Column, List, flag, float, name};
+
+/// One tug in one step.
+pub(in crate::output) struct TugRow {
+    t_s: f64,
+    tug: usize,
+    ordered_n: f64,
+    force_n: f64,
+    direction_rad: f64,
+    on_line: bool,
+    limited: bool,
+}
+
+impl TugRow {
+    /// The row of tug number `tug`.
+    pub(in crate::output) fn new(t_s: f64, tug: usize, now: &TugAtWork) -> TugRow {
+        TugRow {
+            t_s,
+            tug,
+            ordered_n: match now.state.order {
+                TugOrder::StandBy => 0.0,
+                TugOrder::Push { force_n, .. } | TugOrder::Pull { force_n, .. } => force_n,
+            },
+            force_n: libm::hypot(now.force.surge_n, now.force.sway_n),
+            direction_rad: libm::remainder(now.state.direction_rad, TAU),
+            on_line: now.state.on_line,
+            limited: now.limited,
+        }
+    }
+}
+
+/// The columns of `tugs`, in their order.
+pub(in crate::output) fn tugs_columns() -> Vec<Column<TugRow>> {
+    vec![
+        float("t_s", "s", "start of the step", |r| r.t_s),
+        name("tug", "name of the tug", List::Tugs, |r| Some(r.tug)),
+        float("ordered_n", "N", "force that she is ordered to give", |r| r.ordered_n),
+        float("force_n", "N", "force on the ship in the step", |r| r.force_n),
+        float(
+            "direction_rad",
+            "rad",
+            "direction of the force from the ship's bow, positive to starboard",
+            |r| r.direction_rad,
+        ),
+        flag("on_line", "whether she pulls on her line rather than pushes", |r| r.on_line),
+        flag("limited", "whether speed and angle leave her less than is ordered", |r| r.limited),
+    ]
+}

@@ -1,0 +1,90 @@
+//! Vessels, tugs, lines and providers in the summary that `run` prints: short, and in capitals what somebody
+//! has to look at.
+
+use core::fmt::Write as _;
+
+use super::printed::{NAME_WIDTH, one_line};
+use crate::output::Outcome;
+use crate::plot::shortened;
+use crate::world::{LineTotals, LineVerdict};
+
+/// Lines of text about one kind of thing at most.
+const ROWS: usize = 12;
+
+/// Empty where the scenario has none of them.
+pub(super) fn lines(outcome: &Outcome<'_>) -> String {
+    let mut text = String::new();
+    moorings(outcome, &mut text);
+    warnings(outcome, &mut text);
+    if text.is_empty() { text } else { format!("\n{text}") }
+}
+
+/// One line of text a mooring line, the most used first.
+fn moorings(outcome: &Outcome<'_>, text: &mut String) {
+    let names = outcome.setup.world.lines.iter().map(|line| line.line.name.as_str());
+    let mut lines: Vec<(&str, &LineTotals)> = names.zip(&outcome.world.lines).collect();
+    if lines.is_empty() {
+        return;
+    }
+    let share = |line: &LineTotals| line.share_of_break_load().unwrap_or(0.0);
+    // Stable: equals stay in the order of the scenario.
+    lines.sort_by(|a, b| share(b.1).total_cmp(&share(a.1)));
+    let shown = &lines[..lines.len().min(ROWS)];
+    let name_of = |name: &str| shortened(&one_line(name), NAME_WIDTH);
+    let longest = shown.iter().map(|(name, _)| name_of(name).chars().count()).max().unwrap_or(0);
+    let width = longest.max("line".len());
+    for (name, tension, at, share) in
+        [("line", "peak tension", "at", "of break load"), ("", "kN", "s", "%")]
+    {
+        let _ = writeln!(text, "{name:<width$}  {tension:>12}  {at:>9}  {share:>13}");
+    }
+    for (name, line) in shown {
+        let verdict = line.verdict();
+        let mark = match verdict {
+            LineVerdict::Ok => String::new(),
+            verdict => verdict.text().to_uppercase(),
+        };
+        let row = format!(
+            "{:<width$}  {:>12.1}  {:>9.1}  {:>13.0}  {mark}",
+            name_of(name),
+            line.tension_n.value / 1e3,
+            line.tension_n.at_s,
+            100.0 * share(line),
+        );
+        let _ = writeln!(text, "{}", row.trim_end());
+    }
+    if lines.len() > shown.len() {
+        let _ = writeln!(text, "and {} more lines, in summary.json", lines.len() - shown.len());
+    }
+}
+
+fn warnings(outcome: &Outcome<'_>, text: &mut String) {
+    let (setup, world) = (outcome.setup, outcome.world);
+    let body = |index: usize| one_line(&setup.bodies[index].name);
+    for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
+        if totals.aground.s() > 0.0 {
+            let _ =
+                writeln!(text, "AGROUND: {} for {:.1} s", body(vessel.body), totals.aground.s());
+        }
+    }
+    for (tug, totals) in setup.world.tugs.iter().zip(&world.tugs).take(ROWS) {
+        if totals.limited.s() > 0.0 {
+            let _ = writeln!(
+                text,
+                "tug {}: for {:.1} s less than ordered, because of speed and angle",
+                one_line(&tug.tug.name),
+                totals.limited.s()
+            );
+        }
+    }
+    for (key, count) in outcome.providers.counts() {
+        let what = match *key {
+            "provider_held" => "did not answer in time; its last force was held",
+            "provider_dropped" => "was silent for too long; its force was DROPPED",
+            "provider_refused" => "gave a force that cannot be; it was REFUSED",
+            "provider_died" => "ENDED before the run did",
+            _ => "answered again",
+        };
+        let _ = writeln!(text, "provider: {count} times: {what}");
+    }
+}

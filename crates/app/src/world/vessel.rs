@@ -1,0 +1,51 @@
+//! What a run did to a vessel.
+
+use fenderline_contact::BodyState;
+use fenderline_sim::VesselState;
+use fenderline_sim::hydro::Velocity;
+
+use super::{Lasting, Peak};
+
+/// Totals of one vessel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct VesselTotals {
+    /// Speed over ground [m/s].
+    pub(crate) over_ground_mps: Peak,
+    /// Speed through the water at midship [m/s].
+    pub(crate) through_water_mps: Peak,
+    /// Rate of turn, positive to starboard [rad/s].
+    pub(crate) rate_of_turn_radps: Peak,
+    /// Rudder, positive turns to starboard [rad].
+    pub(crate) rudder_rad: Peak,
+    /// Roll with wave motion, positive to starboard [rad].
+    pub(crate) roll_rad: Peak,
+    /// Heel: roll without first-order wave motion [rad].
+    pub(crate) heel_rad: Peak,
+    /// Pitch with wave motion, positive bow up [rad].
+    pub(crate) pitch_rad: Peak,
+    /// How long she was on the bottom.
+    pub(crate) aground: Lasting,
+}
+
+impl VesselTotals {
+    pub(super) fn add(
+        &mut self,
+        t_s: f64,
+        step_s: f64,
+        state: &BodyState,
+        water: &Velocity,
+        now: &VesselState,
+    ) {
+        self.over_ground_mps.raise(state.velocity_mps.length(), t_s);
+        self.through_water_mps.raise(water.speed_mps(), t_s);
+        self.rate_of_turn_radps.raise(state.yaw_rate_radps, t_s);
+        self.rudder_rad.raise(now.rudder.value, t_s);
+        // Attitude is that of the end of the step.
+        let end_s = t_s + step_s;
+        let [_, _, _, wave_roll_rad, wave_pitch_rad, _] = now.wave_motion.motion;
+        self.heel_rad.raise(now.attitude.roll.value, end_s);
+        self.roll_rad.raise(now.attitude.roll.value + wave_roll_rad, end_s);
+        self.pitch_rad.raise(now.attitude.pitch.value + wave_pitch_rad, end_s);
+        self.aground.count(now.aground, step_s);
+    }
+}
