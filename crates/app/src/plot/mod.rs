@@ -18,8 +18,8 @@ pub(crate) use chart::{Chart, Reference};
 pub(crate) use number::{Scaled, decimals_for, fixed, plain, shortened, significant};
 pub(crate) use page::page;
 pub(crate) use plan::{
-    Arrow, FenderBox, Frame, Label, Outlined, Plan, Stage, Track, Use, fenders_legend,
-    outlined_legend,
+    Arrow, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Plan, Stage, Track, TugDrawn,
+    Use, Weather, fenders_legend, harbour_legend, outlined_legend,
 };
 pub(crate) use series::{Decimator, Point, Series};
 

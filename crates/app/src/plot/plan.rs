@@ -2,6 +2,7 @@
 
 mod fenders;
 mod furniture;
+mod harbour;
 mod labels;
 
 use core::fmt::Write as _;
@@ -13,6 +14,7 @@ use super::axis::{Axis, Fitted, nice_step};
 use super::{colour, dash};
 pub(crate) use fenders::{FenderBox, Use, fenders_legend};
 use furniture::{grid, north_arrow, scale_bar};
+pub(crate) use harbour::{Harbour, LineDrawn, TugDrawn, Weather, harbour_legend};
 use labels::label_places;
 
 /// A plan view to draw.
@@ -26,6 +28,8 @@ pub(crate) struct Plan {
     pub(crate) outlines: Vec<Outlined>,
     /// Fenders, drawn upon the outlines.
     pub(crate) fenders: Vec<FenderBox>,
+    /// Lines, tugs, wind and current.
+    pub(crate) harbour: Harbour,
     /// Paths of bodies.
     pub(crate) tracks: Vec<Track>,
     /// Forces and the like, and points where they act.
@@ -228,10 +232,13 @@ impl Plan {
                             path d=(map.path(&track.points_m)) fill="none" stroke=(colour(track.style))
                                 stroke-width="1" stroke-dasharray=(dash(2)) {}
                         }
+                        @for line in &self.harbour.lines { (harbour::line(line, &map)) }
+                        @for tug in &self.harbour.tugs { (harbour::tug(tug, &map)) }
                         @for (label, at) in self.labels.iter().zip(label_places(self, &map)) {
                             @if let Some((x, y)) = at { (named(label, x, y)) }
                         }
                         @for arrow in &self.arrows { (arrowed(arrow, &map)) }
+                        (harbour::corner(&self.harbour.weather))
                         (north_arrow(&map))
                         (scale_bar(&map))
                     }
@@ -366,6 +373,24 @@ mod tests {
                 half_width_m: vec2(0.0, 1.0),
                 used: Use::Failed,
             }],
+            harbour: Harbour {
+                lines: vec![LineDrawn {
+                    ends_m: [frame.low, frame.high],
+                    share: 0.6,
+                    has_parted: false,
+                }],
+                tugs: vec![TugDrawn {
+                    at_m: frame.low,
+                    direction: vec2(0.0, 1.0),
+                    on_line: true,
+                    label: "<script>".to_owned(),
+                }],
+                weather: vec![Weather {
+                    towards: vec2(1.0, 0.0),
+                    text: "<script>".to_owned(),
+                    colour: "#000",
+                }],
+            },
             tracks: vec![Track { points_m: vec![frame.low, frame.high], style: 1 }],
             arrows: vec![Arrow {
                 from_m: frame.low,

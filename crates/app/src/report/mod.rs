@@ -9,13 +9,14 @@ mod parts;
 mod recorder;
 mod scene;
 mod tables;
+mod vessels;
 
 use fenderline_contact::EventKind;
 use fenderline_sim::Method;
 use maud::{Markup, html};
 
 use crate::output::{Outcome, event_text, is_plain};
-use crate::plot::{fenders_legend, fixed, outlined_legend, page};
+use crate::plot::{fenders_legend, fixed, harbour_legend, outlined_legend, page};
 use crate::verdict::{Verdict, worst_first};
 
 pub(crate) use recorder::Recorder;
@@ -40,15 +41,20 @@ pub(crate) fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         }
         h2 { "Result" }
         (fenders::headline(outcome))
+        (vessels::headline(outcome))
         (tables::results(outcome))
         (remarks(outcome))
+        (vessels::remarks(outcome))
         h2 { "Plan view" }
         (outlined_legend())
         @if !outcome.setup.fenders.is_empty() { (fenders_legend()) }
+        (harbour(outcome))
         (scene::whole(outcome, recorder))
+        (scene::moored(outcome, recorder))
         @for trace in drawn.iter().take(CLOSE_UPS) { (scene::close_up(outcome, trace)) }
         (fenders::section(outcome, recorder))
         (berthing::section(outcome, recorder))
+        (vessels::sections(outcome, recorder))
         h2 { "Time series" }
         (left_out(recorder, &drawn))
         (charts::all(outcome, recorder, &drawn))
@@ -64,6 +70,13 @@ pub(crate) fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         }
     };
     page(outcome.title, &body)
+}
+
+/// The key to lines and tugs, where there are any.
+fn harbour(outcome: &Outcome<'_>) -> Markup {
+    let world = &outcome.setup.world;
+    let (has_lines, has_tugs) = (!world.lines.is_empty(), !world.tugs.is_empty());
+    html! { @if has_lines || has_tugs { (harbour_legend(has_lines, has_tugs)) } }
 }
 
 /// The pairs with the largest forces, largest first.
@@ -176,8 +189,15 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
                 Method::Coupled => (coupled_notes(outcome.setup.step_s)),
             }
             li {
-                "Bodies are rigid, and move in the horizontal plane; the water acts by added mass "
-                "alone, without damping, wind or current."
+                "Bodies are rigid, and move in the horizontal plane. "
+                @if outcome.setup.world.vessels.is_empty() {
+                    "The water acts by added mass alone, without damping, wind or current."
+                } @else {
+                    "On vessels act hull, propeller, rudder and thrusters by the MMG method, extended to low "
+                    "speed, and wind, current and mean wave drift; on other bodies the water acts by added "
+                    "mass alone. Heave, roll and pitch are oscillators beside the motion in the plane; they "
+                    "do not move fairleads, nor the place where a hull touches."
+                }
             }
             li {
                 "Energy: what is kinetic at the start and what the loads bring is kinetic now or was taken "

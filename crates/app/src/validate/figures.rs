@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use super::play::{Played, Sample};
 use super::row::Runs;
 use crate::plot::{
-    Axis, Chart, Frame, Label, Outlined, Plan, Point, Reference, Series, Stage, plain,
+    Axis, Chart, Frame, Harbour, Label, Outlined, Plan, Point, Reference, Series, Stage, plain,
 };
 
 /// Experiment 1: the time step varies; names of the runs and of the lines.
@@ -168,6 +168,7 @@ fn outline(body: &BodySetup, style: usize) -> Markup {
         frame,
         outlines: vec![Outlined { vertices_m, stage: Stage::Peak, style }],
         fenders: Vec::new(),
+        harbour: Harbour::default(),
         tracks: Vec::new(),
         arrows: Vec::new(),
         labels: vec![Label { at_m: Vec2::ZERO, reach_m: length_m, side: Vec2::ZERO, text }],
@@ -227,6 +228,7 @@ fn start(setup: &Setup) -> Markup {
         frame,
         outlines,
         fenders: Vec::new(),
+        harbour: Harbour::default(),
         tracks: Vec::new(),
         arrows: Vec::new(),
         labels,

@@ -8,7 +8,7 @@ mod vessel;
 
 use fenderline_sim::{Setup, StepRecord, WorldSetup};
 
-pub(crate) use events::{Who, WorldEvents, world_event_key};
+pub(crate) use events::{Who, WorldEvents, world_event_key, world_event_text};
 pub(crate) use line::{LineTotals, LineVerdict};
 pub(crate) use particulars::{Origin, origin};
 pub(crate) use tug::TugTotals;

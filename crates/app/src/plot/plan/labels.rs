@@ -2,6 +2,7 @@
 
 use fenderline_contact::Vec2;
 
+use super::harbour::ROW;
 use super::{Map, Plan, arrow_text};
 
 /// A rectangle of the drawn area, by its middle and half its size [px].
@@ -37,6 +38,11 @@ impl Box2 {
 pub(super) fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
     let north = Box2 { x: map.width - 22.0, y: 30.0, half_width: 14.0, half_height: 26.0 };
     let mut taken = vec![north];
+    if !plan.harbour.weather.is_empty() {
+        let rows = u32::try_from(plan.harbour.weather.len()).map_or(3.0, f64::from);
+        let half_height = 3.0 + 0.5 * ROW * rows;
+        taken.push(Box2 { x: 140.0, y: 6.0 + half_height, half_width: 140.0, half_height });
+    }
     taken.extend(plan.arrows.iter().map(|arrow| {
         let (x, y, is_left) = arrow_text(arrow, map);
         let mut text = Box2::of_text(&arrow.label, x, y);

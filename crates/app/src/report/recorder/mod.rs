@@ -2,11 +2,13 @@
 //! run's length.
 
 mod body;
+mod docking;
 mod energy;
 mod fender;
 mod pair;
 mod parts;
 mod path;
+mod world;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,12 +18,15 @@ use fenderline_sim::{Energy, Setup, StepRecord};
 use crate::touched::{TouchedFender, touched};
 
 pub(super) use body::BodyTrace;
+pub(super) use docking::DockingTrace;
 pub(super) use energy::EnergyTrace;
 pub(super) use fender::FenderTrace;
 pub(super) use pair::PairTrace;
 use pair::Touch;
 pub(super) use parts::PartsTrace;
 use path::Path;
+use world::tug_marks;
+pub(super) use world::{TugMark, VesselTrace, WorldTrace};
 
 /// Pairs, fenders and bodies that are followed; the tables of the report know all the others.
 pub(super) const FOLLOWED: usize = 128;
@@ -42,6 +47,8 @@ pub(super) struct ScenePeak {
     pub(super) states: Vec<BodyState>,
     /// How deep all fenders were pressed.
     pub(super) deflections_m: Deflections,
+    /// All tugs.
+    pub(super) tugs: Vec<TugMark>,
 }
 
 /// All that the report draws of a run.
@@ -53,6 +60,10 @@ pub(crate) struct Recorder {
     /// In the order of first touch.
     pub(super) fenders: Vec<FenderTrace>,
     pub(super) energy: EnergyTrace,
+    pub(super) world: WorldTrace,
+    /// All tugs in the last step.
+    pub(super) last_tugs: Vec<TugMark>,
+    setup: Setup,
     /// The ledger before the first step.
     pub(super) start_energy: Energy,
     /// The most that springs, stops and shear springs stored at the end of a step [J], and when [s].
@@ -85,6 +96,9 @@ impl Recorder {
             bodies: floating.take(FOLLOWED).map(|(body, _)| BodyTrace::new(body)).collect(),
             fenders: Vec::new(),
             energy,
+            world: WorldTrace::new(setup),
+            last_tugs: Vec::new(),
+            setup: setup.clone(),
             start_energy: start,
             most_stored: (0.0, 0.0),
             most_in_fenders: (0.0, 0.0),
@@ -128,6 +142,10 @@ impl Recorder {
             body.push(step);
         }
         self.record_energy(step);
+        self.world.push(step);
+        if !step.tugs.is_empty() {
+            self.last_tugs = tug_marks(&self.setup, step, step.states);
+        }
     }
 
     fn record_peak(&mut self, step: &StepRecord<'_>) {
@@ -146,6 +164,7 @@ impl Recorder {
             contact: touch.strongest,
             states,
             deflections_m: self.deflections_m.clone(),
+            tugs: tug_marks(&self.setup, step, step.states),
         });
     }
 

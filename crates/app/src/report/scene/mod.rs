@@ -1,5 +1,7 @@
 //! Plan views of the report: the whole scene, and the contact at its peak force.
 
+mod harbour;
+
 use std::collections::BTreeSet;
 
 use fenderline_contact::{BodyState, Vec2};
@@ -10,9 +12,11 @@ use super::fenders::{boxes, names};
 use super::recorder::{PairTrace, Recorder};
 use crate::output::Outcome;
 use crate::plot::{
-    Arrow, Frame, Label, Outlined, Plan, STYLES, Scaled, Stage, Track, plain, shortened,
+    Arrow, Frame, Harbour, Label, Outlined, Plan, STYLES, Scaled, Stage, Track, plain, shortened,
     significant,
 };
+
+pub(super) use harbour::moored;
 
 /// Bodies drawn at most.
 const DRAWN: usize = 300;
@@ -97,6 +101,7 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         frame,
         outlines,
         fenders,
+        harbour: harbour::around(setup, recorder),
         tracks: tracks.collect(),
         arrows: contact_point.collect(),
         labels: labels.collect(),
@@ -218,6 +223,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         frame,
         outlines: outlines.to_vec(),
         fenders: boxes(outcome, &peak.deflections_m, shown),
+        harbour: Harbour::default(),
         tracks: Vec::new(),
         arrows: vec![arrow],
         labels: labels.chain(names(outcome, shown)).collect(),

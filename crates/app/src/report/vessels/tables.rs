@@ -1,0 +1,202 @@
+//! Tables of vessels, tugs and lines.
+
+use fenderline_sim::VesselSetup;
+use fenderline_sim::hydro::vessels::Standing;
+use maud::{Markup, html};
+
+use super::headline::class;
+use crate::output::Outcome;
+use crate::plot::{fixed, plain, significant};
+use crate::report::tables::{KNOT_MPS, ROWS, heading, more, number};
+use crate::world::{LineTotals, Origin, TugTotals, VesselTotals, origin};
+
+/// Particulars and what they did.
+pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
+    let (setup, world) = (outcome.setup, outcome.world);
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Vessel" }
+                    (heading("Length bp × beam × draught", "m"))
+                    (heading("Block coefficient", "–"))
+                    (heading("Full revolutions", "rpm"))
+                    (heading("Rudder", "stop deg, deg/s"))
+                    (heading("Thrusters", "kN each"))
+                    (heading("Largest speed", "over ground, kn"))
+                    (heading("Largest rate of turn", "deg/min"))
+                    (heading("Largest roll", "deg"))
+                } }
+                tbody {
+                    @for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
+                        tr { (vessel_cells(&setup.bodies[vessel.body].name, vessel, totals)) }
+                    }
+                }
+            }
+        }
+        (more(world.vessels.len()))
+        @for vessel in setup.world.vessels.iter().take(ROWS) {
+            (source(&setup.bodies[vessel.body].name, vessel))
+        }
+    }
+}
+
+fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Markup {
+    let ship = &vessel.ship.particulars;
+    let thrusters = vessel.thrusters.iter().map(|t| plain(t.bollard_n / 1e3, 3));
+    let thrusters: Vec<String> = thrusters.collect();
+    let has_gear = vessel.ship.propulsion.is_some();
+    let gear = |text: String| if has_gear { text } else { "none".to_owned() };
+    let rudder = &vessel.rudder;
+    html! {
+        td class="name" { (name) }
+        (number(&format!(
+            "{} × {} × {}",
+            plain(ship.length_m, 4), plain(ship.beam_m, 4), plain(ship.draught_m, 4)
+        )))
+        (number(&fixed(ship.block_coefficient(), 3)))
+        (number(&gear(plain(60.0 * vessel.shaft.stop, 4))))
+        (number(&gear(format!(
+            "{}, {}",
+            plain(rudder.stop.to_degrees(), 3), plain(rudder.rate_per_s.to_degrees(), 3)
+        ))))
+        (number(&if thrusters.is_empty() { "none".to_owned() } else { thrusters.join(", ") }))
+        (number(&fixed(totals.over_ground_mps.value / KNOT_MPS, 2)))
+        (number(&fixed(60.0 * totals.rate_of_turn_radps.value.to_degrees(), 2)))
+        (number(&fixed(totals.roll_rad.value.to_degrees(), 2)))
+    }
+}
+
+/// Where a vessel's model comes from; what is no more than an estimate is said loudly.
+fn source(name: &str, vessel: &VesselSetup) -> Markup {
+    html! {
+        @match origin(vessel) {
+            Origin::Published(ship, sources) => {
+                p { (name) ": coefficients of " strong { (ship) } "." }
+                ul class="plain" {
+                    @for source in sources {
+                        li { (source.group) ": " (source.source) " – " (standing(source.standing)) }
+                    }
+                }
+            }
+            Origin::Estimated => p {
+                span class="verdict over_rated" { "ESTIMATED" } " "
+                (name) ": hull, propeller and rudder are estimated from her main particulars by regressions "
+                "that were recalled, not read in a source. They are not validated for this ship: "
+                "a turning circle may be out by a third. Do not use them for her own manoeuvring booklet."
+            }
+        }
+        @if vessel.response.is_some() {
+            p class="note" { (name) ": motion in waves is an " strong { "estimate" } " of a box-shaped hull." }
+        }
+    }
+}
+
+fn standing(of: Standing) -> Markup {
+    html! {
+        @match of {
+            Standing::Published => "published",
+            Standing::Recalled => strong { "recalled: to be checked" },
+            Standing::Estimated => strong { "ESTIMATED: not validated" },
+        }
+    }
+}
+
+/// What was asked of the tugs.
+pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
+    let (setup, world) = (outcome.setup, outcome.world);
+    let body = |vessel: usize| setup.bodies[setup.world.vessels[vessel].body].name.as_str();
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Tug" }
+                    th class="name" scope="col" { "Serves" }
+                    (heading("Bollard pull", "tf (kN)"))
+                    (heading("Peak force", "tf (kN)"))
+                    (heading("at", "s"))
+                    (heading("At work", "min"))
+                    (heading("Less than ordered", "s"))
+                } }
+                tbody {
+                    @for (tug, totals) in setup.world.tugs.iter().zip(&world.tugs).take(ROWS) {
+                        tr {
+                            td class="name" { (tug.tug.name) }
+                            td class="name" { (body(tug.vessel)) }
+                            (tug_cells(tug.tug.envelope.bollard_pull_n, totals))
+                        }
+                    }
+                }
+            }
+        }
+        (more(world.tugs.len()))
+        p class="note" {
+            "Tugs are forces at the ship's side, not hulls. What a tug gives at speed is "
+            strong { "derived" } " from her bollard pull and drag; no published envelope was found. "
+            "Less than ordered: how long speed and angle left her less than she was asked for."
+        }
+    }
+}
+
+fn tug_cells(bollard_pull_n: f64, totals: &TugTotals) -> Markup {
+    let tonnes = |n: f64| format!("{} ({})", plain(n / 9806.65, 3), significant(n / 1e3, 3));
+    html! {
+        (number(&tonnes(bollard_pull_n)))
+        (number(&tonnes(totals.force_n.value)))
+        (number(&fixed(totals.force_n.at_s, 1)))
+        (number(&fixed(totals.at_work.s() / 60.0, 1)))
+        (number(&fixed(totals.limited.s(), 1)))
+    }
+}
+
+/// What the lines bore.
+pub(super) fn lines(outcome: &Outcome<'_>) -> Markup {
+    let (setup, world) = (outcome.setup, outcome.world);
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Line" }
+                    (heading("Made fast", "s"))
+                    (heading("Break load", "kN"))
+                    (heading("Working load", "kN"))
+                    (heading("Peak tension", "kN"))
+                    (heading("of break load", "%"))
+                    (heading("at", "s"))
+                    (heading("Rendered", "m"))
+                    (heading("At the end", "kN"))
+                    th scope="col" { "Verdict" }
+                } }
+                tbody {
+                    @for (line, totals) in setup.world.lines.iter().zip(&world.lines).take(ROWS) {
+                        tr {
+                            td class="name" { (line.line.name) }
+                            (line_cells(totals))
+                        }
+                    }
+                }
+            }
+        }
+        (more(world.lines.len()))
+        p class="note" {
+            "Tension at the ship's end; break load is the least of rope and tail. Working load: 55 % of "
+            "the rope's break load for wire, 50 % for others (MEG4, from public summaries)."
+        }
+    }
+}
+
+fn line_cells(totals: &LineTotals) -> Markup {
+    let verdict = totals.verdict();
+    let kilo = |value: Option<f64>| value.map_or_else(|| "–".into(), |n| significant(n / 1e3, 3));
+    html! {
+        (number(&totals.made_fast_s.map_or_else(|| "–".to_owned(), |t| fixed(t, 1))))
+        (number(&kilo(totals.break_load_n)))
+        (number(&kilo(totals.working_load_n)))
+        (number(&kilo(totals.made_fast_s.map(|_| totals.tension_n.value))))
+        (number(&totals.share_of_break_load().map_or_else(|| "–".to_owned(), |s| fixed(100.0 * s, 0))))
+        (number(&totals.made_fast_s.map_or_else(|| "–".to_owned(), |_| fixed(totals.tension_n.at_s, 1))))
+        (number(&fixed(totals.rendered_m, 2)))
+        (number(&kilo(totals.made_fast_s.map(|_| totals.last_tension_n))))
+        td { span class={ "verdict " (class(verdict)) } { (verdict.text()) } }
+    }
+}
