@@ -95,10 +95,10 @@ fn the_example_in_python_drags_a_ship_with_its_current() {
     let at = &summary["bodies"][0]["final"];
     let heading = 40.0_f64.to_radians();
     let (t_s, mass_kg) = (600.0, 4.2e6);
-    let current = [0.5 * heading.cos(), -0.5 * heading.sin()];
+    let current = [0.5 * libm::cos(heading), -0.5 * libm::sin(heading)];
     let knot_mps = 1852.0 / 3600.0;
-    for (key, start, drag, added, current) in
-        [("u_mps", knot_mps, 4.0e4, 0.05, current[0]), ("v_mps", 0.0, 8.0e5, 0.7, current[1])]
+    for (key, start, drag, current) in
+        [("u_mps", knot_mps, 4.0e4, current[0]), ("v_mps", 0.0, 8.0e5, current[1])]
     {
         let water: f64 = start - current;
         let k = drag / (1.7 * mass_kg);

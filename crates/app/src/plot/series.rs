@@ -75,6 +75,8 @@ impl Series {
 /// of buckets.
 #[derive(Clone, Debug)]
 pub(crate) struct Decimator {
+    /// Ends of a stretch of rest before the first sample, which no merging touches.
+    rest: Option<[Point; 2]>,
     buckets: Vec<Bucket>,
     samples_per_bucket: u64,
     samples_in_last: u64,
@@ -114,7 +116,13 @@ impl Default for Decimator {
 
 impl Decimator {
     pub(crate) fn new() -> Decimator {
-        Decimator { buckets: Vec::new(), samples_per_bucket: 1, samples_in_last: 0 }
+        Decimator { rest: None, buckets: Vec::new(), samples_per_bucket: 1, samples_in_last: 0 }
+    }
+
+    /// Nothing happened from 0 until `x`, after which the samples begin: a stretch of zeros that counts as
+    /// no sample.
+    pub(crate) fn rest_until(&mut self, x: f64) {
+        self.rest = Some([0.0, x].map(|x| Point { x, y: 0.0 }));
     }
 
     /// Adds a sample of finite values; x must not fall.
@@ -147,6 +155,7 @@ impl Decimator {
     /// The points kept, at most four a bucket, in the order of x.
     pub(crate) fn points(&self) -> Vec<Point> {
         let mut points: Vec<Point> = Vec::with_capacity(self.buckets.len());
+        points.extend(self.rest.into_iter().flatten());
         for bucket in &self.buckets {
             let (a, b) = if bucket.low.x <= bucket.high.x {
                 (bucket.low, bucket.high)
@@ -196,5 +205,17 @@ mod tests {
         assert!(points.windows(2).all(|w| w[0].x <= w[1].x));
         assert_eq!(points.first().map(|p| p.x), Some(0.0));
         assert_eq!(points.last().map(|p| p.x), Some(999_999.0));
+    }
+
+    #[test]
+    fn a_rest_before_a_long_series_stays_flat() {
+        let mut store = Decimator::new();
+        store.rest_until(99.0);
+        for i in 100..20_000 {
+            store.push(f64::from(i), f64::from(i % 7));
+        }
+        let points = store.points();
+        assert_eq!(points[..2], [0.0, 99.0].map(|x| Point { x, y: 0.0 }));
+        assert_eq!(points[2].x, 100.0);
     }
 }

@@ -30,9 +30,8 @@ impl FenderTrace {
         };
         if t_s > 0.0 {
             // Nothing touched from the start until the step before this one.
-            for t_s in [0.0, t_s - step_s] {
-                trace.push_forces(t_s, &TouchedFender::default());
-            }
+            trace.reaction_n.rest_until(t_s - step_s);
+            trace.parts.rest_until(t_s - step_s);
             trace.path.push(0.0, 0.0);
         }
         trace

@@ -109,10 +109,11 @@ impl PairTrace {
         };
         if step.index > 0 {
             // Nothing touched from the start until the step before this one.
-            for t_s in [0.0, step.t_s - step_s] {
-                trace.push_forces(t_s, 0.0, 0.0, 0.0);
-                trace.parts.push(t_s, &ForceParts::default());
+            let until_s = step.t_s - step_s;
+            for series in [&mut trace.normal_n, &mut trace.tangential_n, &mut trace.depth_m] {
+                series.rest_until(until_s);
             }
+            trace.parts.rest_until(until_s);
         }
         trace
     }

@@ -15,6 +15,19 @@ pub(in crate::report) struct PartsTrace {
 }
 
 impl PartsTrace {
+    /// Nothing pressed from the start until `t_s`.
+    pub(super) fn rest_until(&mut self, t_s: f64) {
+        for part in [
+            &mut self.total_n,
+            &mut self.spring_n,
+            &mut self.stop_n,
+            &mut self.damper_n,
+            &mut self.limiter_n,
+        ] {
+            part.rest_until(t_s);
+        }
+    }
+
     pub(super) fn push(&mut self, t_s: f64, parts: &ForceParts) {
         self.total_n.push(t_s, parts.total_n());
         self.spring_n.push(t_s, parts.spring_n);

@@ -1,6 +1,7 @@
 //! Tables of vessels, tugs and lines.
 
 use fenderline_sim::VesselSetup;
+use fenderline_sim::environment::waves::MotionResponse;
 use fenderline_sim::hydro::vessels::Standing;
 use maud::{Markup, html};
 
@@ -36,7 +37,7 @@ pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
         }
         (more(world.vessels.len()))
         @for vessel in setup.world.vessels.iter().take(ROWS) {
-            (source(&setup.bodies[vessel.body].name, vessel))
+            (source(&setup.bodies[vessel.body].name, vessel, setup.world.environment.sea.is_some()))
         }
     }
 }
@@ -68,7 +69,7 @@ fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Mark
 }
 
 /// Where a vessel's model comes from; what is no more than an estimate is said loudly.
-fn source(name: &str, vessel: &VesselSetup) -> Markup {
+fn source(name: &str, vessel: &VesselSetup, has_waves: bool) -> Markup {
     html! {
         @match origin(vessel) {
             Origin::Published(ship, sources) => {
@@ -82,11 +83,11 @@ fn source(name: &str, vessel: &VesselSetup) -> Markup {
             Origin::Estimated => p {
                 span class="verdict over_rated" { "ESTIMATED" } " "
                 (name) ": hull, propeller and rudder are estimated from her main particulars by regressions "
-                "that were recalled, not read in a source. They are not validated for this ship: "
-                "a turning circle may be out by a third. Do not use them for her own manoeuvring booklet."
+                "that were recalled, not read in a source. They are not validated for this ship; "
+                "do not take them for her own manoeuvring data."
             }
         }
-        @if vessel.response.is_some() {
+        @if has_waves && matches!(vessel.response, Some(MotionResponse::Estimate(_))) {
             p class="note" { (name) ": motion in waves is an " strong { "estimate" } " of a box-shaped hull." }
         }
     }
