@@ -12,6 +12,9 @@ pub(super) const KNOT_MPS: f64 = 1852.0 / 3600.0;
 /// Acceleration of gravity [m/s²].
 pub(super) const GRAVITY_MPS2: f64 = 9.806_65;
 
+/// Froude number beyond which no displacement ship goes, and no coefficient here was measured.
+const LARGEST_FROUDE: f64 = 0.5;
+
 /// What she sails in.
 pub(super) struct Sea {
     /// Its density.
@@ -69,8 +72,15 @@ impl Conditions {
                 vessel.name
             )));
         }
+        let speed_mps = args.speed.map_or(vessel.approach_mps, |speed_kn| speed_kn * KNOT_MPS);
+        let froude = speed_mps / (GRAVITY_MPS2 * vessel.ship.particulars.length_m).sqrt();
+        if froude > LARGEST_FROUDE {
+            return Err(Failure::input(format_args!(
+                "error: --speed: a Froude number of {froude:.2}; nothing here is known above {LARGEST_FROUDE}"
+            )));
+        }
         Ok(Conditions {
-            speed_mps: args.speed.map_or(vessel.approach_mps, |speed_kn| speed_kn * KNOT_MPS),
+            speed_mps,
             is_test_speed: args.speed.is_none(),
             rudder_deg: args.rudder,
             push_n: args.push.map(|push_kn| push_kn * 1e3),

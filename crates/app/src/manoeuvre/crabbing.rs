@@ -41,9 +41,7 @@ pub(super) fn crabbing_section(
         title: "Crabbing under a push at midship, engine stopped".to_owned(),
         columns: vec!["starboard"],
         rows,
-        notes: vec![
-            "The low-speed hull forces of ships that have no tests of their own are estimated.",
-        ],
+        notes: vec![],
         tracks: Vec::new(),
     })
 }

@@ -37,7 +37,7 @@ pub(super) fn text(
     if sections.iter().flat_map(|section| &section.rows).any(|row| row.imo_limit.is_some()) {
         text.push_str(
             "\nIMO: resolution MSC.137(76), annex, 5.3, as reproduced by a third party, for the test speed \
-             in deep water.\n",
+             in deep water.\nA large ship may be allowed a track reach of up to 20 L.\n",
         );
     } else if sea.is_model {
         text.push_str("\nIMO's limits (MSC.137(76)) are for ships, not for models.\n");
@@ -120,6 +120,7 @@ fn cell(value: f64, unit: Unit, length_m: f64) -> String {
                 if value * length_m >= 100.0 { fixed(value * length_m, 0) } else { digits };
             format!("{} L {metres:>6} m", shown(value, 2))
         }
+        Unit::Kilonewtons if value.abs() < 1.0 => format!("{} N", significant(value * 1e3, 4)),
         Unit::Kilonewtons => format!("{} kN", significant(value, 4)),
         Unit::Degrees => format!("{}°", shown(value, unit.decimals())),
         Unit::Seconds if value < 100.0 => format!("{} s", shown(value, 1)),
