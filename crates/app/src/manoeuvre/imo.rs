@@ -1,8 +1,8 @@
 //! What IMO asks: resolution MSC.137(76), Standards for ship manoeuvrability, annex, section 5.3 (read on a page
 //! that reproduces it, imorules.com, not in IMO's own print).
 //!
-//! They are for ships of 100 m and more (and tankers and gas carriers of any length) on an even keel at summer load draught,
-//! at the test speed, in deep and sheltered water; that part is recalled.
+//! They are for ships of 100 m and more, and chemical tankers and gas carriers of any length, at full load
+//! on an even keel, at the test speed, in deep and sheltered water; that part is recalled.
 
 /// Advance at 90° with the rudder hard over [L].
 pub(super) const ADVANCE: f64 = 4.5;

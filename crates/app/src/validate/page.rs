@@ -57,7 +57,11 @@ fn verdict(rows: &[Row]) -> Markup {
         }
         @for row in rows.iter().filter(|row| !row.is_ok) {
             p {
-                strong { @if row.is_known_mismatch() { "Known not to match: " } @else { "NOT MATCHED: " } } "“" (tied(&row.case)) "” (" (row.cited()) "). " (row.note)
+                strong {
+                    @if row.is_known_mismatch() { "Known not to match: " }
+                    @else { "NOT MATCHING: " }
+                }
+                "“" (tied(&row.case)) "” (" (row.cited()) "). " (row.note)
             }
         }
     }

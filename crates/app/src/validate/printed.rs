@@ -33,6 +33,9 @@ fn is_number(row: &Row) -> bool {
     matches!(row.compared, Compared::Number { .. })
 }
 
+/// The name of the column of published values.
+const THEIRS: &str = "theirs";
+
 /// One table: a heading for each subject, a line of column names for each source.
 fn numbers(rows: &[Row]) -> String {
     let (mut cells, mut headings) = (Vec::new(), Vec::new());
@@ -47,7 +50,7 @@ fn numbers(rows: &[Row]) -> String {
         if before.is_none_or(|b| (&b.subject, &b.source) != (&row.subject, &row.source)) {
             let source = format!("{} [{}]", row.source, row.standing.text());
             let [place, theirs, ours, error, tolerance, ok] =
-                ["place", "theirs", "ours", "error", "tolerance", "ok"].map(str::to_owned);
+                ["place", THEIRS, "ours", "error", "tolerance", "ok"].map(str::to_owned);
             cells.push([source, place, theirs, ours, error, tolerance, ok]);
         }
         before = Some(row);
@@ -63,9 +66,13 @@ fn numbers(rows: &[Row]) -> String {
     }
     let mut text = String::new();
     let mut headings = headings.into_iter().peekable();
-    for (index, line) in aligned(&cells, &[2, 3, 4, 5]).lines().enumerate() {
+    for ((index, line), cells) in aligned(&cells, &[2, 3, 4, 5]).lines().enumerate().zip(&cells) {
+        let is_head = cells[2] == THEIRS;
+        if is_head && index > 0 {
+            text.push('\n');
+        }
         if let Some((_, subject)) = headings.next_if(|(at, _)| *at == index) {
-            let _ = writeln!(text, "{}{subject}\n", if index == 0 { "" } else { "\n" });
+            let _ = writeln!(text, "{}\n", subject.to_uppercase());
         }
         let _ = writeln!(text, "{line}");
     }
@@ -152,6 +159,7 @@ pub(super) fn error_text(error: f64, tolerance: Tolerance) -> String {
             format!("{} %", signed(error * 100.0, decimals))
         }
         Tolerance::Absolute(bound) if bound >= LEAST_FIXED => signed(error, decimals_below(bound)),
+        Tolerance::Absolute(_) if error == 0.0 => "0".to_owned(),
         Tolerance::Absolute(_) => format!("{error:.1e}").replace('-', "\u{2212}"),
     }
 }

@@ -62,8 +62,8 @@ impl Trial {
     }
 }
 
-/// Tactical diameter of KVLCC2 in shallow water over that in deep water, rudder 35°, at the speed of approach that she has in
-/// deep water.
+/// Tactical diameter of KVLCC2 in shallow water over that in deep water, rudder 35°, at the speed of approach that
+/// she has in deep water.
 fn shallow_turns(values: &mut Values) {
     let deep = kvlcc2();
     let diameter_m = |vessel: &Vessel| {

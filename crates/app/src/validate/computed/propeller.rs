@@ -37,12 +37,13 @@ fn series_at_bollard(values: &mut Values) {
     }
 }
 
-/// Force on KVLCC2 over ρn²D⁴ with the propeller astern, thrust deduction included, by Js = u/(nD).
+/// Force on KVLCC2 over ρn²D⁴ with the propeller astern while she goes ahead, with wake and thrust deduction as
+/// her model has them, by Js = u/(nD).
 fn force_astern(values: &mut Values) {
     let propulsion = kvlcc2().ship.propulsion.expect("she has a propeller");
     for (js, name) in [(0.0, "0"), (-0.1, "-0.1"), (-0.2, "-0.2"), (-0.4, "-0.4")] {
-        // n is negative, u = Js·n·D ahead.
-        let thrust = thrust_coefficient(&propulsion.propeller, js, -1.0);
+        let advance = (1.0 - propulsion.wake.straight) * js;
+        let thrust = thrust_coefficient(&propulsion.propeller, advance, -1.0);
         let force = (1.0 - propulsion.thrust_deduction_astern) * thrust;
         values.put(format!("kvlcc2/astern/{name}"), force, "");
     }
