@@ -19,8 +19,11 @@ pub(super) fn compute(values: &mut Values) {
             trial.zig_zag(values, &format!("{name}/zigzag_10/{side}"), sign * 10.0);
             trial.zig_zag(values, &format!("{name}/zigzag_20/{side}"), sign * 20.0);
         }
-        let rps = self_propulsion_rps(&trial.model, vessel.approach_mps);
-        values.put(format!("{name}/self_propulsion"), rps.expect("a balance"), "1/s");
+    }
+    for (name, vessel) in [("kvlcc2", kvlcc2()), ("kcs", kcs())] {
+        let model = Model3::new(vessel.ship, Water::SEA);
+        let rps = self_propulsion_rps(&model, vessel.approach_mps).expect("a balance");
+        values.put(format!("{name}/self_propulsion"), rps, "1/s");
     }
     shallow_turns(values);
 }
