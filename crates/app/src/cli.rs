@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 use fenderline_scenario::{Override, ScenarioError};
 
+use crate::manoeuvre::{ManoeuvreName, VesselName};
 use crate::output::Format;
 
 /// Ship, fender, quay and tug contact: run, check and validate scenarios.
@@ -24,6 +25,8 @@ pub(crate) enum Command {
     /// Reproduce published cases: a table of ours beside theirs; exit code 1 where one is out of
     /// tolerance
     Validate(ValidateArgs),
+    /// Standard manoeuvres of a built-in vessel, with the measures of ITTC and IMO
+    Manoeuvre(ManoeuvreArgs),
     /// Print the JSON Schema of scenario files
     Schema,
     /// Parse and check a scenario without running it
@@ -50,6 +53,40 @@ pub(crate) struct ValidateArgs {
     /// Folder for validation.html, validation.csv and validation.json [default: none is written]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ManoeuvreArgs {
+    /// Vessel
+    #[arg(value_enum, value_name = "VESSEL")]
+    pub(crate) vessel: VesselName,
+    /// Manoeuvre
+    #[arg(value_enum, value_name = "MANOEUVRE", default_value_t = ManoeuvreName::All)]
+    pub(crate) manoeuvre: ManoeuvreName,
+    /// Rudder angle of turning circle and zig-zag in degrees [default: hard over; 10 and 20]
+    #[arg(long, value_name = "DEG", value_parser = positive, allow_hyphen_values = true)]
+    pub(crate) rudder: Option<f64>,
+    /// Speed of approach in knots [default: the vessel's own]
+    #[arg(long, value_name = "KN", value_parser = positive, allow_hyphen_values = true)]
+    pub(crate) speed: Option<f64>,
+    /// Side force of the crabbing in kilonewtons [default: what drag balances at a Froude number of 0.01]
+    #[arg(long, value_name = "KILONEWTONS", value_parser = positive, allow_hyphen_values = true)]
+    pub(crate) push: Option<f64>,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Folder for the tracks, one csv a run [default: none is written]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// A number above zero and below a million: no rudder, ship or tug has more.
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number > 0.0 && number < 1e6 => Ok(number),
+        Ok(_) => Err("it must be above 0 and below 1000000".to_owned()),
+        Err(_) => Err("it is no number".to_owned()),
+    }
 }
 
 #[derive(Debug, Args)]

@@ -1,6 +1,6 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
-//! `cli` is the command line; `run` and `check` are the commands; `load` reads a scenario;
+//! `cli` is the command line; `run`, `check`, `validate` and `manoeuvre` are the commands; `load` reads a scenario;
 //! `output` writes the result files, `report` the page, with the charts of `plot`; `touched` and
 //! `verdict` are what both say of a fender, `world` of vessels, tugs and lines; `provider` speaks with other
 //! programs that put forces on bodies.
@@ -9,6 +9,7 @@ mod check;
 mod cli;
 mod failure;
 mod load;
+mod manoeuvre;
 mod output;
 mod plot;
 mod progress;
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(args),
         Command::Check(args) => check::check(args),
         Command::Validate(args) => validate::validate(args),
+        Command::Manoeuvre(args) => manoeuvre::manoeuvre(args),
         Command::Schema => check::schema(),
     };
     match done {

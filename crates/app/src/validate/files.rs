@@ -61,9 +61,11 @@ fn rule_text(rule: Rule) -> String {
 fn csv_text(rows: &[Row]) -> String {
     let mut table = csv::Writer::from_writer(Vec::new());
     let head = [
+        "subject",
         "kind",
         "case",
         "source",
+        "standing",
         "place",
         "published",
         "ours",
@@ -72,6 +74,7 @@ fn csv_text(rows: &[Row]) -> String {
         "tolerance",
         "tolerance_kind",
         "ok",
+        "known_mismatch",
         "note",
     ];
     let records = rows.iter().map(|row| {
@@ -86,17 +89,20 @@ fn csv_text(rows: &[Row]) -> String {
             }
         };
         [
+            row.subject.clone(),
             kind.to_owned(),
             row.case.clone(),
             row.source.clone(),
+            row.standing.text().to_owned(),
             row.place.clone(),
             published,
             ours,
-            row.unit.to_owned(),
+            row.unit.clone(),
             error,
             tolerance,
             tolerance_kind.to_owned(),
             row.is_ok.to_string(),
+            row.is_known_mismatch().to_string(),
             row.note.clone(),
         ]
     });
@@ -125,13 +131,17 @@ fn json_text(rows: &[Row]) -> String {
 }
 
 fn number_json(row: &Row) -> Option<Value> {
-    let Compared::Number { published, ours, error, tolerance, reason } = &row.compared else {
+    let Compared::Number { published, ours, error, tolerance, reason, known_mismatch } =
+        &row.compared
+    else {
         return None;
     };
     let (tolerance_kind, tolerance) = tolerance_parts(*tolerance);
     Some(json!({
+        "subject": row.subject,
         "case": row.case,
         "source": row.source,
+        "standing": row.standing.text(),
         "place": row.place,
         "published": published,
         "ours": ours,
@@ -141,6 +151,7 @@ fn number_json(row: &Row) -> Option<Value> {
         "tolerance_kind": tolerance_kind,
         "reason": reason,
         "ok": row.is_ok,
+        "known_mismatch": known_mismatch,
         "note": row.note,
     }))
 }
@@ -150,8 +161,10 @@ fn statement_json(row: &Row) -> Option<Value> {
         return None;
     };
     Some(json!({
+        "subject": row.subject,
         "case": row.case,
         "source": row.source,
+        "standing": row.standing.text(),
         "place": row.place,
         "says": says,
         "holds_if": rule_text(*rule),

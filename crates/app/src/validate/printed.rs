@@ -6,43 +6,88 @@ use super::published::Tolerance;
 use super::row::{Compared, Row, count};
 use crate::plot::{plain, significant};
 
-/// Both tables and the count.
+/// Numbers by subject, statements, what does not match, and the count.
 pub(super) fn tables(rows: &[Row]) -> String {
-    let mut numbers = vec![
-        ["case", "source", "published", "ours", "error", "tolerance", "ok"].map(str::to_owned),
-    ];
-    let mut statements = vec![["what the text says", "source", "ours", "ok"].map(str::to_owned)];
-    for row in rows {
-        match &row.compared {
-            Compared::Number { published, ours, error, tolerance, .. } => numbers.push([
-                row.case.clone(),
-                row.cited(),
-                with_unit(&plain(*published, 4), row.unit),
-                with_unit(&four_digits(*ours), row.unit),
-                error_text(*error, *tolerance),
-                tolerance_text(*tolerance),
-                ok_text(row.is_ok).to_owned(),
-            ]),
-            Compared::Statement { ours, .. } => statements.push([
-                row.case.clone(),
-                row.cited(),
-                list(ours, row.unit),
-                ok_text(row.is_ok).to_owned(),
-            ]),
-        }
-    }
-    let mut text = aligned(&numbers, &[2, 3, 4, 5]);
+    let mut text = numbers(rows);
     text.push('\n');
-    text.push_str(&aligned(&statements, &[2]));
+    text.push_str(&statements(rows));
     text.push('\n');
-    for row in rows.iter().filter(|row| !row.is_ok && !row.note.is_empty()) {
-        let _ = writeln!(text, "{}\n", wrapped(&format!("{}: {}", row.case, row.note)));
+    for row in rows.iter().filter(|row| !row.is_ok) {
+        let known = if row.is_known_mismatch() { ", known" } else { "" };
+        let what = format!("NOT MATCHING{known}: {} ({}). {}", row.case, row.cited(), row.note);
+        let _ = writeln!(text, "{}\n", wrapped(what.trim_end()));
     }
     let (hold, said) = count(rows, false);
     let _ = writeln!(text, "{hold} of {said} statements hold");
+    let known = rows.iter().filter(|row| is_number(row) && !row.is_ok && row.is_known_mismatch());
+    let known = match known.count() {
+        0 => String::new(),
+        known => format!("; {known} known not to match"),
+    };
     let (within, compared) = count(rows, true);
-    let _ = writeln!(text, "{within} of {compared} rows within tolerance");
+    let _ = writeln!(text, "{within} of {compared} rows within tolerance{known}");
     text
+}
+
+fn is_number(row: &Row) -> bool {
+    matches!(row.compared, Compared::Number { .. })
+}
+
+/// The name of the column of published values.
+const THEIRS: &str = "theirs";
+
+/// One table: a heading for each subject, a line of column names for each source.
+fn numbers(rows: &[Row]) -> String {
+    let (mut cells, mut headings) = (Vec::new(), Vec::new());
+    let mut before: Option<&Row> = None;
+    for row in rows {
+        let Compared::Number { published, ours, error, tolerance, .. } = &row.compared else {
+            continue;
+        };
+        if before.is_none_or(|before| before.subject != row.subject) {
+            headings.push((cells.len(), row.subject.as_str()));
+        }
+        if before.is_none_or(|b| (&b.subject, &b.source) != (&row.subject, &row.source)) {
+            let source = format!("{} [{}]", row.source, row.standing.text());
+            let [place, theirs, ours, error, tolerance, ok] =
+                ["place", THEIRS, "ours", "error", "tolerance", "ok"].map(str::to_owned);
+            cells.push([source, place, theirs, ours, error, tolerance, ok]);
+        }
+        before = Some(row);
+        cells.push([
+            row.case.clone(),
+            row.place.clone(),
+            with_unit(&plain(*published, 5), &row.unit),
+            with_unit(&four_digits(*ours), &row.unit),
+            error_text(*error, *tolerance),
+            tolerance_text(*tolerance, &row.unit),
+            ok_text(row.is_ok).to_owned(),
+        ]);
+    }
+    let mut text = String::new();
+    let mut headings = headings.into_iter().peekable();
+    for ((index, line), cells) in aligned(&cells, &[2, 3, 4, 5]).lines().enumerate().zip(&cells) {
+        let is_head = cells[2] == THEIRS;
+        if is_head && index > 0 {
+            text.push('\n');
+        }
+        if let Some((_, subject)) = headings.next_if(|(at, _)| *at == index) {
+            let _ = writeln!(text, "{}\n", subject.to_uppercase());
+        }
+        let _ = writeln!(text, "{line}");
+    }
+    text
+}
+
+fn statements(rows: &[Row]) -> String {
+    let mut cells = vec![["what the text says", "source", "ours", "ok"].map(str::to_owned)];
+    for row in rows {
+        if let Compared::Statement { ours, .. } = &row.compared {
+            let ours = list(ours, &row.unit);
+            cells.push([row.case.clone(), row.cited(), ours, ok_text(row.is_ok).to_owned()]);
+        }
+    }
+    aligned(&cells, &[2])
 }
 
 /// Columns of a common width, two blanks between; those in `right` end together.
@@ -89,7 +134,11 @@ pub(super) fn ok_text(is_ok: bool) -> &'static str {
 }
 
 pub(super) fn with_unit(number: &str, unit: &str) -> String {
-    if unit.is_empty() { number.to_owned() } else { format!("{number} {unit}") }
+    match unit {
+        "" => number.to_owned(),
+        "°" => format!("{number}°"),
+        _ => format!("{number} {unit}"),
+    }
 }
 
 /// Our value, rounded first, so that 0.99999999 has no digit more than 1.
@@ -107,19 +156,36 @@ pub(super) fn error_text(error: f64, tolerance: Tolerance) -> String {
     match tolerance {
         Tolerance::Relative(share) => {
             let decimals = if share >= 0.01 { 1 } else { 3 };
-            let percent = format!("{:+.decimals$}", error * 100.0);
-            // What rounds to zero has no sign.
-            let is_zero = percent.bytes().all(|b| b"+-0.".contains(&b));
-            let percent = if is_zero { percent[1..].to_owned() } else { percent };
-            format!("{} %", percent.replace('-', "\u{2212}"))
+            format!("{} %", signed(error * 100.0, decimals))
         }
+        Tolerance::Absolute(bound) if bound >= LEAST_FIXED => signed(error, decimals_below(bound)),
+        Tolerance::Absolute(_) if error == 0.0 => "0".to_owned(),
         Tolerance::Absolute(_) => format!("{error:.1e}").replace('-', "\u{2212}"),
     }
 }
 
-pub(super) fn tolerance_text(tolerance: Tolerance) -> String {
+/// The smallest bound that is shown without a power of ten.
+const LEAST_FIXED: f64 = 1e-4;
+
+/// Decimals that show a tenth of `bound`.
+fn decimals_below(bound: f64) -> usize {
+    (0..6).find(|decimals| bound * 10_f64.powi(*decimals) >= 10.0 - 1e-9).map_or(6, |d| d as usize)
+}
+
+/// With its sign, unless it rounds to zero.
+fn signed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:+.decimals$}");
+    let is_zero = text.bytes().all(|b| b"+-0.".contains(&b));
+    let text = if is_zero { text[1..].to_owned() } else { text };
+    text.replace('-', "\u{2212}")
+}
+
+pub(super) fn tolerance_text(tolerance: Tolerance, unit: &str) -> String {
     match tolerance {
         Tolerance::Relative(share) => format!("±{} %", plain(share * 100.0, 3)),
+        Tolerance::Absolute(bound) if bound >= LEAST_FIXED => {
+            with_unit(&format!("±{}", plain(bound, 3)), unit)
+        }
         Tolerance::Absolute(bound) => format!("±{bound:e}").replace('-', "\u{2212}"),
     }
 }

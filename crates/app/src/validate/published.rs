@@ -8,6 +8,10 @@ use super::quantity::Quantity;
 /// A publication, and what is held against it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Source {
+    /// What it is about: the heading under which its rows stand.
+    pub(super) subject: String,
+    /// How sure its numbers are.
+    pub(super) standing: Standing,
     /// Name in the table.
     pub(super) short: String,
     /// In full.
@@ -16,22 +20,65 @@ pub(super) struct Source {
     pub(super) statements: Vec<Statement>,
 }
 
+/// How sure a number is that ours is held against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Standing {
+    /// Published, and taken from the publication.
+    Published,
+    /// Calculated by another program, from the same data.
+    Computed,
+    /// By a formula or from a curve that was recalled, not read: agreement says that the formula is coded as
+    /// it was recalled.
+    Recalled,
+    /// What mechanics gives in closed form.
+    ClosedForm,
+}
+
+impl Standing {
+    const ALL: [Standing; 4] =
+        [Standing::Published, Standing::Computed, Standing::Recalled, Standing::ClosedForm];
+
+    /// In a word or two, as the files have it.
+    pub(super) fn text(self) -> &'static str {
+        match self {
+            Standing::Published => "published",
+            Standing::Computed => "computed",
+            Standing::Recalled => "recalled",
+            Standing::ClosedForm => "closed form",
+        }
+    }
+}
+
+/// Where our value comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Origin {
+    /// The run of a scenario.
+    Run {
+        /// The scenario that reproduces it.
+        run: String,
+        quantity: Quantity,
+        /// The scenario whose value is the divisor.
+        relative_to: Option<String>,
+    },
+    /// A computed value, by its name.
+    Computed(String),
+}
+
 /// One published value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Number {
     pub(super) case: String,
     /// Where in the source.
     pub(super) place: String,
-    /// The scenario that reproduces it.
-    pub(super) run: String,
-    pub(super) quantity: Quantity,
-    /// The scenario whose value is the divisor.
-    pub(super) relative_to: Option<String>,
-    /// In the quantity's unit.
+    pub(super) origin: Origin,
+    /// In the unit.
     pub(super) published: f64,
+    pub(super) unit: String,
     pub(super) tolerance: Tolerance,
     /// Why this tolerance.
     pub(super) reason: String,
+    /// It is out of the tolerance, and the note says why.
+    pub(super) known_mismatch: bool,
     pub(super) note: String,
 }
 
@@ -92,48 +139,72 @@ impl Rule {
 }
 
 impl Source {
-    /// Reads the text of a file of published numbers.
+    /// Reads the text of a file of published numbers: its sources, each with what is held against it.
     ///
     /// # Errors
     /// What is wrong with it, naming the case and the key.
-    pub(super) fn parse(text: &str) -> Result<Source, String> {
+    pub(super) fn parse(text: &str) -> Result<Vec<Source>, String> {
         let document = DeTable::parse(text).map_err(|e| e.to_string())?.into_inner();
         let file = Table { name: "file".to_owned(), table: &document };
-        file.allow(&["short", "citation", "number", "statement"])?;
-        Ok(Source {
-            short: file.text("short")?,
-            citation: file.text("citation")?,
-            numbers: file.tables("number")?.iter().map(number).collect::<Result<_, _>>()?,
-            statements: file
-                .tables("statement")?
-                .iter()
-                .map(statement)
-                .collect::<Result<_, _>>()?,
-        })
+        file.allow(&["subject", "reference", "number", "statement"])?;
+        let subject = file.text("subject")?;
+        let references = file.tables("reference")?;
+        let mut sources = references
+            .iter()
+            .map(|reference| reference_of(reference, &subject))
+            .collect::<Result<Vec<Source>, String>>()?;
+        for table in file.tables("number")? {
+            cited(&table, &mut sources)?.numbers.push(number(&table)?);
+        }
+        for table in file.tables("statement")? {
+            cited(&table, &mut sources)?.statements.push(statement(&table)?);
+        }
+        Ok(sources)
     }
+}
+
+fn reference_of(table: &Table<'_, '_>, subject: &str) -> Result<Source, String> {
+    table.allow(&["short", "citation", "standing"])?;
+    let standing = table.text("standing")?;
+    let known = Standing::ALL.into_iter().find(|known| known.text() == standing);
+    Ok(Source {
+        subject: subject.to_owned(),
+        standing: known.ok_or_else(|| table.error(&format!("standing: \"{standing}\" is none")))?,
+        short: table.text("short")?,
+        citation: table.text("citation")?,
+        numbers: Vec::new(),
+        statements: Vec::new(),
+    })
+}
+
+/// The source that a case names; the only one of the file where it names none.
+fn cited<'s>(table: &Table<'_, '_>, sources: &'s mut [Source]) -> Result<&'s mut Source, String> {
+    if sources.len() == 1 && !table.has("source") {
+        return Ok(&mut sources[0]);
+    }
+    let short = table.text("source")?;
+    let found = sources.iter_mut().find(|source| source.short == short);
+    found.ok_or_else(|| table.error(&format!("source: \"{short}\" is no reference of this file")))
 }
 
 fn number(table: &Table<'_, '_>) -> Result<Number, String> {
     table.allow(&[
         "case",
+        "source",
         "place",
         "run",
         "quantity",
         "relative_to",
+        "computed",
         "published",
         "unit",
         "tolerance",
         "tolerance_absolute",
         "reason",
+        "known_mismatch",
         "note",
     ])?;
-    let quantity = table.quantity()?;
-    let relative_to = table.has("relative_to").then(|| table.text("relative_to")).transpose()?;
-    let (unit, expected) =
-        (table.text("unit")?, if relative_to.is_some() { "" } else { quantity.unit() });
-    if unit != expected {
-        return Err(table.error(&format!("unit: \"{unit}\" where \"{expected}\" is meant")));
-    }
+    let (origin, unit) = origin(table)?;
     let published = table.float("published")?;
     let tolerance = if table.has("tolerance_absolute") {
         Tolerance::Absolute(table.float("tolerance_absolute")?)
@@ -142,22 +213,55 @@ fn number(table: &Table<'_, '_>) -> Result<Number, String> {
     } else {
         return Err(table.error("tolerance: a share of zero is nothing; use tolerance_absolute"));
     };
+    let (known_mismatch, note) = mismatch(table)?;
     Ok(Number {
         case: table.text("case")?,
         place: table.text("place")?,
-        run: table.text("run")?,
-        quantity,
-        relative_to,
+        origin,
         published,
+        unit,
         tolerance,
         reason: table.text("reason")?,
-        note: table.text_or_empty("note")?,
+        known_mismatch,
+        note,
     })
+}
+
+/// Where ours comes from, and its unit. The unit of a computed value is held against the value's own when
+/// the rows are made.
+fn origin(table: &Table<'_, '_>) -> Result<(Origin, String), String> {
+    let unit = table.text("unit")?;
+    if table.has("computed") {
+        for other in ["run", "quantity", "relative_to"] {
+            if table.has(other) {
+                return Err(table.error(&format!("{other}: a computed value has none")));
+            }
+        }
+        return Ok((Origin::Computed(table.text("computed")?), unit));
+    }
+    let quantity = table.quantity()?;
+    let relative_to = table.has("relative_to").then(|| table.text("relative_to")).transpose()?;
+    let expected = if relative_to.is_some() { "" } else { quantity.unit() };
+    if unit != expected {
+        return Err(table.error(&format!("unit: \"{unit}\" where \"{expected}\" is meant")));
+    }
+    Ok((Origin::Run { run: table.text("run")?, quantity, relative_to }, unit))
+}
+
+/// Whether a mismatch is known, and the note, which then must say why.
+fn mismatch(table: &Table<'_, '_>) -> Result<(bool, String), String> {
+    let known_mismatch = table.has("known_mismatch") && table.flag("known_mismatch")?;
+    let note = table.text_or_empty("note")?;
+    if known_mismatch && note.is_empty() {
+        return Err(table.error("note: a known mismatch needs its reason"));
+    }
+    Ok((known_mismatch, note))
 }
 
 fn statement(table: &Table<'_, '_>) -> Result<Statement, String> {
     table.allow(&[
         "case",
+        "source",
         "place",
         "says",
         "runs",
@@ -176,11 +280,7 @@ fn statement(table: &Table<'_, '_>) -> Result<Statement, String> {
         "within" => Rule::Within { low: table.float("low")?, high: table.float("high")? },
         other => return Err(table.error(&format!("holds: \"{other}\" is no rule"))),
     };
-    let known_mismatch = table.has("known_mismatch") && table.flag("known_mismatch")?;
-    let note = table.text_or_empty("note")?;
-    if known_mismatch && note.is_empty() {
-        return Err(table.error("note: a known mismatch needs its reason"));
-    }
+    let (known_mismatch, note) = mismatch(table)?;
     Ok(Statement {
         case: table.text("case")?,
         place: table.text("place")?,
@@ -308,7 +408,8 @@ mod tests {
 
     #[test]
     fn mistakes_in_a_file_name_case_and_key() {
-        let good = "short = 's'\ncitation = 'c'\n[[number]]\ncase = 'depth'\nplace = 'p'\n\
+        let good = "subject = 'x'\n[[reference]]\nshort = 's'\ncitation = 'c'\n\
+                    standing = 'published'\n[[number]]\ncase = 'depth'\nplace = 'p'\n\
                     run = 'r'\nquantity = 'peak_depth'\npublished = 1\nunit = 'm'\n\
                     tolerance = 0.1\nreason = 'x'\n";
         assert!(Source::parse(good).is_ok());
@@ -319,6 +420,10 @@ mod tests {
             ("published = 1\n", "published = 0\n", "depth: tolerance: a share of zero"),
             ("tolerance = 0.1\n", "", "depth: tolerance is missing"),
             ("'peak_depth'", "'depth'", "depth: no quantity is called depth"),
+            ("'published'", "'sure'", "reference: standing: \"sure\" is none"),
+            ("place = 'p'", "place = 'p'\nsource = 't'", "depth: source: \"t\" is no reference"),
+            ("place = 'p'", "place = 'p'\ncomputed = 't'", "depth: run: a computed value has none"),
+            ("place = 'p'", "place = 'p'\nknown_mismatch = true", "depth: note: a known mismatch"),
         ];
         for (from, to, message) in table {
             let got = Source::parse(&good.replacen(from, to, 1)).expect_err(message);

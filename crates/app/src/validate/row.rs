@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use super::computed::Values;
 use super::play::Played;
-use super::published::{Number, Rule, Source, Statement, Tolerance};
+use super::published::{Number, Origin, Rule, Source, Standing, Statement, Tolerance};
 
 /// What the scenarios gave, by name.
 pub(super) type Runs = BTreeMap<&'static str, Played>;
@@ -12,11 +13,15 @@ pub(super) type Runs = BTreeMap<&'static str, Played>;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row {
     pub(super) case: String,
+    /// The heading under which it stands.
+    pub(super) subject: String,
     /// Short name of the source.
     pub(super) source: String,
+    /// Of the source.
+    pub(super) standing: Standing,
     /// Where in the source.
     pub(super) place: String,
-    pub(super) unit: &'static str,
+    pub(super) unit: String,
     pub(super) compared: Compared,
     /// Within tolerance, or the statement holds.
     pub(super) is_ok: bool,
@@ -34,6 +39,7 @@ pub(super) enum Compared {
         error: f64,
         tolerance: Tolerance,
         reason: String,
+        known_mismatch: bool,
     },
     /// Something said in words.
     Statement { says: String, rule: Rule, ours: Vec<f64>, known_mismatch: bool },
@@ -45,12 +51,23 @@ impl Row {
         format!("{}, {}", self.source, self.place)
     }
 
+    /// Whether it is written down as one that does not match.
+    pub(super) fn is_known_mismatch(&self) -> bool {
+        match self.compared {
+            Compared::Number { known_mismatch, .. }
+            | Compared::Statement { known_mismatch, .. } => known_mismatch,
+        }
+    }
+
     /// What is wrong with the row, unless it is as it should be.
     pub(super) fn complaint(&self) -> Option<String> {
-        let what = match (&self.compared, self.is_ok) {
-            (Compared::Number { .. }, false) => "out of tolerance",
-            (Compared::Statement { known_mismatch: false, .. }, false) => "does not hold",
-            (Compared::Statement { known_mismatch: true, .. }, true) => {
+        let what = match (&self.compared, self.is_ok, self.is_known_mismatch()) {
+            (Compared::Number { .. }, false, false) => "out of tolerance",
+            (Compared::Number { .. }, true, true) => {
+                "within tolerance, but is written down as a known mismatch"
+            }
+            (Compared::Statement { .. }, false, false) => "does not hold",
+            (Compared::Statement { .. }, true, true) => {
                 "holds, but is written down as a known mismatch"
             }
             _ => return None,
@@ -59,10 +76,10 @@ impl Row {
     }
 }
 
-/// The rows of one source, numbers first. A run that a file names and that there is not is our own
-/// mistake, and panics.
-pub(super) fn evaluate(source: &Source, runs: &Runs) -> Vec<Row> {
-    let numbers = source.numbers.iter().map(|number| number_row(source, number, runs));
+/// The rows of one source, numbers first. A run or a value that a file names and that there is not is our
+/// own mistake, and panics.
+pub(super) fn evaluate(source: &Source, runs: &Runs, values: &Values) -> Vec<Row> {
+    let numbers = source.numbers.iter().map(|number| number_row(source, number, runs, values));
     let statements =
         source.statements.iter().map(|statement| statement_row(source, statement, runs));
     numbers.chain(statements).collect()
@@ -72,12 +89,26 @@ fn run<'r>(runs: &'r Runs, name: &str, case: &str) -> &'r Played {
     runs.get(name).unwrap_or_else(|| panic!("{case}: no scenario {name} is built in"))
 }
 
-fn number_row(source: &Source, number: &Number, runs: &Runs) -> Row {
-    let value = |name: &str| number.quantity.of(run(runs, name, &number.case));
-    let (ours, unit) = match &number.relative_to {
-        Some(reference) => (value(&number.run) / value(reference), ""),
-        None => (value(&number.run), number.quantity.unit()),
-    };
+/// Our value, in the unit that the row states.
+fn ours(number: &Number, runs: &Runs, values: &Values) -> f64 {
+    match &number.origin {
+        Origin::Run { run: name, quantity, relative_to } => {
+            let value = |name: &str| quantity.of(run(runs, name, &number.case));
+            match relative_to {
+                Some(reference) => value(name) / value(reference),
+                None => value(name),
+            }
+        }
+        Origin::Computed(name) => {
+            let computed = values.get(name);
+            assert_eq!(computed.unit, number.unit, "{}: the unit of {name}", number.case);
+            computed.value
+        }
+    }
+}
+
+fn number_row(source: &Source, number: &Number, runs: &Runs, values: &Values) -> Row {
+    let ours = ours(number, runs, values);
     let difference = ours - number.published;
     let (error, bound) = match number.tolerance {
         Tolerance::Relative(share) => (difference / number.published, share),
@@ -85,15 +116,18 @@ fn number_row(source: &Source, number: &Number, runs: &Runs) -> Row {
     };
     Row {
         case: number.case.clone(),
+        subject: source.subject.clone(),
         source: source.short.clone(),
+        standing: source.standing,
         place: number.place.clone(),
-        unit,
+        unit: number.unit.clone(),
         compared: Compared::Number {
             published: number.published,
             ours,
             error,
             tolerance: number.tolerance,
             reason: number.reason.clone(),
+            known_mismatch: number.known_mismatch,
         },
         // NaN is out of every tolerance.
         is_ok: error.abs() <= bound,
@@ -109,9 +143,11 @@ fn statement_row(source: &Source, statement: &Statement, runs: &Runs) -> Row {
         .collect();
     Row {
         case: statement.case.clone(),
+        subject: source.subject.clone(),
         source: source.short.clone(),
+        standing: source.standing,
         place: statement.place.clone(),
-        unit: statement.quantity.unit(),
+        unit: statement.quantity.unit().to_owned(),
         is_ok: statement.rule.holds(&ours),
         compared: Compared::Statement {
             says: statement.says.clone(),

@@ -9,9 +9,9 @@ mod turning;
 mod zig_zag;
 
 pub use steady::{Crabbing, bollard_pull_n, crabbing, self_propulsion_rps};
-pub use stop::{CrashStop, crash_stop};
-pub use turning::{SteadyTurn, TurningCircle, turning_circle};
-pub use zig_zag::{ZigZag, zig_zag};
+pub use stop::{CrashStop, crash_stop, crash_stop_watched};
+pub use turning::{SteadyTurn, TurningCircle, turning_circle, turning_circle_watched};
+pub use zig_zag::{ZigZag, zig_zag, zig_zag_watched};
 
 use std::fmt;
 
@@ -84,9 +84,21 @@ impl Approach {
     }
 }
 
+/// Where a ship is within a manoeuvre, after each step: what a track is drawn from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// Time since the order [s].
+    pub time_s: f64,
+    /// Place, heading and velocity; north is the course of the approach.
+    pub motion: Motion,
+    /// Where rudder and shaft are.
+    pub controls: Controls,
+}
+
 /// A ship under a manoeuvre.
 struct Trial<'a> {
     model: &'a Model3,
+    watch: &'a mut dyn FnMut(&Moment),
     motion: Motion,
     steering: RateLimited,
     shaft: RateLimited,
@@ -95,9 +107,10 @@ struct Trial<'a> {
 }
 
 impl<'a> Trial<'a> {
-    fn new(model: &'a Model3, approach: &Approach) -> Trial<'a> {
-        Trial {
+    fn new(model: &'a Model3, approach: &Approach, watch: &'a mut dyn FnMut(&Moment)) -> Trial<'a> {
+        let mut trial = Trial {
             model,
+            watch,
             motion: Motion {
                 velocity: Velocity { surge_mps: approach.speed_mps, ..Velocity::default() },
                 ..Motion::default()
@@ -106,7 +119,14 @@ impl<'a> Trial<'a> {
             shaft: RateLimited { value: approach.shaft_rps, rate_per_s: 0.0, stop: f64::INFINITY },
             step_s: approach.step_s,
             time_s: 0.0,
-        }
+        };
+        trial.show();
+        trial
+    }
+
+    fn show(&mut self) {
+        let controls = Controls { shaft_rps: self.shaft.value, rudder_rad: self.steering.value };
+        (self.watch)(&Moment { time_s: self.time_s, motion: self.motion, controls });
     }
 
     /// One step under an order of rudder [rad] and revolutions [1/s]; the controls are those of mid-step.
@@ -120,5 +140,6 @@ impl<'a> Trial<'a> {
         self.steering.step(rudder_rad, half_s);
         self.shaft.step(shaft_rps, half_s);
         self.time_s += self.step_s;
+        self.show();
     }
 }

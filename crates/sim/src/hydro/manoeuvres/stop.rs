@@ -1,6 +1,6 @@
 //! Crash stop.
 
-use super::{Approach, ManoeuvreError, Trial};
+use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::Model3;
 
 /// Time that a stop may take, in lengths over speed of approach.
@@ -38,10 +38,24 @@ pub fn crash_stop(
     astern_rps: f64,
     shaft_rate_rps2: f64,
 ) -> Result<CrashStop, ManoeuvreError> {
+    crash_stop_watched(model, approach, astern_rps, shaft_rate_rps2, &mut |_| {})
+}
+
+/// [`crash_stop`], showing every step to `watch`.
+///
+/// # Errors
+/// As [`crash_stop`].
+pub fn crash_stop_watched(
+    model: &Model3,
+    approach: &Approach,
+    astern_rps: f64,
+    shaft_rate_rps2: f64,
+    watch: &mut dyn FnMut(&Moment),
+) -> Result<CrashStop, ManoeuvreError> {
     if model.ship().propulsion.is_none() {
         return Err(ManoeuvreError::NoPropeller);
     }
-    let mut trial = Trial::new(model, approach);
+    let mut trial = Trial::new(model, approach, watch);
     trial.shaft.rate_per_s = shaft_rate_rps2;
     let patience_s = PATIENCE * model.ship().particulars.length_m / approach.speed_mps;
     let mut track_reach_m = 0.0;

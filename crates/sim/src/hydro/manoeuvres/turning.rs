@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::{Approach, ManoeuvreError, Trial};
+use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::{Model3, Motion};
 
 /// Time that a turn may take [s], in lengths over speed of approach.
@@ -48,7 +48,20 @@ pub fn turning_circle(
     approach: &Approach,
     rudder_rad: f64,
 ) -> Result<TurningCircle, ManoeuvreError> {
-    let mut trial = Trial::new(model, approach);
+    turning_circle_watched(model, approach, rudder_rad, &mut |_| {})
+}
+
+/// [`turning_circle`], showing every step to `watch`.
+///
+/// # Errors
+/// As [`turning_circle`].
+pub fn turning_circle_watched(
+    model: &Model3,
+    approach: &Approach,
+    rudder_rad: f64,
+    watch: &mut dyn FnMut(&Moment),
+) -> Result<TurningCircle, ManoeuvreError> {
+    let mut trial = Trial::new(model, approach, watch);
     let quarter = trial.turn_to(FRAC_PI_2, rudder_rad, "a change of heading of 90°")?;
     let half = trial.turn_to(PI, rudder_rad, "a change of heading of 180°")?;
     trial.turn_to(2.0 * TAU, rudder_rad, "two full circles")?;

@@ -1,6 +1,6 @@
 //! Zig-zag.
 
-use super::{Approach, ManoeuvreError, Trial};
+use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::Model3;
 
 /// Time that each leg may take, in lengths over speed of approach.
@@ -30,7 +30,21 @@ pub fn zig_zag(
     rudder_rad: f64,
     check_rad: f64,
 ) -> Result<ZigZag, ManoeuvreError> {
-    let mut trial = Trial::new(model, approach);
+    zig_zag_watched(model, approach, rudder_rad, check_rad, &mut |_| {})
+}
+
+/// [`zig_zag`], showing every step to `watch`.
+///
+/// # Errors
+/// As [`zig_zag`].
+pub fn zig_zag_watched(
+    model: &Model3,
+    approach: &Approach,
+    rudder_rad: f64,
+    check_rad: f64,
+    watch: &mut dyn FnMut(&Moment),
+) -> Result<ZigZag, ManoeuvreError> {
+    let mut trial = Trial::new(model, approach, watch);
     let side = 1.0_f64.copysign(rudder_rad);
     let initial_turning_m = trial.heading_to(rudder_rad, side, check_rad)?;
     let second_execute_s = trial.time_s;

@@ -1,0 +1,89 @@
+//! What the manoeuvres are carried out in, and what the user ordered.
+
+use fenderline_sim::hydro::Water;
+use fenderline_sim::hydro::vessels::Vessel;
+
+use super::catalogue::ManoeuvreName;
+use crate::cli::ManoeuvreArgs;
+use crate::failure::Failure;
+
+/// Metres a second in a knot.
+pub(super) const KNOT_MPS: f64 = 1852.0 / 3600.0;
+/// Acceleration of gravity [m/s²].
+pub(super) const GRAVITY_MPS2: f64 = 9.806_65;
+
+/// Froude number beyond which no displacement ship goes, and no coefficient here was measured.
+const LARGEST_FROUDE: f64 = 0.5;
+
+/// What she sails in.
+pub(super) struct Sea {
+    /// Its density.
+    pub(super) water: Water,
+    /// Speed of approach over √(gL), the vessel's own.
+    pub(super) froude: f64,
+    /// A model in a tank.
+    pub(super) is_model: bool,
+}
+
+impl Sea {
+    /// Deep still water.
+    pub(super) fn of(vessel: &Vessel, water: Water, is_model: bool) -> Sea {
+        let length_m = vessel.ship.particulars.length_m;
+        Sea { water, froude: vessel.approach_mps / (GRAVITY_MPS2 * length_m).sqrt(), is_model }
+    }
+}
+
+/// What the user ordered, checked; the vessel's own where nothing is.
+pub(super) struct Conditions {
+    /// Speed of approach [m/s].
+    pub(super) speed_mps: f64,
+    /// It is the vessel's own, at which IMO's limits hold.
+    pub(super) is_test_speed: bool,
+    /// Rudder angle ordered by the user [°].
+    pub(super) rudder_deg: Option<f64>,
+    /// Push of the crabbing ordered by the user [N].
+    pub(super) push_n: Option<f64>,
+}
+
+impl Conditions {
+    /// From the command line.
+    ///
+    /// # Errors
+    /// An option that none of the manoeuvres takes, a rudder beyond its stop, a speed that no vessel has.
+    pub(super) fn checked(
+        args: &ManoeuvreArgs,
+        vessel: &Vessel,
+        chosen: &[ManoeuvreName],
+    ) -> Result<Conditions, Failure> {
+        let taken = |option: &str, is_given: bool, takes: fn(ManoeuvreName) -> bool| {
+            if !is_given || chosen.iter().any(|manoeuvre| takes(*manoeuvre)) {
+                return Ok(());
+            }
+            Err(Failure::input(format_args!("error: {option} has no effect on this manoeuvre")))
+        };
+        taken("--rudder", args.rudder.is_some(), ManoeuvreName::has_rudder)?;
+        taken("--speed", args.speed.is_some(), ManoeuvreName::has_approach)?;
+        taken("--push", args.push.is_some(), |m| m == ManoeuvreName::Crabbing)?;
+        let stop_deg = vessel.steering.stop.to_degrees();
+        // The stop is kept in radians: its own angle must not be refused for the last bit.
+        if let Some(rudder_deg) = args.rudder.filter(|rudder_deg| *rudder_deg > stop_deg + 1e-9) {
+            return Err(Failure::input(format_args!(
+                "error: --rudder {rudder_deg}: the rudder of {} stops at {stop_deg:.0}°",
+                vessel.name
+            )));
+        }
+        let speed_mps = args.speed.map_or(vessel.approach_mps, |speed_kn| speed_kn * KNOT_MPS);
+        let froude = speed_mps / (GRAVITY_MPS2 * vessel.ship.particulars.length_m).sqrt();
+        if froude > LARGEST_FROUDE {
+            return Err(Failure::input(format_args!(
+                "error: --speed: a Froude number of {froude:.2}; nothing here is known above {LARGEST_FROUDE}"
+            )));
+        }
+        Ok(Conditions {
+            speed_mps,
+            is_test_speed: args.speed.is_none(),
+            rudder_deg: args.rudder,
+            push_n: args.push.map(|push_kn| push_kn * 1e3),
+        })
+    }
+}

@@ -1,0 +1,74 @@
+//! The measures as JSON.
+
+use fenderline_sim::hydro::vessels::{Standing, Vessel};
+use serde_json::{Map, Value, json};
+
+use super::catalogue::VesselName;
+use super::conditions::{Conditions, KNOT_MPS, Sea};
+use super::section::{Row, Section};
+
+/// The whole, with a line's end.
+pub(super) fn text(
+    name: VesselName,
+    vessel: &Vessel,
+    sea: &Sea,
+    conditions: &Conditions,
+    sections: &[Section],
+) -> String {
+    let particulars = &vessel.ship.particulars;
+    let document = json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "vessel": name.text(),
+        "title": vessel.name,
+        "length_m": particulars.length_m,
+        "beam_m": particulars.beam_m,
+        "draught_m": particulars.draught_m,
+        "block_coefficient": particulars.block_coefficient(),
+        "water_kgpm3": sea.water.density_kgpm3,
+        "approach_kn": conditions.speed_mps / KNOT_MPS,
+        "manoeuvres": sections.iter().map(section).collect::<Vec<_>>(),
+        "sources": vessel.sources.iter().map(|source| json!({
+            "group": source.group,
+            "source": source.source,
+            "standing": standing(source.standing),
+        })).collect::<Vec<_>>(),
+    });
+    format!("{document:#}\n")
+}
+
+/// How sure, in a word.
+pub(super) fn standing(standing: Standing) -> &'static str {
+    match standing {
+        Standing::Published => "published",
+        Standing::Recalled => "recalled",
+        Standing::Estimated => "estimated",
+    }
+}
+
+fn section(section: &Section) -> Value {
+    let measures: Map<String, Value> = section
+        .rows
+        .iter()
+        .map(|row| (row.key.to_owned(), measure(row, &section.columns)))
+        .collect();
+    json!({
+        "manoeuvre": section.manoeuvre,
+        "title": section.title,
+        "measures": measures,
+        "notes": section.notes,
+    })
+}
+
+fn measure(row: &Row, columns: &[&str]) -> Value {
+    let values: Map<String, Value> = columns
+        .iter()
+        .zip(&row.values)
+        .map(|(side, value)| ((*side).to_owned(), json!(value)))
+        .collect();
+    json!({
+        "unit": row.unit.text(),
+        "values": values,
+        "imo_limit": row.imo_limit,
+        "within_imo_limit": row.is_within(),
+    })
+}

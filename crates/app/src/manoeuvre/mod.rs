@@ -1,0 +1,66 @@
+//! `fenderline manoeuvre`: standard manoeuvres of a built-in vessel, with the measures of ITTC and IMO.
+//!
+//! `catalogue` has the vessels and the manoeuvres, `conditions` what the user ordered, `trials` carries them
+//! through, `imo` knows what
+//! MSC.137(76) asks, `section` is what comes out; `printed`, `json` and `track` show it.
+
+mod catalogue;
+mod conditions;
+mod crabbing;
+mod imo;
+mod json;
+mod printed;
+mod section;
+mod track;
+mod trials;
+
+use std::path::Path;
+
+use fenderline_sim::hydro::Model3;
+
+use crate::cli::ManoeuvreArgs;
+use crate::failure::Failure;
+use crate::terminal::say;
+
+pub(crate) use catalogue::{ManoeuvreName, VesselName};
+use conditions::{Conditions, Sea};
+use section::Section;
+
+/// Carries out the manoeuvres that `args` asks for and prints their measures.
+///
+/// # Errors
+/// A manoeuvre or an option that the vessel cannot have, a manoeuvre that does not end, files that cannot be
+/// written.
+pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
+    let vessel = args.vessel.vessel();
+    let sea = Sea::of(&vessel, args.vessel.water(), args.vessel.is_model());
+    let chosen = catalogue::chosen(args.manoeuvre, &vessel)?;
+    let conditions = Conditions::checked(args, &vessel, &chosen)?;
+    let model = Model3::new(vessel.ship, sea.water);
+    let mut sections = Vec::new();
+    for manoeuvre in &chosen {
+        sections.extend(trials::carry_out(*manoeuvre, &vessel, &model, &sea, &conditions)?);
+    }
+    let text = if args.json {
+        json::text(args.vessel, &vessel, &sea, &conditions, &sections)
+    } else {
+        printed::text(args.manoeuvre, &chosen, &vessel, &sea, &conditions, &sections)
+    };
+    // The tracks first: what is printed is then the last thing that can fail.
+    let written = args.out.as_deref().map(|folder| write(folder, &sections)).transpose()?;
+    say(&text)?;
+    match (written, args.out.as_deref(), args.json) {
+        (Some(names), Some(folder), false) => {
+            say(&format!("\nin {}: {}\n", folder.display(), names.join(", ")))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn write(folder: &Path, sections: &[Section]) -> Result<Vec<String>, Failure> {
+    let tracks: Vec<_> = sections.iter().flat_map(|section| &section.tracks).collect();
+    if tracks.is_empty() {
+        return Err(Failure::input("error: --out: none of these manoeuvres has a track"));
+    }
+    track::write(folder, &tracks)
+}

@@ -1,0 +1,140 @@
+//! The table that `manoeuvre` prints.
+
+use core::fmt::Write as _;
+
+use fenderline_sim::hydro::vessels::Vessel;
+
+use super::catalogue::ManoeuvreName;
+use super::conditions::{Conditions, KNOT_MPS, Sea};
+use super::json::standing;
+use super::section::{Row, Section, Unit};
+use crate::plot::{fixed, plain, significant};
+
+/// Width of the column of names [characters].
+const NAMES: usize = 38;
+/// Width of a column of values [characters].
+const VALUES: usize = 20;
+
+/// Vessel, measures and sources.
+pub(super) fn text(
+    asked: ManoeuvreName,
+    chosen: &[ManoeuvreName],
+    vessel: &Vessel,
+    sea: &Sea,
+    conditions: &Conditions,
+    sections: &[Section],
+) -> String {
+    let mut text = heading(chosen, vessel, sea, conditions);
+    for section in sections {
+        text.push('\n');
+        text.push_str(&table(section, vessel.ship.particulars.length_m));
+    }
+    if asked == ManoeuvreName::All && vessel.ship.propulsion.is_none() {
+        text.push_str(
+            "\nNo propeller and no rudder are known of her: the other manoeuvres are left out.\n",
+        );
+    }
+    if sections.iter().flat_map(|section| &section.rows).any(|row| row.imo_limit.is_some()) {
+        text.push_str(
+            "\nIMO: resolution MSC.137(76), annex, 5.3, as reproduced by a third party, for the test speed \
+             in deep water.\nA large ship may be allowed a track reach of up to 20 L.\n",
+        );
+    } else if sea.is_model {
+        text.push_str("\nIMO's limits (MSC.137(76)) are for ships, not for models.\n");
+    }
+    text.push_str("\nWhere her coefficients come from:\n");
+    for source in vessel.sources {
+        let _ =
+            writeln!(text, "  [{}] {}: {}", standing(source.standing), source.group, source.source);
+    }
+    text
+}
+
+fn heading(
+    chosen: &[ManoeuvreName],
+    vessel: &Vessel,
+    sea: &Sea,
+    conditions: &Conditions,
+) -> String {
+    let hull = &vessel.ship.particulars;
+    let mut text = format!(
+        "{}: L {} m, B {} m, T {} m, Cb {}\ndeep still water of {} kg/m³",
+        vessel.name,
+        plain(hull.length_m, 4),
+        plain(hull.beam_m, 4),
+        plain(hull.draught_m, 4),
+        fixed(hull.block_coefficient(), 3),
+        plain(sea.water.density_kgpm3, 4),
+    );
+    if chosen.iter().any(|manoeuvre| manoeuvre.has_approach()) {
+        let froude = sea.froude * conditions.speed_mps / vessel.approach_mps;
+        let _ = write!(
+            text,
+            "; approach at {} kn, Fn {}; rudder {}°/s",
+            significant(conditions.speed_mps / KNOT_MPS, 3),
+            fixed(froude, 3),
+            plain(vessel.steering.rate_per_s.to_degrees(), 3),
+        );
+    }
+    text.push('\n');
+    text
+}
+
+fn table(section: &Section, length_m: f64) -> String {
+    let has_limits = section.rows.iter().any(|row| row.imo_limit.is_some());
+    let mut text = format!("{}\n", section.title);
+    let mut head = format!("  {:<NAMES$}", "");
+    for column in &section.columns {
+        let _ = write!(head, "{column:>VALUES$}");
+    }
+    if has_limits {
+        head.push_str("  IMO asks");
+    }
+    let _ = writeln!(text, "{}", head.trim_end());
+    for row in &section.rows {
+        let mut line = format!("  {:<NAMES$}", row.label);
+        for value in &row.values {
+            let _ = write!(line, "{:>VALUES$}", cell(*value, row.unit, length_m));
+        }
+        line.push_str(&limit(row));
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    for note in &section.notes {
+        let _ = writeln!(text, "  {note}");
+    }
+    text
+}
+
+/// A value with its unit; lengths of the ship in metres too.
+fn cell(value: f64, unit: Unit, length_m: f64) -> String {
+    // What rounds to nothing has no sign.
+    let shown = |value: f64, decimals: usize| {
+        let text = fixed(value, decimals);
+        let is_zero = !text.bytes().any(|b| b.is_ascii_digit() && b != b'0');
+        if is_zero { fixed(0.0, decimals) } else { text }
+    };
+    match unit {
+        Unit::Lengths => {
+            let digits = significant(value * length_m, 3);
+            let metres =
+                if value * length_m >= 100.0 { fixed(value * length_m, 0) } else { digits };
+            format!("{} L {metres:>6} m", shown(value, 2))
+        }
+        Unit::Kilonewtons if value.abs() < 1.0 => format!("{} N", significant(value * 1e3, 4)),
+        Unit::Kilonewtons => format!("{} kN", significant(value, 4)),
+        Unit::Degrees => format!("{}°", shown(value, unit.decimals())),
+        Unit::Seconds if value < 100.0 => format!("{} s", shown(value, 1)),
+        Unit::One => shown(value, unit.decimals()),
+        _ => format!("{} {}", shown(value, unit.decimals()), unit.text()),
+    }
+}
+
+/// What IMO asks and whether it is so.
+fn limit(row: &Row) -> String {
+    let (Some(limit), Some(is_within)) = (row.imo_limit, row.is_within()) else {
+        return String::new();
+    };
+    let verdict = if is_within { "met" } else { "NOT MET" };
+    let blank = if row.unit == Unit::Degrees { "" } else { " " };
+    format!("  ≤ {}{blank}{}, {verdict}", plain(limit, 3), row.unit.text())
+}

@@ -1,0 +1,287 @@
+//! The manoeuvres themselves.
+
+use fenderline_sim::hydro::Model3;
+use fenderline_sim::hydro::manoeuvres::{
+    Approach, CrashStop, ManoeuvreError, Moment, TurningCircle, ZigZag, bollard_pull_n,
+    crash_stop_watched, turning_circle_watched, zig_zag_watched,
+};
+use fenderline_sim::hydro::vessels::Vessel;
+
+use super::catalogue::ManoeuvreName;
+use super::conditions::{Conditions, KNOT_MPS, Sea};
+use super::crabbing::crabbing_section;
+use super::imo;
+use super::section::{Row, Section, Track, Unit};
+use crate::failure::Failure;
+
+/// A step's length over the time in which the ship sails her own: 0.08 s for KVLCC2. Half of it moves no
+/// measure by a thousandth (`crates/sim/tests/hydro_manoeuvres.rs`).
+const STEP: f64 = 0.002;
+/// Revolutions astern over those of the approach: telegraph full astern.
+const ASTERN: f64 = -0.7;
+/// Time in which the shaft goes from the approach to full astern, over the time in which the ship sails her
+/// own length: half a minute for KVLCC2.
+const REVERSAL: f64 = 30.0 / (320.0 / (15.5 * KNOT_MPS));
+
+/// Carries a manoeuvre out to whichever sides it has.
+///
+/// # Errors
+/// A manoeuvre that does not end; a speed that the propeller cannot hold.
+pub(super) fn carry_out(
+    manoeuvre: ManoeuvreName,
+    vessel: &Vessel,
+    model: &Model3,
+    sea: &Sea,
+    conditions: &Conditions,
+) -> Result<Vec<Section>, Failure> {
+    let trial = Trial {
+        name: manoeuvre.text(),
+        vessel,
+        model,
+        conditions,
+        length_m: vessel.ship.particulars.length_m,
+        has_limits: conditions.is_test_speed && !sea.is_model,
+    };
+    let one = |section: Result<Section, ManoeuvreError>| section.map(|section| vec![section]);
+    let sections = match manoeuvre {
+        ManoeuvreName::Turning => one(trial.turning()),
+        ManoeuvreName::Zigzag => trial.zig_zags(),
+        ManoeuvreName::CrashStop => one(trial.crash_stop()),
+        ManoeuvreName::Crabbing => one(crabbing_section(&trial.name, model, conditions.push_n)),
+        ManoeuvreName::BollardPull => one(trial.bollard_pull()),
+        ManoeuvreName::All => unreachable!("all is no manoeuvre of its own"),
+    };
+    sections.map_err(|error| match error {
+        ManoeuvreError::NoBalance { .. } => {
+            Failure::input(format_args!("error: {}: {error}", vessel.name))
+        }
+        _ => Failure::case(format_args!("error: {}, {}: {error}", vessel.name, trial.name)),
+    })
+}
+
+struct Trial<'a> {
+    name: String,
+    vessel: &'a Vessel,
+    model: &'a Model3,
+    conditions: &'a Conditions,
+    length_m: f64,
+    has_limits: bool,
+}
+
+/// Both sides, with the sign of the rudder.
+const SIDES: [(&str, f64); 2] = [("starboard", 1.0), ("port", -1.0)];
+
+impl Trial<'_> {
+    fn approach(&self) -> Result<Approach, ManoeuvreError> {
+        let speed_mps = self.conditions.speed_mps;
+        let step_s = STEP * self.length_m / speed_mps;
+        Approach::at(self.model, speed_mps, self.vessel.steering, step_s)
+    }
+
+    /// A limit, where IMO's limits hold.
+    fn limit(&self, limit: f64) -> Option<f64> {
+        self.has_limits.then_some(limit)
+    }
+
+    fn turning(&self) -> Result<Section, ManoeuvreError> {
+        let approach = self.approach()?;
+        let stop_deg = self.vessel.steering.stop.to_degrees();
+        let rudder_deg = self.conditions.rudder_deg.unwrap_or(stop_deg);
+        let (mut turns, mut tracks) = (Vec::new(), Vec::new());
+        for (side, sign) in SIDES {
+            let (turn, track) = watched(format!("turning_{side}"), |watch| {
+                let rudder_rad = sign * rudder_deg.to_radians();
+                turning_circle_watched(self.model, &approach, rudder_rad, watch)
+            })?;
+            turns.push(turn);
+            tracks.push(track);
+        }
+        let each = |value: fn(&TurningCircle) -> f64| turns.iter().map(value).collect::<Vec<f64>>();
+        let lengths = |value: fn(&TurningCircle) -> f64| {
+            turns.iter().map(|turn| value(turn) / self.length_m).collect::<Vec<f64>>()
+        };
+        let is_hard_over = self.conditions.rudder_deg.is_none_or(|deg| deg >= stop_deg - 1e-9);
+        let hard_over = |limit: f64| self.limit(limit).filter(|_| is_hard_over);
+        let rows = vec![
+            Row::new("advance", "advance at 90°", Unit::Lengths, lengths(|t| t.advance_m))
+                .limited(hard_over(imo::ADVANCE)),
+            Row::new("transfer", "transfer at 90°", Unit::Lengths, lengths(|t| t.transfer_m)),
+            Row::new("time_to_90", "time to 90°", Unit::Seconds, each(|t| t.quarter_s)),
+            Row::new(
+                "tactical_diameter",
+                "tactical diameter",
+                Unit::Lengths,
+                lengths(|t| t.tactical_diameter_m),
+            )
+            .limited(hard_over(imo::TACTICAL_DIAMETER)),
+            Row::new("time_to_180", "time to 180°", Unit::Seconds, each(|t| t.half_s)),
+            Row::new(
+                "steady_diameter",
+                "steady diameter",
+                Unit::Lengths,
+                lengths(|t| t.steady.diameter_m),
+            ),
+            Row::new(
+                "steady_speed_ratio",
+                "steady speed U/U₀",
+                Unit::One,
+                each(|t| t.steady.speed_ratio),
+            ),
+            Row::new(
+                "steady_rate",
+                "steady rate of turn r' = rL/U",
+                Unit::One,
+                each(|t| t.steady.yaw_rate),
+            ),
+            Row::new(
+                "steady_drift",
+                "steady drift angle β",
+                Unit::Degrees,
+                each(|t| t.steady.drift_rad.to_degrees()),
+            ),
+        ];
+        Ok(Section {
+            manoeuvre: self.name.clone(),
+            title: format!("Turning circle, rudder {rudder_deg:.3}°").replace(".000", ""),
+            columns: SIDES.map(|(side, _)| side).to_vec(),
+            rows,
+            notes: vec!["Track of midship from the start of the rudder; constant revolutions."],
+            tracks,
+        })
+    }
+
+    fn zig_zags(&self) -> Result<Vec<Section>, ManoeuvreError> {
+        let angles_deg = self.conditions.rudder_deg.map_or(vec![10.0, 20.0], |deg| vec![deg]);
+        angles_deg.into_iter().map(|angle_deg| self.zig_zag(angle_deg)).collect()
+    }
+
+    fn zig_zag(&self, angle_deg: f64) -> Result<Section, ManoeuvreError> {
+        let approach = self.approach()?;
+        let (mut runs, mut tracks) = (Vec::new(), Vec::new());
+        for (side, sign) in SIDES {
+            let (run, track) = watched(format!("zigzag_{angle_deg}_{side}"), |watch| {
+                let check_rad = angle_deg.to_radians();
+                zig_zag_watched(self.model, &approach, sign * check_rad, check_rad, watch)
+            })?;
+            runs.push(run);
+            tracks.push(track);
+        }
+        let degrees = |value: fn(&ZigZag) -> f64| {
+            runs.iter().map(|run| value(run).to_degrees()).collect::<Vec<f64>>()
+        };
+        let [initial, first, second] = self.zig_zag_limits(angle_deg);
+        let ways = runs.iter().map(|run| run.initial_turning_m / self.length_m).collect();
+        let times = runs.iter().map(|run| run.second_execute_s).collect();
+        let rows = vec![
+            Row::new("initial_turning", "way to the second execute", Unit::Lengths, ways)
+                .limited(initial),
+            Row::new("second_execute", "time to the second execute", Unit::Seconds, times),
+            Row::new(
+                "first_overshoot",
+                "first overshoot",
+                Unit::Degrees,
+                degrees(|run| run.first_overshoot_rad),
+            )
+            .limited(first),
+            Row::new(
+                "second_overshoot",
+                "second overshoot",
+                Unit::Degrees,
+                degrees(|run| run.second_overshoot_rad),
+            )
+            .limited(second),
+        ];
+        Ok(Section {
+            manoeuvre: self.name.clone(),
+            title: format!("Zig-zag {angle_deg}°/{angle_deg}°, by the side of the first execute"),
+            columns: SIDES.map(|(side, _)| side).to_vec(),
+            rows,
+            notes: vec!["Executes fall on whole steps; constant revolutions."],
+            tracks,
+        })
+    }
+
+    /// IMO's limits of the initial turning [L] and of both overshoots [°].
+    fn zig_zag_limits(&self, angle_deg: f64) -> [Option<f64>; 3] {
+        let length_over_speed_s = self.length_m / self.conditions.speed_mps;
+        if angle_deg == 10.0 {
+            [
+                self.limit(imo::INITIAL_TURNING),
+                self.limit(imo::first_overshoot_10_deg(length_over_speed_s)),
+                self.limit(imo::second_overshoot_10_deg(length_over_speed_s)),
+            ]
+        } else if angle_deg == 20.0 {
+            [None, self.limit(imo::FIRST_OVERSHOOT_20_DEG), None]
+        } else {
+            [None; 3]
+        }
+    }
+
+    fn crash_stop(&self) -> Result<Section, ManoeuvreError> {
+        let approach = self.approach()?;
+        let reversal_s = REVERSAL * self.length_m / approach.speed_mps;
+        let astern_rps = ASTERN * approach.shaft_rps;
+        let rate_rps2 = (approach.shaft_rps - astern_rps) / reversal_s;
+        let (stop, track) = watched("crash_stop".to_owned(), |watch| {
+            crash_stop_watched(self.model, &approach, astern_rps, rate_rps2, watch)
+        })?;
+        let CrashStop { track_reach_m, head_reach_m, lateral_m, heading_rad, time_s } = stop;
+        let lengths = |value_m: f64| vec![value_m / self.length_m];
+        let rows = vec![
+            Row::new("track_reach", "track reach", Unit::Lengths, lengths(track_reach_m))
+                .limited(self.limit(imo::TRACK_REACH)),
+            Row::new("head_reach", "head reach", Unit::Lengths, lengths(head_reach_m)),
+            Row::new("lateral", "lateral deviation", Unit::Lengths, lengths(lateral_m)),
+            Row::new("heading", "change of heading", Unit::Degrees, vec![heading_rad.to_degrees()]),
+            Row::new("time", "time to standstill", Unit::Seconds, vec![time_s]),
+        ];
+        Ok(Section {
+            manoeuvre: self.name.clone(),
+            title: format!(
+                "Crash stop, {:.1} rpm astern reached within {reversal_s:.1} s",
+                -60.0 * astern_rps
+            ),
+            columns: vec!["ahead"],
+            rows,
+            notes: vec![
+                "The shaft changes evenly, in 30 s for a ship of 320 m at 15.5 knots: assumed.",
+                "It does so whatever torque it takes: a diesel may need longer.",
+                "A propeller astern does not swing the ship in this model, as real ones do.",
+            ],
+            tracks: vec![track],
+        })
+    }
+
+    fn bollard_pull(&self) -> Result<Section, ManoeuvreError> {
+        let ahead_rps = self.approach()?.shaft_rps;
+        let shafts_rps = [ahead_rps, ASTERN * ahead_rps];
+        let pulls_n = shafts_rps
+            .iter()
+            .map(|shaft_rps| bollard_pull_n(self.model, *shaft_rps))
+            .collect::<Result<Vec<f64>, ManoeuvreError>>()?;
+        let pulls_kn = pulls_n.iter().map(|pull_n| pull_n / 1e3).collect();
+        let revolutions = shafts_rps.iter().map(|shaft_rps| shaft_rps * 60.0).collect();
+        Ok(Section {
+            manoeuvre: self.name.clone(),
+            title: "Bollard pull at the revolutions of the approach, and at 70 % of them astern"
+                .to_owned(),
+            columns: vec!["ahead", "astern"],
+            rows: vec![
+                Row::new("revolutions", "revolutions", Unit::PerMinute, revolutions),
+                Row::new("pull", "pull on the line", Unit::Kilonewtons, pulls_kn),
+            ],
+            notes: vec!["Whether the engine can turn the propeller so at rest is not asked."],
+            tracks: Vec::new(),
+        })
+    }
+}
+
+/// Runs a manoeuvre and keeps its track.
+fn watched<T>(
+    name: String,
+    run: impl FnOnce(&mut dyn FnMut(&Moment)) -> Result<T, ManoeuvreError>,
+) -> Result<(T, Track), ManoeuvreError> {
+    let mut moments = Vec::new();
+    let measures = run(&mut |moment| moments.push(*moment))?;
+    Ok((measures, Track { name, moments }))
+}

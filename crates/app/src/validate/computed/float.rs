@@ -1,0 +1,27 @@
+//! Periods of heave and roll of the container ship.
+
+use fenderline_sim::attitude::{FloatParticulars, Hydrostatics};
+
+use super::Values;
+use super::ships::{CONTAINER_KG, SEA_KGPM3, container};
+
+pub(super) fn compute(values: &mut Values) {
+    for (gm_m, name) in [(1.0, "1"), (2.0, "2"), (5.0, "5")] {
+        values.put(format!("roll/{name}"), afloat(gm_m).roll.period_s(), "s");
+    }
+    values.put("heave", afloat(1.0).heave.period_s(), "s");
+}
+
+fn afloat(gm_m: f64) -> Hydrostatics {
+    let hull = container();
+    let ship = FloatParticulars {
+        mass_kg: CONTAINER_KG,
+        length_m: hull.length_m,
+        beam_m: hull.beam_m,
+        draught_m: hull.draught_m,
+        waterplane_m2: 10_612.0,
+        gm_m,
+        water_kgpm3: SEA_KGPM3,
+    };
+    Hydrostatics::of(&ship).expect("she floats upright")
+}

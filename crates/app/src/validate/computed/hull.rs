@@ -1,0 +1,116 @@
+//! Hull forces at low speed, added masses, shallow water.
+
+use fenderline_sim::hydro::shallow::{
+    barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_sway_derivative,
+    shallow_yaw_derivative,
+};
+use fenderline_sim::hydro::vessels::{esso_osaka_model, kvlcc2};
+use fenderline_sim::hydro::{
+    CrossFlow, Particulars, Velocity, Water, clarke_added_mass, hoerner_drag_coefficient,
+    shallow_sway_factor, zhou_added_mass,
+};
+
+use super::Values;
+use super::ships::{SEA_KGPM3, container, tug};
+
+/// Metres a second in a knot.
+const KNOT_MPS: f64 = 1852.0 / 3600.0;
+
+pub(super) fn compute(values: &mut Values) {
+    cross_flow(values);
+    esso_osaka(values);
+    added_masses(values);
+    shallow_factors(values);
+    current(values);
+    squat(values);
+}
+
+/// Pure sway at 1 m/s and pure yaw at 0.01 rad/s of the container ship.
+fn cross_flow(values: &mut Values) {
+    let ship = container();
+    let drag = hoerner_drag_coefficient(ship.beam_m, ship.draught_m);
+    values.put("cross_flow/drag", drag, "");
+    let flow = CrossFlow { drag_coefficient: drag, yaw_gain_force: 1.0, yaw_gain_moment: 1.0 };
+    let force = |sway_mps, yaw_radps| {
+        let velocity = Velocity { surge_mps: 0.0, sway_mps, yaw_radps };
+        flow.force(&velocity, ship.length_m, ship.draught_m, Water::SEA)
+    };
+    values.put("cross_flow/sway", -force(1.0, 0.0).sway_n / 1e3, "kN");
+    values.put("cross_flow/yaw", -force(0.0, 0.01).yaw_nm / 1e6, "MN·m");
+    for (ratio, name) in [(0.5, "0.5"), (0.99, "0.99"), (1.31, "1.31"), (2.31, "2.31"), (4.0, "4")]
+    {
+        values.put(format!("hoerner/{name}"), hoerner_drag_coefficient(2.0 * ratio, 1.0), "");
+    }
+}
+
+/// Force over ½ρLdV² and moment over ½ρL²dV², V² = u² + v² + (rL)², of the model at three states.
+fn esso_osaka(values: &mut Values) {
+    let ship = esso_osaka_model().ship;
+    let (length_m, draught_m) = (ship.particulars.length_m, ship.particulars.draught_m);
+    let states =
+        [("ahead", 0.2, -0.05, 0.03), ("astern", -0.15, 0.1, 0.08), ("crabbing", 0.0, 0.2, -0.1)];
+    for (name, surge_mps, sway_mps, yaw_radps) in states {
+        let velocity = Velocity { surge_mps, sway_mps, yaw_radps };
+        let force = ship.hull.low_speed.force(&velocity, length_m, draught_m, Water::FRESH);
+        let tip_mps = yaw_radps * length_m;
+        let square = surge_mps * surge_mps + sway_mps * sway_mps + tip_mps * tip_mps;
+        let unit_n = 0.5 * Water::FRESH.density_kgpm3 * length_m * draught_m * square;
+        values.put(format!("esso_osaka/{name}/surge"), force.surge_n / unit_n, "");
+        values.put(format!("esso_osaka/{name}/sway"), force.sway_n / unit_n, "");
+        values.put(format!("esso_osaka/{name}/yaw"), force.yaw_nm / (unit_n * length_m), "");
+    }
+    values.put("esso_osaka/block", ship.particulars.block_coefficient(), "");
+}
+
+fn added_masses(values: &mut Values) {
+    for (name, ship) in [("container", container()), ("tug", tug())] {
+        let zhou = zhou_added_mass(&ship).expect("the hull is inside the charts");
+        let mass_kg = SEA_KGPM3 * (ship.volume_m3 + zhou.surge_m3);
+        values.put(format!("{name}/zhou/surge"), zhou.surge_m3 / ship.volume_m3, "");
+        values.put(format!("{name}/zhou/sway"), zhou.sway_m3 / ship.volume_m3, "");
+        values.put(format!("{name}/zhou/yaw"), zhou.yaw_m5 / ship.yaw_inertia_m5(), "");
+        values.put(format!("{name}/zhou/mass"), mass_kg / 1e6, "kt");
+    }
+    let ship = container();
+    let (sway_m3, yaw_m5) = clarke_added_mass(&ship).expect("the ship is slender");
+    values.put("container/clarke/sway", sway_m3 / ship.volume_m3, "");
+    values.put("container/clarke/yaw", yaw_m5 / ship.yaw_inertia_m5(), "");
+}
+
+fn shallow_factors(values: &mut Values) {
+    // The sheet does not say for which B/T: its three numbers are those of 3.08, found by trying.
+    let ship = Particulars::from_block(200.0, 30.8, 10.0, 0.8).expect("the ship can float");
+    for (ratio, name) in [(2.0, "2"), (1.5, "1.5"), (1.2, "1.2")] {
+        let factor = shallow_sway_factor(&ship, ratio * ship.draught_m).expect("afloat");
+        values.put(format!("shallow/sway_added_mass/{name}"), factor, "");
+    }
+    let ship = kvlcc2().ship.particulars;
+    let depth_m = 1.5 * ship.draught_m;
+    let sway = shallow_sway_derivative(&ship, depth_m).expect("afloat");
+    let yaw = shallow_yaw_derivative(&ship, depth_m).expect("afloat");
+    values.put("shallow/sway_derivative", sway, "");
+    values.put("shallow/yaw_derivative", yaw, "");
+}
+
+/// 0.5 m/s abeam of the container ship.
+fn current(values: &mut Values) {
+    // The midship coefficient is not in the sheet; 0.98 is usual for container ships.
+    let (ship, midship_coefficient) = (container(), 0.98);
+    for (ratio, name) in [(100.0, "100"), (2.0, "2"), (1.2, "1.2")] {
+        let depth_m = ratio * ship.draught_m;
+        let force_n = current_abeam_n(&ship, midship_coefficient, depth_m, 0.5, Water::SEA);
+        values.put(format!("current/{name}"), force_n.expect("afloat") / 1e3, "kN");
+    }
+}
+
+/// The container ship at 8 kn, h/T 1.2.
+fn squat(values: &mut Values) {
+    let ship = container();
+    let (depth_m, speed_mps) = (1.2 * ship.draught_m, 8.0 * KNOT_MPS);
+    let barrass_m = barrass_squat_m(&ship, depth_m, speed_mps).expect("afloat");
+    let icorels_m = icorels_squat_m(&ship, depth_m, speed_mps).expect("afloat and slow");
+    let eryuzlu_m = eryuzlu_squat_m(&ship, depth_m, speed_mps).expect("afloat");
+    values.put("squat/barrass", barrass_m, "m");
+    values.put("squat/icorels", icorels_m, "m");
+    values.put("squat/eryuzlu", eryuzlu_m, "m");
+}

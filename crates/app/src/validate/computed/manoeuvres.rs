@@ -1,0 +1,83 @@
+//! Standard manoeuvres of KVLCC2 and KCS.
+
+use fenderline_sim::hydro::manoeuvres::{Approach, self_propulsion_rps, turning_circle, zig_zag};
+use fenderline_sim::hydro::vessels::{Vessel, kcs, kvlcc2, kvlcc2_model};
+use fenderline_sim::hydro::{Model3, Water};
+
+use super::Values;
+
+/// A step over the time in which the ship sails her own length: 0.08 s for KVLCC2.
+const STEP: f64 = 0.002;
+/// Depth over draught of the turns in shallow water, and their names.
+const DEPTHS: [(f64, &str); 2] = [(1.5, "1.5"), (1.2, "1.2")];
+
+pub(super) fn compute(values: &mut Values) {
+    for (name, vessel) in [("kvlcc2", kvlcc2()), ("kvlcc2_model", kvlcc2_model()), ("kcs", kcs())] {
+        let trial = Trial::of(&vessel);
+        for (side, sign) in [("starboard", 1.0), ("port", -1.0)] {
+            trial.turn(values, &format!("{name}/turn_35/{side}"), sign * 35.0);
+            trial.zig_zag(values, &format!("{name}/zigzag_10/{side}"), sign * 10.0);
+            trial.zig_zag(values, &format!("{name}/zigzag_20/{side}"), sign * 20.0);
+        }
+    }
+    for (name, vessel) in [("kvlcc2", kvlcc2()), ("kcs", kcs())] {
+        let model = Model3::new(vessel.ship, Water::SEA);
+        let rps = self_propulsion_rps(&model, vessel.approach_mps).expect("a balance");
+        values.put(format!("{name}/self_propulsion"), rps, "1/s");
+    }
+    shallow_turns(values);
+}
+
+struct Trial {
+    model: Model3,
+    approach: Approach,
+    length_m: f64,
+}
+
+impl Trial {
+    fn of(vessel: &Vessel) -> Trial {
+        let model = Model3::new(vessel.ship, Water::SEA);
+        let length_m = vessel.ship.particulars.length_m;
+        let step_s = STEP * length_m / vessel.approach_mps;
+        let approach = Approach::at(&model, vessel.approach_mps, vessel.steering, step_s)
+            .expect("the propeller holds the speed of approach");
+        Trial { model, approach, length_m }
+    }
+
+    /// The turn of the rudder's side: every measure counts positive to it.
+    fn turn(&self, values: &mut Values, name: &str, rudder_deg: f64) {
+        let turn = turning_circle(&self.model, &self.approach, rudder_deg.to_radians())
+            .expect("she turns");
+        let steady = turn.steady;
+        values.put(format!("{name}/advance"), turn.advance_m / self.length_m, "L");
+        values.put(format!("{name}/diameter"), turn.tactical_diameter_m / self.length_m, "L");
+        values.put(format!("{name}/speed_ratio"), steady.speed_ratio, "");
+        values.put(format!("{name}/rate"), steady.yaw_rate.abs(), "");
+        values.put(format!("{name}/drift"), steady.drift_rad.to_degrees().abs(), "°");
+    }
+
+    fn zig_zag(&self, values: &mut Values, name: &str, rudder_deg: f64) {
+        let check_rad = rudder_deg.abs().to_radians();
+        let run = zig_zag(&self.model, &self.approach, rudder_deg.to_radians(), check_rad)
+            .expect("she answers her rudder");
+        values.put(format!("{name}/first"), run.first_overshoot_rad.to_degrees(), "°");
+        values.put(format!("{name}/second"), run.second_overshoot_rad.to_degrees(), "°");
+    }
+}
+
+/// Tactical diameter of KVLCC2 in shallow water over that in deep water, rudder 35°, at the speed of approach that
+/// she has in deep water.
+fn shallow_turns(values: &mut Values) {
+    let deep = kvlcc2();
+    let diameter_m = |vessel: &Vessel| {
+        let trial = Trial::of(vessel);
+        let turn = turning_circle(&trial.model, &trial.approach, 35_f64.to_radians());
+        turn.expect("she turns").tactical_diameter_m
+    };
+    let deep_m = diameter_m(&deep);
+    for (ratio, name) in DEPTHS {
+        let ship = deep.ship.at_depth(ratio * deep.ship.particulars.draught_m).expect("afloat");
+        let shallow_m = diameter_m(&Vessel { ship, ..deep });
+        values.put(format!("kvlcc2/shallow_turn/{name}"), shallow_m / deep_m, "");
+    }
+}

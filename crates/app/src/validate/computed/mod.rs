@@ -1,0 +1,56 @@
+//! Values that no scenario gives: pure functions and standard manoeuvres of the simulator, by name.
+//!
+//! Each file has one subject and fills a [`Values`]; the inputs of a case stand there, the published
+//! numbers never.
+
+mod float;
+mod hull;
+mod manoeuvres;
+mod propeller;
+mod sea;
+mod ships;
+mod wind;
+
+use std::collections::BTreeMap;
+
+/// A value with its unit; the unit is empty for a plain number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::validate) struct Value {
+    pub(in crate::validate) value: f64,
+    pub(in crate::validate) unit: &'static str,
+}
+
+/// Values by the name that a file under `validation/` calls them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::validate) struct Values(BTreeMap<String, Value>);
+
+impl Values {
+    /// Computes all of them.
+    pub(in crate::validate) fn all() -> Values {
+        let mut values = Values::default();
+        manoeuvres::compute(&mut values);
+        hull::compute(&mut values);
+        propeller::compute(&mut values);
+        wind::compute(&mut values);
+        sea::compute(&mut values);
+        float::compute(&mut values);
+        values
+    }
+
+    fn put(&mut self, name: impl Into<String>, value: f64, unit: &'static str) {
+        let name = name.into();
+        let before = self.0.insert(name.clone(), Value { value, unit });
+        assert!(before.is_none(), "two values are called {name}");
+    }
+
+    /// The value called `name`. One that there is not is our own mistake, and panics.
+    pub(in crate::validate) fn get(&self, name: &str) -> Value {
+        *self.0.get(name).unwrap_or_else(|| panic!("no computed value is called {name}"))
+    }
+
+    /// All names.
+    #[cfg(test)]
+    pub(in crate::validate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.keys().map(String::as_str)
+    }
+}

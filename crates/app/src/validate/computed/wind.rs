@@ -1,0 +1,44 @@
+//! Wind coefficients of the container ship of the design sheet.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
+
+use fenderline_sim::environment::wind::{
+    Blendermann, Isherwood, RelativeWind, ShipWindage, WindMethod,
+};
+
+use super::Values;
+
+/// Density of air with which the sheet's side force was calculated [kg/m³].
+const AIR_KGPM3: f64 = 1.224;
+
+pub(super) fn compute(values: &mut Values) {
+    let isherwood = ship(WindMethod::Isherwood(Isherwood {
+        // Not in the sheet: with it CY at 60° is the sheet's; CY at 90° and CX at 0° do not depend on it.
+        perimeter_m: 700.0,
+        superstructure_m2: 1500.0,
+        mast_groups: 1.0,
+    }));
+    let of_type = Blendermann::of_type("container ship, loaded").expect("a type of the table");
+    let blendermann = ship(WindMethod::Blendermann(of_type));
+    for (name, windage) in [("isherwood", &isherwood), ("blendermann", &blendermann)] {
+        values.put(format!("{name}/sway_90"), windage.coefficients(FRAC_PI_2).sway, "");
+        values.put(format!("{name}/sway_60"), windage.coefficients(FRAC_PI_3).sway, "");
+        values.put(format!("{name}/surge_0"), windage.coefficients(0.0).surge, "");
+    }
+    let abeam = RelativeWind { speed_mps: 20.0, angle_rad: FRAC_PI_2 };
+    let [_, side_n, _] = blendermann.force(&abeam, AIR_KGPM3);
+    values.put("blendermann/side", side_n / 1e6, "MN");
+}
+
+/// 298 × 46 m, A_L 9000 m², A_F 1700 m², centroid amidships.
+fn ship(method: WindMethod) -> ShipWindage {
+    ShipWindage {
+        length_m: 298.0,
+        beam_m: 46.0,
+        frontal_m2: 1700.0,
+        lateral_m2: 9000.0,
+        centroid_forward_m: 0.0,
+        centroid_height_m: 15.0,
+        method,
+    }
+}

@@ -1,0 +1,152 @@
+//! `fenderline manoeuvre`: tables, JSON, tracks, refusals.
+
+mod support;
+
+use serde_json::Value;
+use support::Workplace;
+
+fn json(place: &Workplace, args: &[&str]) -> Value {
+    let run = place.run(&[&["manoeuvre"], args, &["--json"]].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    serde_json::from_str(&run.stdout).expect("JSON")
+}
+
+/// A measure of the section whose title begins with `title`.
+fn measure(document: &Value, title: &str, key: &str, side: &str) -> f64 {
+    let sections = document["manoeuvres"].as_array().expect("a list");
+    let section = sections
+        .iter()
+        .find(|section| section["title"].as_str().is_some_and(|t| t.starts_with(title)))
+        .expect(title);
+    section["measures"][key]["values"][side].as_f64().expect(key)
+}
+
+/// The design sheet's independent calculation (hydrodynamics.md §1), to 1 % or half of its last digit.
+#[test]
+fn kvlcc2s_measures_are_those_of_the_independent_calculation() {
+    let place = Workplace::new("manoeuvre_json");
+    let document = json(&place, &["kvlcc2"]);
+    for (title, key, side, theirs, allowed) in [
+        ("Turning circle", "advance", "starboard", 3.03, 0.0303),
+        ("Turning circle", "tactical_diameter", "starboard", 3.01, 0.0301),
+        ("Turning circle", "advance", "port", 3.05, 0.0305),
+        ("Turning circle", "tactical_diameter", "port", 3.02, 0.0302),
+        ("Zig-zag 10°/10°", "first_overshoot", "starboard", 5.4, 0.054),
+        ("Zig-zag 10°/10°", "second_overshoot", "port", 9.1, 0.091),
+        ("Zig-zag 20°/20°", "first_overshoot", "port", 15.3, 0.153),
+        // 60 · 1.7785.
+        ("Bollard pull", "revolutions", "ahead", 106.71, 0.06),
+    ] {
+        let ours = measure(&document, title, key, side);
+        assert!((ours - theirs).abs() <= allowed, "{title} {key} {side}: {ours} for {theirs}");
+    }
+    // Nothing in a steady turn but the rate: diameter/L = 2/|r'|.
+    let [diameter, rate] = ["steady_diameter", "steady_rate"]
+        .map(|key| measure(&document, "Turning circle", key, "port"));
+    assert!((diameter * rate.abs() / 2.0 - 1.0).abs() < 1e-12);
+    // ½ρLTC_D v² drives her at v = 0.01√(gL); the linear terms and the turn that comes with it take a little.
+    let knots = 0.01 * (9.806_65_f64 * 320.0).sqrt() * 3600.0 / 1852.0;
+    let across = measure(&document, "Crabbing", "sway", "starboard");
+    assert!((across / knots - 1.0).abs() < 0.03, "{across} kn for {knots} kn");
+    // L/V = 320 m/7.97 m/s = 40 s: IMO's limits are 20° and 40°.
+    let limits = &document["manoeuvres"][1]["measures"];
+    assert_eq!(limits["first_overshoot"]["imo_limit"], 20.0);
+    assert_eq!(limits["second_overshoot"]["imo_limit"], 40.0);
+    assert_eq!(limits["second_overshoot"]["within_imo_limit"], true);
+}
+
+#[test]
+fn the_table_has_every_measure_limit_and_source() {
+    let place = Workplace::new("manoeuvre_table");
+    let run = place.run(&["manoeuvre", "kcs"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    for text in [
+        "KCS, 230 m: L 230 m",
+        "Turning circle, rudder 35°",
+        "tactical diameter",
+        "≤ 5 L, met",
+        "Zig-zag 10°/10°",
+        "Zig-zag 20°/20°",
+        "≤ 25°, met",
+        "Crash stop",
+        "track reach",
+        "Crabbing",
+        "Bollard pull",
+        "[published] hull polynomial",
+        "[estimated] low-speed hull",
+    ] {
+        assert!(run.stdout.contains(text), "{text} is missing:\n{}", run.stdout);
+    }
+    assert!(!run.stdout.contains("NaN") && !run.stdout.contains("inf"));
+    assert_eq!(place.run(&["manoeuvre", "kcs"]).stdout, run.stdout, "the same again");
+
+    // One manoeuvre alone, under other conditions: no limit of IMO's holds there.
+    let run = place.run(&["manoeuvre", "kcs", "turning", "--rudder", "20", "--speed", "10"]);
+    assert_eq!(run.code, 0);
+    assert!(run.stdout.contains("Turning circle, rudder 20°") && run.stdout.contains("10.0 kn"));
+    assert!(!run.stdout.contains("IMO") && !run.stdout.contains("Zig-zag"));
+    // Nor of a model.
+    assert!(!place.run(&["manoeuvre", "kvlcc2-model", "turning"]).stdout.contains("≤"));
+}
+
+/// Every force is of second degree in speed and revolutions together: the circle is the same at half of both.
+#[test]
+fn the_steady_circle_does_not_depend_on_the_speed_of_approach() {
+    let place = Workplace::new("manoeuvre_speed");
+    let [full, half] = ["15.5", "7.75"].map(|speed| {
+        let document = json(&place, &["kvlcc2", "turning", "--speed", speed]);
+        measure(&document, "Turning circle", "steady_diameter", "starboard")
+    });
+    // The rudder's rate is not halved; what is left of that after two circles is far below a thousandth.
+    assert!((full / half - 1.0).abs() < 1e-3, "{full} {half}");
+}
+
+#[test]
+fn tracks_are_written_whole() {
+    let place = Workplace::new("manoeuvre_tracks");
+    let run = place.run(&["manoeuvre", "kvlcc2", "turning", "--out", "tracks"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let last = run.stdout.lines().last().unwrap_or_default();
+    assert_eq!(last, "in tracks: turning_starboard.csv, turning_port.csv");
+    let mut table =
+        csv::Reader::from_path(place.path("tracks/turning_starboard.csv")).expect("the track");
+    assert_eq!(&table.headers().expect("a header")[3], "heading_rad");
+    let rows: Vec<Vec<f64>> = table
+        .records()
+        .map(|row| row.expect("a row").iter().map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    // The advance is where the heading passes 90°.
+    let quarter = rows.iter().find(|row| row[3] >= std::f64::consts::FRAC_PI_2).expect("90°");
+    let document = json(&place, &["kvlcc2", "turning"]);
+    let advance_m = 320.0 * measure(&document, "Turning circle", "advance", "starboard");
+    assert!((quarter[1] - advance_m).abs() < 1.0, "{} for {advance_m}", quarter[1]);
+    assert!(rows[0].iter().take(4).all(|value| *value == 0.0) && rows[0][4] > 7.0);
+    assert!(!place.exists("tracks/turning_port.csv.part"));
+}
+
+#[test]
+fn what_cannot_be_done_is_refused_by_name() {
+    let place = Workplace::new("manoeuvre_refusals");
+    for (args, code, said) in [
+        (&["kvlc2"][..], 2, "a similar value exists: 'kvlcc2'"),
+        (&["kcs", "turnign"], 2, "a similar value exists: 'turning'"),
+        (&["esso-osaka", "turning"], 2, "crabbing is what she can do"),
+        (&["kcs", "turning", "--rudder", "36"], 2, "stops at 35°"),
+        (&["kcs", "turning", "--rudder", "-5"], 2, "must be above 0"),
+        (&["kcs", "turning", "--rudder", "nan"], 2, "must be above 0"),
+        (&["kcs", "turning", "--speed", "900"], 2, "Froude number"),
+        (&["kcs", "crabbing", "--rudder", "5"], 2, "--rudder has no effect"),
+        (&["kcs", "crabbing", "--speed", "5"], 2, "--speed has no effect"),
+        (&["kcs", "turning", "--push", "5"], 2, "--push has no effect"),
+        (&["kcs", "crabbing", "--out", "x"], 2, "has a track"),
+        (&["kcs", "turning", "--out", "tug.toml"], 1, "cannot write tug.toml"),
+    ] {
+        let run = place.run(&[&["manoeuvre"], args].concat());
+        assert_eq!(run.code, code, "{args:?}: {}{}", run.stdout, run.stderr);
+        assert!(run.stderr.contains(said), "{args:?}: {}", run.stderr);
+    }
+    // What she can do is done, and what is left out is said.
+    let run = place.run(&["manoeuvre", "esso-osaka"]);
+    assert_eq!(run.code, 0);
+    assert!(run.stdout.contains("Crabbing") && run.stdout.contains("are left out"));
+}
