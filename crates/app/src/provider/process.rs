@@ -1,7 +1,7 @@
 //! A provider in a process of its own, spoken to over its standard input and output.
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
@@ -70,9 +70,23 @@ impl Process {
 
     /// Why it does not answer any more.
     fn epitaph(&mut self) -> String {
-        match self.child.try_wait() {
-            Ok(Some(status)) => format!("it ended: {status}"),
-            _ => "it closed its output".to_owned(),
+        match self.ended() {
+            Some(status) => format!("it ended: {status}"),
+            None => "it closed its output".to_owned(),
+        }
+    }
+
+    /// How it ended; a process closes its output a moment before that, so that it is given half a second.
+    fn ended(&mut self) -> Option<ExitStatus> {
+        let until = Instant::now() + Duration::from_millis(500);
+        loop {
+            if let Ok(Some(status)) = self.child.try_wait() {
+                return Some(status);
+            }
+            if Instant::now() >= until {
+                return None;
+            }
+            std::thread::sleep(Duration::from_millis(5));
         }
     }
 }
@@ -118,12 +132,8 @@ impl Drop for Process {
     fn drop(&mut self) {
         // A provider that reads to the end of its input ends by itself; one that does not is ended.
         self.input = None;
-        let until = Instant::now() + Duration::from_millis(500);
-        while Instant::now() < until {
-            if matches!(self.child.try_wait(), Ok(Some(_))) {
-                return;
-            }
-            std::thread::sleep(Duration::from_millis(5));
+        if self.ended().is_some() {
+            return;
         }
         let _ = self.child.kill();
         let _ = self.child.wait();
