@@ -128,7 +128,7 @@ fn contact(
         factor,
         v_normal_0_mps: v.normal_0_mps,
         v_tangential_0_mps: v.tangential_0_mps,
-        ..touch.memory(patch)
+        ..touch.memory(patch, &work.places)
     });
 }
 

@@ -3,7 +3,7 @@
 use crate::fender::RankedFender;
 use crate::memory::PatchMemory;
 use crate::model::Model;
-use crate::overlap::{self, Patch};
+use crate::overlap::{self, Patch, Place};
 use crate::report::{Contact, ContactWork, ForceParts, Friction};
 use crate::vec2::Vec2;
 use crate::workspace::Workspace;
@@ -76,13 +76,12 @@ pub(crate) fn touch(
 
 /// Outline against outline: kS along the chord's normal, at the centroid (§1, §2 of the sheet).
 fn by_area(model: &Model, work: &mut Workspace, patch: &Patch, old: Option<&PatchMemory>) -> Touch {
-    let remembered = old.map(|m| (m.normal_in_a, m.normal_in_b));
-    let normal_in_a = overlap::normal_in_a(model, work, patch, remembered);
+    let (normal_in_a, depth_m) = overlap::normal_in_a(model, work, patch, old);
     let material = &model.materials()[patch.candidate.material.0 as usize];
     Touch {
         normal_in_a,
         point_in_a_m: patch.centroid_m,
-        depth_m: overlap::depth_m(work, patch, normal_in_a),
+        depth_m,
         spring_n: material.stiffness_npm2 * patch.area_m2,
         ..Touch::default()
     }
@@ -145,7 +144,8 @@ impl Touch {
 
     /// What the next step needs to know of this patch's place.
     #[inline]
-    pub(crate) fn memory(&self, patch: &Patch) -> PatchMemory {
+    pub(crate) fn memory(&self, patch: &Patch, places: &[Place]) -> PatchMemory {
+        let place = patch.place.map_or(Place::default(), |place| places[place as usize]);
         PatchMemory {
             a: patch.candidate.a,
             b: patch.candidate.b,
@@ -156,8 +156,8 @@ impl Touch {
             point_in_b_m: patch.b_in_a.apply_inverse(self.point_in_a_m),
             normal_in_a: self.normal_in_a,
             normal_in_b: patch.b_in_a.rotation.apply_inverse(self.normal_in_a),
-            extent_in_a: patch.extent_in_a,
-            extent_in_b: patch.extent_in_b,
+            extent_in_a: place.in_a,
+            extent_in_b: place.in_b,
             ..PatchMemory::default()
         }
     }

@@ -29,6 +29,8 @@ pub(crate) struct Lens {
     pub(crate) centroid_m: Vec2,
     /// d = Σ (P_out − P_in) [m]; zero where one contains the other.
     pub(crate) chord_m: Vec2,
+    /// Extent along the chord's normal times the chord's length [m²].
+    pub(crate) spread_m2: f64,
     /// True where edges of the two lie on one another, so that the chord means little.
     pub(crate) collinear: bool,
 }
@@ -115,16 +117,22 @@ fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 
     point_along(a0, a1, side_start / (side_start - side_end))
 }
 
-/// Area and centroid of a polygon about its own first vertex: what is small is measured against
-/// what is near.
+/// Area, centroid and spread of a polygon about its own first vertex: what is small is measured
+/// against what is near.
 #[inline(always)]
 pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Lens {
     let origin = outline_m[0];
     let mut twice_area = 0.0;
     let mut moment = Vec2::ZERO;
     let mut from = outline_m[1] - origin;
+    let across = chord_m.quarter_turn_back();
+    // Corners are numbers, so that plain comparisons do.
+    let (lower, higher) = (|p, q| if q < p { q } else { p }, |p, q| if q > p { q } else { p });
+    let (mut low, mut high) = (lower(0.0, from.dot(across)), higher(0.0, from.dot(across)));
     for &vertex in &outline_m[2..] {
         let to = vertex - origin;
+        let s = to.dot(across);
+        (low, high) = (lower(low, s), higher(high, s));
         let cross = from.cross(to);
         twice_area += cross;
         moment += (from + to) * cross;
@@ -132,5 +140,5 @@ pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Len
     }
     let centroid_m =
         if twice_area > 0.0 { origin + moment * (1.0 / (3.0 * twice_area)) } else { origin };
-    Lens { area_m2: 0.5 * twice_area, centroid_m, chord_m, collinear }
+    Lens { area_m2: 0.5 * twice_area, centroid_m, chord_m, spread_m2: high - low, collinear }
 }
