@@ -1,5 +1,7 @@
 //! Stage 3, overlap: area, centroid, normal and depth of every patch of contact.
 
+use alloc::vec::Vec;
+
 use crate::face::{self, Press};
 use crate::fender::RankedFender;
 use crate::geometry::clip::{self, Hint};
@@ -108,18 +110,9 @@ fn clip_convex(
     work: &mut Workspace,
 ) {
     let Workspace { patches, outline_m, clip: buffers, next_hints, .. } = work;
-    let mut entry = HintMemory {
-        a: candidate.a,
-        b: candidate.b,
-        face: candidate.face,
-        ..HintMemory::default()
-    };
-    entry.hint = take_hint(hints, &entry);
-    let from = outline_m.len();
-    let found = clip::clip(a, b, b_in_a, &mut entry.hint, buffers, outline_m);
-    if entry.hint != Hint::None {
-        next_hints.push(entry);
-    }
+    let (hint, from) = (take_hint(hints, &candidate, (0, 0)), outline_m.len());
+    let (found, hint) = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
+    remember_hint(next_hints, &candidate, (0, 0), hint);
     match found {
         Some(clip) => patches.push(Patch {
             candidate,
@@ -163,27 +156,16 @@ fn clip_pieces(
 ) {
     for (piece_a, a) in pieces_a.iter().enumerate() {
         for (piece_b, b) in pieces_b.iter().enumerate() {
-            let mut entry = HintMemory {
-                a: candidate.a,
-                b: candidate.b,
-                face: candidate.face,
-                piece_a: piece_a as u32,
-                piece_b: piece_b as u32,
-                hint: Hint::None,
-            };
-            entry.hint = take_hint(hints, &entry);
-            let start = work.outline_m.len();
-            let found =
-                clip::clip(a, b, b_in_a, &mut entry.hint, &mut work.clip, &mut work.outline_m);
-            if entry.hint != Hint::None {
-                work.next_hints.push(entry);
-            }
+            let pieces = (piece_a as u32, piece_b as u32);
+            let (hint, start) = (take_hint(hints, &candidate, pieces), work.outline_m.len());
+            let (found, hint) = clip::clip(a, b, b_in_a, hint, &mut work.clip, &mut work.outline_m);
+            remember_hint(&mut work.next_hints, &candidate, pieces, hint);
             match found {
                 Some(clip) => work.lenses.push(PieceLens {
                     lens: clip.lens,
                     contained: clip.contained,
-                    piece_a: piece_a as u32,
-                    piece_b: piece_b as u32,
+                    piece_a: pieces.0,
+                    piece_b: pieces.1,
                     vertices: (start as u32, work.outline_m.len() as u32),
                     patch: 0,
                 }),
@@ -195,18 +177,31 @@ fn clip_pieces(
 
 /// The last step's hint for these pieces; both lists are sorted, so that one pass finds all.
 #[inline]
-fn take_hint(hints: &mut &[HintMemory], wanted: &HintMemory) -> Hint {
+fn take_hint(hints: &mut &[HintMemory], of: &Candidate, (piece_a, piece_b): (u32, u32)) -> Hint {
+    let wanted = (of.a, of.b, of.face, piece_a, piece_b);
     while let [first, rest @ ..] = *hints {
-        if first.key() == wanted.key() {
+        if first.key() == wanted {
             *hints = rest;
             return first.hint;
         }
-        if first.key() > wanted.key() {
+        if first.key() > wanted {
             break;
         }
         *hints = rest;
     }
     Hint::None
+}
+
+#[inline]
+fn remember_hint(
+    hints: &mut Vec<HintMemory>,
+    of: &Candidate,
+    (piece_a, piece_b): (u32, u32),
+    hint: Hint,
+) {
+    if hint != Hint::None {
+        hints.push(HintMemory { a: of.a, b: of.b, face: of.face, piece_a, piece_b, hint });
+    }
 }
 
 /// Joins the lenses of a pair that share a seam into patches. The seams' parts of the chords

@@ -38,6 +38,8 @@ pub(crate) struct Touch {
 }
 
 /// Kinematics of a patch from the states and poses in `work`.
+// Always inlined: what it returns stays in registers.
+#[inline(always)]
 pub(crate) fn touch(
     model: &Model,
     work: &mut Workspace,
@@ -75,6 +77,7 @@ pub(crate) fn touch(
 }
 
 /// Outline against outline: kS along the chord's normal, at the centroid (§1, §2 of the sheet).
+#[inline(always)]
 fn by_area(model: &Model, work: &mut Workspace, patch: &Patch, old: Option<&PatchMemory>) -> Touch {
     let (normal_in_a, depth_m) = overlap::normal_in_a(model, work, patch, old);
     let material = &model.materials()[patch.candidate.material.0 as usize];
@@ -88,6 +91,7 @@ fn by_area(model: &Model, work: &mut Workspace, patch: &Patch, old: Option<&Patc
 }
 
 /// An outline against a fender: by the fender's law.
+#[inline(never)]
 fn by_face(model: &Model, work: &Workspace, patch: &Patch, face: &RankedFender) -> Touch {
     let press = overlap::press(model, work, patch, face);
     // The hull pushes towards the fender: that is A's outward normal where the hull is A's.
@@ -145,8 +149,7 @@ impl Touch {
     /// What the next step needs to know of this patch's place.
     #[inline]
     pub(crate) fn memory(&self, patch: &Patch, places: &[Place]) -> PatchMemory {
-        let place = patch.place.map_or(Place::default(), |place| places[place as usize]);
-        PatchMemory {
+        let mut memory = PatchMemory {
             a: patch.candidate.a,
             b: patch.candidate.b,
             face: patch.candidate.face,
@@ -156,9 +159,11 @@ impl Touch {
             point_in_b_m: patch.b_in_a.apply_inverse(self.point_in_a_m),
             normal_in_a: self.normal_in_a,
             normal_in_b: patch.b_in_a.rotation.apply_inverse(self.normal_in_a),
-            extent_in_a: place.in_a,
-            extent_in_b: place.in_b,
             ..PatchMemory::default()
+        };
+        if let Some(place) = patch.place {
+            Place { in_a: memory.extent_in_a, in_b: memory.extent_in_b } = places[place as usize];
         }
+        memory
     }
 }

@@ -59,7 +59,7 @@ impl Edges {
 
 /// The stretch of `a`'s boundary inside `b`, if it is found near `hint` and certified to be the
 /// only one. Then the vertices of the overlap are in `outline_m` (appended).
-#[inline]
+#[inline(always)]
 pub(crate) fn find(
     a: &ConvexPolygon,
     b: &Placed<'_>,
