@@ -4,6 +4,7 @@ use crate::fender::FenderId;
 use crate::inherit::{Inherited, continues};
 use crate::memory::PatchMemory;
 use crate::model::Model;
+use crate::number::lesser;
 use crate::overlap::Patch;
 use crate::report::{Event, EventKind};
 use crate::touch::Touch;
@@ -31,7 +32,7 @@ pub(crate) fn tell_ends_and_splits(
 }
 
 /// Events of one patch; those that last are told once. Returns the flags to remember.
-#[inline]
+#[inline(always)]
 pub(crate) fn tell_of_patch(
     model: &Model,
     work: &mut Workspace,
@@ -50,7 +51,7 @@ pub(crate) fn tell_of_patch(
     if let Some(face) = patch.candidate.fender(model) {
         return tell_of_fender(model, work, patch, face.id, touch.depth_m, told);
     }
-    let smaller_m2 = model.ranked[a as usize].area_m2.min(model.ranked[b as usize].area_m2);
+    let smaller_m2 = lesser(model.ranked[a as usize].area_m2, model.ranked[b as usize].area_m2);
     // To a billionth: a body that lies in several pieces of another is summed from them.
     let contained = patch.contained || patch.area_m2 >= smaller_m2 * (1.0 - 1e-9);
     let deep = patch.area_m2 > 0.5 * smaller_m2;
@@ -61,6 +62,7 @@ pub(crate) fn tell_of_patch(
 }
 
 /// A fender beyond its rated deflection, and one in its stop.
+#[inline(never)]
 fn tell_of_fender(
     model: &Model,
     work: &mut Workspace,

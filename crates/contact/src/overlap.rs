@@ -9,6 +9,7 @@ use crate::geometry::convex::ConvexPolygon;
 use crate::geometry::lens::Lens;
 use crate::memory::{Extent, HintMemory, Memory, PatchMemory};
 use crate::model::Model;
+use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 use crate::workspace::{Candidate, Workspace};
 
@@ -488,9 +489,7 @@ fn depth_m(work: &Workspace, patch: &Patch, along: Vec2) -> f64 {
     for outline in outlines(work, patch) {
         for &v in outline {
             let s = (v - origin).dot(along);
-            // Corners are numbers, so that plain comparisons do.
-            low = if s < low { s } else { low };
-            high = if s > high { s } else { high };
+            (low, high) = (lesser(s, low), greater(s, high));
         }
     }
     high - low

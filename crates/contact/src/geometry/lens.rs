@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::convex::{ConvexPolygon, Placed, after};
+use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
 /// A crossing of the two boundaries: the edge of the first and the edge of the second polygon.
@@ -126,13 +127,11 @@ pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Len
     let mut moment = Vec2::ZERO;
     let mut from = outline_m[1] - origin;
     let across = chord_m.quarter_turn_back();
-    // Corners are numbers, so that plain comparisons do.
-    let (lower, higher) = (|p, q| if q < p { q } else { p }, |p, q| if q > p { q } else { p });
-    let (mut low, mut high) = (lower(0.0, from.dot(across)), higher(0.0, from.dot(across)));
+    let (mut low, mut high) = (lesser(from.dot(across), 0.0), greater(from.dot(across), 0.0));
     for &vertex in &outline_m[2..] {
         let to = vertex - origin;
         let s = to.dot(across);
-        (low, high) = (lower(low, s), higher(high, s));
+        (low, high) = (lesser(s, low), greater(s, high));
         let cross = from.cross(to);
         twice_area += cross;
         moment += (from + to) * cross;
