@@ -104,39 +104,40 @@ fn unsound_load(model: &Model, loads: &[Wrench], index: usize) -> StepError {
 /// Puts states and poses in the order of the ranks, and finds bodies that jumped.
 pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
     let count = model.ranked.len();
-    if work.headings_rad.len() != count {
-        work.headings_rad.clear();
-        work.headings_rad.resize(count, 0.0);
-        work.poses.clear();
-        work.poses.resize(count, Pose::new(crate::vec2::Vec2::ZERO, 0.0));
+    let Workspace { states: ranked, poses, headings_rad, teleported, reach_m, events, .. } = work;
+    if headings_rad.len() != count {
+        headings_rad.clear();
+        headings_rad.resize(count, 0.0);
+        poses.clear();
+        poses.resize(count, Pose::IDENTITY);
     }
-    work.states.clear();
-    work.teleported.clear();
-    work.reach_m.clear();
-    for (rank, body) in model.ranked.iter().enumerate() {
-        let state = states[body.id.0 as usize];
+    ranked.clear();
+    ranked.extend(model.ranked.iter().map(|body| states[body.id.0 as usize]));
+    reach_m.clear();
+    reach_m.extend(model.ranked.iter().map(|body| body.reach_m));
+    for ((state, pose), heading_rad) in ranked.iter().zip(poses).zip(headings_rad) {
         // Quays and fenders on them never turn: spare their sine and cosine.
-        if state.heading_rad.to_bits() != work.headings_rad[rank].to_bits() {
-            work.headings_rad[rank] = state.heading_rad;
-            work.poses[rank].rotation = Rotation::from_angle(state.heading_rad);
+        if state.heading_rad.to_bits() != heading_rad.to_bits() {
+            *heading_rad = state.heading_rad;
+            pose.rotation = Rotation::from_angle(state.heading_rad);
         }
-        work.poses[rank].position_m = state.position_m;
-        let jumped = memory
-            .last_states
-            .get(rank)
-            .is_some_and(|last| jumped(last, &state, memory.last_step_s, body.radius_m));
-        work.teleported.push(jumped);
-        work.reach_m.push(body.reach_m);
-        if jumped {
+        pose.position_m = state.position_m;
+    }
+    teleported.clear();
+    teleported.resize(count, false);
+    let bodies = model.ranked.iter().zip(ranked.iter());
+    for (((body, state), last), teleported) in bodies.zip(&memory.last_states).zip(teleported) {
+        *teleported = jumped(last, state, memory.last_step_s, body.radius_m);
+        if *teleported {
             let bodies = [body.id, body.id];
-            work.events.push(Event { bodies, kind: EventKind::Teleported });
+            events.push(Event { bodies, kind: EventKind::Teleported });
         }
-        work.states.push(state);
     }
 }
 
 /// Did the body move by more than its two velocities explain? The allowance, a tenth of its size,
 /// is for hosts whose integrators differ from ours.
+#[inline(always)]
 fn jumped(last: &BodyState, now: &BodyState, step_s: f64, radius_m: f64) -> bool {
     let moved = now.position_m - last.position_m;
     let mean = (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);

@@ -30,8 +30,16 @@ pub(crate) fn pair(model: &Model, work: &mut Workspace) {
 
 /// The candidates of a pair, in their order: outline against outline, and each body's fenders that are
 /// near against the other's outline (faces are numbered by the rank of their bodies).
+#[inline]
 fn push(model: &Model, work: &mut Workspace, a: u32, b: u32, material: MaterialId) {
     work.candidates.push(Candidate { a, b, face: 0, material });
+    if !model.faces.is_empty() {
+        push_faces(model, work, a, b);
+    }
+}
+
+/// The candidates of a pair that have to do with the fenders of either.
+fn push_faces(model: &Model, work: &mut Workspace, a: u32, b: u32) {
     for (host, other) in [(a, b), (b, a)] {
         let (from, to) = model.ranked[host as usize].faces;
         for index in from..to {

@@ -4,6 +4,7 @@ use crate::fender::FenderId;
 use crate::inherit::{Inherited, continues};
 use crate::memory::PatchMemory;
 use crate::model::Model;
+use crate::number::lesser;
 use crate::overlap::Patch;
 use crate::report::{Event, EventKind};
 use crate::touch::Touch;
@@ -21,7 +22,7 @@ pub(crate) fn tell_ends_and_splits(
         return; // one patch that goes on
     }
     for m in own {
-        let heirs = work.patches[from..to].iter().filter(|p| continues(m, p)).count();
+        let heirs = work.patches[from..to].iter().filter(|p| continues(m, p, &work.places)).count();
         match heirs {
             0 => note(model, work, m.a, m.b, EventKind::ContactEnded),
             1 => {}
@@ -31,6 +32,7 @@ pub(crate) fn tell_ends_and_splits(
 }
 
 /// Events of one patch; those that last are told once. Returns the flags to remember.
+#[inline(always)]
 pub(crate) fn tell_of_patch(
     model: &Model,
     work: &mut Workspace,
@@ -49,21 +51,18 @@ pub(crate) fn tell_of_patch(
     if let Some(face) = patch.candidate.fender(model) {
         return tell_of_fender(model, work, patch, face.id, touch.depth_m, told);
     }
-    let smaller_m2 = model.ranked[a as usize].area_m2.min(model.ranked[b as usize].area_m2);
+    let smaller_m2 = lesser(model.ranked[a as usize].area_m2, model.ranked[b as usize].area_m2);
     // To a billionth: a body that lies in several pieces of another is summed from them.
     let contained = patch.contained || patch.area_m2 >= smaller_m2 * (1.0 - 1e-9);
     let deep = patch.area_m2 > 0.5 * smaller_m2;
     let flags = u32::from(contained) * PatchMemory::CONTAINED + u32::from(deep) * PatchMemory::DEEP;
-    if flags & !told & PatchMemory::CONTAINED != 0 {
-        note(model, work, a, b, EventKind::Contained);
-    }
-    if flags & !told & PatchMemory::DEEP != 0 {
-        note(model, work, a, b, EventKind::DeepOverlap);
-    }
+    let kinds = [EventKind::Contained, EventKind::DeepOverlap];
+    tell_news(model, work, patch, flags & !told, kinds);
     flags
 }
 
 /// A fender beyond its rated deflection, and one in its stop.
+#[inline(never)]
 fn tell_of_fender(
     model: &Model,
     work: &mut Workspace,
@@ -76,20 +75,35 @@ fn tell_of_fender(
     let travel_m = fender.stop.map_or(fender.projection_m, |stop| stop.from_m);
     let over = deflection_m > fender.rated_deflection_m;
     let failed = deflection_m > travel_m;
-    let (a, b) = (patch.candidate.a, patch.candidate.b);
     // Once a contact: a fender that has failed is not told again when it comes back.
     let now = u32::from(over) * PatchMemory::CONTAINED + u32::from(failed) * PatchMemory::DEEP;
     let flags = now | (told & (PatchMemory::CONTAINED | PatchMemory::DEEP));
-    if flags & !told & PatchMemory::CONTAINED != 0 {
-        note(model, work, a, b, EventKind::FenderOverRated(id));
-    }
-    if flags & !told & PatchMemory::DEEP != 0 {
-        note(model, work, a, b, EventKind::FenderFailed(id));
-    }
+    let kinds = [EventKind::FenderOverRated(id), EventKind::FenderFailed(id)];
+    tell_news(model, work, patch, flags & !told, kinds);
     flags
 }
 
+/// The events of the flags that are new.
+#[inline]
+fn tell_news(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    news: u32,
+    [contained, deep]: [EventKind; 2],
+) {
+    let (a, b) = (patch.candidate.a, patch.candidate.b);
+    if news & PatchMemory::CONTAINED != 0 {
+        note(model, work, a, b, contained);
+    }
+    if news & PatchMemory::DEEP != 0 {
+        note(model, work, a, b, deep);
+    }
+}
+
 /// Books an event of the bodies of two ranks.
+#[cold]
+#[inline(never)]
 pub(crate) fn note(model: &Model, work: &mut Workspace, a: u32, b: u32, kind: EventKind) {
     let (a, b) = (model.ranked[a as usize].id, model.ranked[b as usize].id);
     work.events.push(Event { bodies: [a.min(b), a.max(b)], kind });

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use crate::events::{note, tell_ends_and_splits};
 use crate::memory::{Memory, PatchMemory};
 use crate::model::Model;
-use crate::overlap::Patch;
+use crate::overlap::{Patch, Place};
 use crate::report::EventKind;
 use crate::workspace::{Candidate, Workspace};
 
@@ -51,16 +51,29 @@ pub(crate) fn inherit_all(model: &Model, memory: &Memory, work: &mut Workspace) 
     while from < work.patches.len() {
         let Candidate { a, b, .. } = work.patches[from].candidate;
         let key = work.patches[from].candidate.key();
+        let jumped = work.teleported[a as usize] || work.teleported[b as usize];
+        // The most of them: one patch that goes on, as its pair's only one.
+        if let [first, rest @ ..] = old
+            && first.candidate() == key
+            && rest.first().is_none_or(|m| m.candidate() != key)
+            && work.patches.get(from + 1).is_none_or(|p| p.candidate.key() != key)
+            && !jumped
+        {
+            work.inherited.push(Inherited::One((memory.patches.len() - old.len()) as u32));
+            old = rest;
+            from += 1;
+            continue;
+        }
         let of_pair = |p: &&Patch| p.candidate.key() == key;
         let to = from + work.patches[from..].iter().take_while(of_pair).count();
         let (ended, mut own) = patches_of(&mut old, key);
         ended.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
-        if work.teleported[a as usize] || work.teleported[b as usize] {
+        if jumped {
             own.iter().for_each(|_| note(model, work, a, b, EventKind::ContactEnded));
             own = &[];
         }
         tell_ends_and_splits(model, work, own, from, to);
-        let Workspace { patches, inherited, shares, .. } = &mut *work;
+        let Workspace { patches, places, inherited, shares, .. } = &mut *work;
         let patches = &patches[from..to];
         inherited.extend(patches.iter().map(|patch| match own {
             [] => Inherited::Nothing,
@@ -68,7 +81,7 @@ pub(crate) fn inherit_all(model: &Model, memory: &Memory, work: &mut Workspace) 
             [_] if patches.len() == 1 => {
                 Inherited::One((memory.patches.len() - old.len() - 1) as u32)
             }
-            _ => inherit_of_several(own, patches, patch, shares),
+            _ => inherit_of_several(own, patches, patch, places, shares),
         }));
         from = to;
     }
@@ -95,10 +108,13 @@ fn inherit_of_several(
     old: &[PatchMemory],
     patches: &[Patch],
     patch: &Patch,
+    places: &[Place],
     shares: &mut Vec<PatchMemory>,
 ) -> Inherited {
-    let mut parents =
-        old.iter().filter(|m| continues(m, patch)).map(|m| share_of(m, patches, patch));
+    let mut parents = old
+        .iter()
+        .filter(|m| continues(m, patch, places))
+        .map(|m| share_of(m, patches, patch, places));
     let Some(first) = parents.next() else { return Inherited::Nothing };
     let mut merged = first;
     let mut several = false;
@@ -125,15 +141,23 @@ fn inherit_of_several(
 
 /// The memory of one parent, with the part of its area that falls to `patch` among all that
 /// continue it: what an overlap loses by parting is no loss of area to the damper. Energy parts likewise.
-fn share_of(parent: &PatchMemory, patches: &[Patch], patch: &Patch) -> PatchMemory {
-    let heirs = patches.iter().filter(|p| continues(parent, p));
+fn share_of(
+    parent: &PatchMemory,
+    patches: &[Patch],
+    patch: &Patch,
+    places: &[Place],
+) -> PatchMemory {
+    let heirs = patches.iter().filter(|p| continues(parent, p, places));
     let heirs_m2: f64 = heirs.map(|p| p.area_m2).sum();
     let share = patch.area_m2 / heirs_m2;
     PatchMemory { area_m2: parent.area_m2 * share, taken_j: parent.taken_j * share, ..*parent }
 }
 
 /// Does the patch lie where the old one lay, as one of the two bodies sees it? A contact that slides
-/// stays in place on at least one of them.
-pub(crate) fn continues(old: &PatchMemory, patch: &Patch) -> bool {
-    old.extent_in_a.overlaps(&patch.extent_in_a) || old.extent_in_b.overlaps(&patch.extent_in_b)
+/// stays in place on at least one of them. Of two convex bodies there is one patch, which is the same.
+pub(crate) fn continues(old: &PatchMemory, patch: &Patch, places: &[Place]) -> bool {
+    patch.place.is_none_or(|place| {
+        let Place { in_a, in_b } = places[place as usize];
+        old.extent_in_a.overlaps(&in_a) || old.extent_in_b.overlaps(&in_b)
+    })
 }

@@ -55,6 +55,7 @@ mod mass;
 mod memory;
 mod model;
 mod near;
+mod number;
 pub mod outline;
 mod overlap;
 mod report;

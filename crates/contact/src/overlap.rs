@@ -1,12 +1,15 @@
 //! Stage 3, overlap: area, centroid, normal and depth of every patch of contact.
 
+use alloc::vec::Vec;
+
 use crate::face::{self, Press};
 use crate::fender::RankedFender;
 use crate::geometry::clip::{self, Hint};
 use crate::geometry::convex::ConvexPolygon;
 use crate::geometry::lens::Lens;
-use crate::memory::{Extent, HintMemory, Memory};
+use crate::memory::{Extent, HintMemory, Memory, PatchMemory};
 use crate::model::Model;
+use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 use crate::workspace::{Candidate, Workspace};
 
@@ -32,11 +35,27 @@ pub(crate) struct Patch {
     pub(crate) collinear: bool,
     /// One piece lies within the other, and there are no other pieces.
     pub(crate) contained: bool,
-    /// Box in A's and in B's frame [m]; nothing where both bodies are convex.
-    pub(crate) extent_in_a: Extent,
-    pub(crate) extent_in_b: Extent,
-    /// Lenses of this patch in `Workspace::lenses`.
-    pub(crate) lenses: (u32, u32),
+    /// Extent along the chord's normal times the chord's length [m²], where the patch is one lens.
+    spread_m2: f64,
+    parts: Parts,
+    /// Its place in `Workspace::places`; nothing there where both bodies are convex.
+    pub(crate) place: Option<u32>,
+}
+
+/// What a patch consists of.
+#[derive(Clone, Copy, Debug)]
+enum Parts {
+    /// The one lens of two convex pieces: its vertices in `Workspace::outline_m`.
+    One { from: u32, to: u32 },
+    /// Lenses in `Workspace::lenses`.
+    Lenses { from: u32, to: u32 },
+}
+
+/// Box about a patch in A's and in B's frame [m], by which it is known again in the next step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Place {
+    pub(crate) in_a: Extent,
+    pub(crate) in_b: Extent,
 }
 
 /// The overlap of one piece of A with one piece of B.
@@ -56,6 +75,7 @@ pub(crate) struct PieceLens {
 /// for the next step in `work.next_hints`.
 pub(crate) fn overlap(model: &Model, memory: &Memory, work: &mut Workspace) {
     work.patches.clear();
+    work.places.clear();
     work.lenses.clear();
     work.outline_m.clear();
     work.next_hints.clear();
@@ -64,22 +84,56 @@ pub(crate) fn overlap(model: &Model, memory: &Memory, work: &mut Workspace) {
         let candidate = work.candidates[index];
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let b_in_a = work.poses[a].to(work.poses[b]);
-        let first = work.lenses.len();
         let (pieces_a, pieces_b) = pieces_of(model, &candidate);
+        if let ([piece_a], [piece_b]) = (pieces_a, pieces_b) {
+            clip_convex(piece_a, piece_b, candidate, b_in_a, &mut hints, work);
+            continue;
+        }
+        let first = work.lenses.len();
         clip_pieces(pieces_a, pieces_b, candidate, b_in_a, &mut hints, work);
         match work.lenses.len() - first {
             0 => {}
-            // Two convex bodies have one patch: which it was needs no asking.
-            1 if pieces_a.len() == 1 && pieces_b.len() == 1 => {
-                work.patches.push(sum(candidate, b_in_a, 0, first, first + 1, work));
-            }
-            1 => work.patches.push(new_patch(candidate, b_in_a, 0, first, first + 1, work)),
+            1 => new_patch(candidate, b_in_a, 0, first, first + 1, work),
             _ => connect(candidate, b_in_a, first, work),
         }
     }
 }
 
+/// Clips one convex piece against another: they have one patch at most, and which it was in the last
+/// step needs no asking.
+#[inline]
+fn clip_convex(
+    a: &ConvexPolygon,
+    b: &ConvexPolygon,
+    candidate: Candidate,
+    b_in_a: Pose,
+    hints: &mut &[HintMemory],
+    work: &mut Workspace,
+) {
+    let Workspace { patches, outline_m, clip: buffers, next_hints, .. } = work;
+    let (hint, from) = (take_hint(hints, &candidate, (0, 0)), outline_m.len());
+    let (found, hint) = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
+    remember_hint(next_hints, &candidate, (0, 0), hint);
+    match found {
+        Some(clip) => patches.push(Patch {
+            candidate,
+            number: 0,
+            b_in_a,
+            area_m2: clip.lens.area_m2,
+            centroid_m: clip.lens.centroid_m,
+            chord_m: clip.lens.chord_m,
+            collinear: clip.lens.collinear,
+            contained: clip.contained,
+            spread_m2: clip.lens.spread_m2,
+            parts: Parts::One { from: from as u32, to: outline_m.len() as u32 },
+            place: None,
+        }),
+        None => outline_m.truncate(from),
+    }
+}
+
 /// The convex pieces of both sides of a candidate: of an outline, or the one of a fender.
+#[inline]
 pub(crate) fn pieces_of<'m>(
     model: &'m Model,
     candidate: &Candidate,
@@ -103,27 +157,16 @@ fn clip_pieces(
 ) {
     for (piece_a, a) in pieces_a.iter().enumerate() {
         for (piece_b, b) in pieces_b.iter().enumerate() {
-            let mut entry = HintMemory {
-                a: candidate.a,
-                b: candidate.b,
-                face: candidate.face,
-                piece_a: piece_a as u32,
-                piece_b: piece_b as u32,
-                hint: Hint::None,
-            };
-            entry.hint = take_hint(hints, &entry);
-            let start = work.outline_m.len();
-            let found =
-                clip::clip(a, b, b_in_a, &mut entry.hint, &mut work.clip, &mut work.outline_m);
-            if entry.hint != Hint::None {
-                work.next_hints.push(entry);
-            }
+            let pieces = (piece_a as u32, piece_b as u32);
+            let (hint, start) = (take_hint(hints, &candidate, pieces), work.outline_m.len());
+            let (found, hint) = clip::clip(a, b, b_in_a, hint, &mut work.clip, &mut work.outline_m);
+            remember_hint(&mut work.next_hints, &candidate, pieces, hint);
             match found {
                 Some(clip) => work.lenses.push(PieceLens {
                     lens: clip.lens,
                     contained: clip.contained,
-                    piece_a: piece_a as u32,
-                    piece_b: piece_b as u32,
+                    piece_a: pieces.0,
+                    piece_b: pieces.1,
                     vertices: (start as u32, work.outline_m.len() as u32),
                     patch: 0,
                 }),
@@ -135,18 +178,31 @@ fn clip_pieces(
 
 /// The last step's hint for these pieces; both lists are sorted, so that one pass finds all.
 #[inline]
-fn take_hint(hints: &mut &[HintMemory], wanted: &HintMemory) -> Hint {
+fn take_hint(hints: &mut &[HintMemory], of: &Candidate, (piece_a, piece_b): (u32, u32)) -> Hint {
+    let wanted = (of.a, of.b, of.face, piece_a, piece_b);
     while let [first, rest @ ..] = *hints {
-        match first.key().cmp(&wanted.key()) {
-            core::cmp::Ordering::Less => *hints = rest,
-            core::cmp::Ordering::Equal => {
-                *hints = rest;
-                return first.hint;
-            }
-            core::cmp::Ordering::Greater => break,
+        if first.key() == wanted {
+            *hints = rest;
+            return first.hint;
         }
+        if first.key() > wanted {
+            break;
+        }
+        *hints = rest;
     }
     Hint::None
+}
+
+#[inline]
+fn remember_hint(
+    hints: &mut Vec<HintMemory>,
+    of: &Candidate,
+    (piece_a, piece_b): (u32, u32),
+    hint: Hint,
+) {
+    if hint != Hint::None {
+        hints.push(HintMemory { a: of.a, b: of.b, face: of.face, piece_a, piece_b, hint });
+    }
 }
 
 /// Joins the lenses of a pair that share a seam into patches. The seams' parts of the chords
@@ -176,8 +232,7 @@ fn connect(candidate: Candidate, b_in_a: Pose, first: usize, work: &mut Workspac
     while start < end {
         let patch = work.lenses[start].patch;
         let stop = (start..end).find(|&k| work.lenses[k].patch != patch).unwrap_or(end);
-        let patch = new_patch(candidate, b_in_a, number, start, stop, work);
-        work.patches.push(patch);
+        new_patch(candidate, b_in_a, number, start, stop, work);
         number += 1;
         start = stop;
     }
@@ -212,26 +267,26 @@ fn share_a_seam(work: &Workspace, i: usize, j: usize) -> bool {
     false
 }
 
-/// A patch with its place, by which it is known again in the next step.
+/// Adds a patch of several pieces' lenses, with its place.
 fn new_patch(
     candidate: Candidate,
     b_in_a: Pose,
     number: u32,
     start: usize,
     stop: usize,
-    work: &Workspace,
-) -> Patch {
+    work: &mut Workspace,
+) {
     let mut patch = sum(candidate, b_in_a, number, start, stop, work);
     let lenses = &work.lenses[start..stop];
-    patch.extent_in_a = extent(outline(work, &lenses[0]));
+    let mut in_a = extent(outline(work, &lenses[0]));
     for piece in &lenses[1..] {
         let more = extent(outline(work, piece));
-        let all = &mut patch.extent_in_a;
-        all.low_m = vec2(all.low_m.x.min(more.low_m.x), all.low_m.y.min(more.low_m.y));
-        all.high_m = vec2(all.high_m.x.max(more.high_m.x), all.high_m.y.max(more.high_m.y));
+        in_a.low_m = vec2(in_a.low_m.x.min(more.low_m.x), in_a.low_m.y.min(more.low_m.y));
+        in_a.high_m = vec2(in_a.high_m.x.max(more.high_m.x), in_a.high_m.y.max(more.high_m.y));
     }
-    patch.extent_in_b = seen_from_b(&patch.extent_in_a, b_in_a);
-    patch
+    patch.place = Some(work.places.len() as u32);
+    work.places.push(Place { in_a, in_b: seen_from_b(&in_a, b_in_a) });
+    work.patches.push(patch);
 }
 
 /// Area, centroid and chord of a patch: the sums over its lenses.
@@ -253,9 +308,9 @@ fn sum(
         chord_m: lenses[0].lens.chord_m,
         collinear: lenses[0].lens.collinear,
         contained: lenses.len() == 1 && lenses[0].contained,
-        extent_in_a: Extent::default(),
-        extent_in_b: Extent::default(),
-        lenses: (start as u32, stop as u32),
+        spread_m2: lenses[0].lens.spread_m2,
+        parts: Parts::Lenses { from: start as u32, to: stop as u32 },
+        place: None,
     };
     if lenses.len() > 1 {
         let mut moment = Vec2::ZERO;
@@ -273,6 +328,18 @@ fn sum(
 
 fn outline<'a>(work: &'a Workspace, lens: &PieceLens) -> &'a [Vec2] {
     &work.outline_m[lens.vertices.0 as usize..lens.vertices.1 as usize]
+}
+
+/// The outlines of all lenses of a patch.
+#[inline]
+fn outlines<'a>(work: &'a Workspace, patch: &Patch) -> impl Iterator<Item = &'a [Vec2]> + Clone {
+    let (one, lenses) = match patch.parts {
+        Parts::One { from, to } => {
+            (Some(&work.outline_m[from as usize..to as usize]), [].as_slice())
+        }
+        Parts::Lenses { from, to } => (None, &work.lenses[from as usize..to as usize]),
+    };
+    one.into_iter().chain(lenses.iter().map(|lens| outline(work, lens)))
 }
 
 fn extent(outline_m: &[Vec2]) -> Extent {
@@ -293,19 +360,41 @@ fn seen_from_b(extent: &Extent, b_in_a: Pose) -> Extent {
     Extent { low_m: center - half, high_m: center + half }
 }
 
-/// A's outward normal in its frame. The chord's where there is one; else the contact's last good
-/// one; else the axis of least penetration.
+/// A chord shorter than this is rounding: seams cancel to about 1e-13 m.
+const SHORTEST_CHORD_M: f64 = 1e-11;
+
+/// A's outward normal in its frame, and δ, the extent of the patch along it [m]. The normal is the chord's
+/// where there is one; else the contact's last good one; else the axis of least penetration.
+#[inline]
 pub(crate) fn normal_in_a(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    old: Option<&PatchMemory>,
+) -> (Vec2, f64) {
+    let length_m = patch.chord_m.length();
+    if length_m > SHORTEST_CHORD_M && !patch.collinear {
+        let per_m = 1.0 / length_m;
+        let normal = patch.chord_m.quarter_turn_back() * per_m;
+        let depth_m = match patch.parts {
+            Parts::One { .. } => patch.spread_m2 * per_m,
+            Parts::Lenses { .. } => depth_m(work, patch, normal),
+        };
+        return (normal, depth_m);
+    }
+    let remembered = old.map(|m| (m.normal_in_a, m.normal_in_b));
+    let normal = normal_without_chord(model, work, patch, remembered);
+    (normal, depth_m(work, patch, normal))
+}
+
+#[cold]
+#[inline(never)]
+fn normal_without_chord(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
     remembered: Option<(Vec2, Vec2)>,
 ) -> Vec2 {
-    let length = patch.chord_m.length();
-    // Seams cancel to about 1e-13 m; a chord shorter than this is rounding.
-    if length > 1e-11 && !patch.collinear {
-        return patch.chord_m.quarter_turn_back() * (1.0 / length);
-    }
     if let Some((in_a, in_b)) = remembered {
         // Half from each body, so that neither of the two is preferred when they turn.
         let mean = in_a + patch.b_in_a.rotation.apply(in_b);
@@ -314,10 +403,6 @@ pub(crate) fn normal_in_a(
             return mean * (1.0 / length);
         }
     }
-    let lenses = &work.lenses[patch.lenses.0 as usize..patch.lenses.1 as usize];
-    let largest = lenses.iter().fold(lenses[0], |largest, lens| {
-        if lens.lens.area_m2 > largest.lens.area_m2 { *lens } else { largest }
-    });
     let body_a = &model.ranked[patch.candidate.a as usize];
     let body_b = &model.ranked[patch.candidate.b as usize];
     if (body_a.pieces.len() > 1 || body_b.pieces.len() > 1)
@@ -325,8 +410,17 @@ pub(crate) fn normal_in_a(
     {
         return normal;
     }
-    let a = &body_a.pieces[largest.piece_a as usize];
-    let b = &body_b.pieces[largest.piece_b as usize];
+    let (piece_a, piece_b) = match patch.parts {
+        Parts::One { .. } => (0, 0),
+        Parts::Lenses { from, to } => {
+            let lenses = &work.lenses[from as usize..to as usize];
+            let largest = lenses.iter().fold(lenses[0], |largest, lens| {
+                if lens.lens.area_m2 > largest.lens.area_m2 { *lens } else { largest }
+            });
+            (largest.piece_a as usize, largest.piece_b as usize)
+        }
+    };
+    let (a, b) = (&body_a.pieces[piece_a], &body_b.pieces[piece_b]);
     clip::least_penetration(a, b, patch.b_in_a, &mut work.clip)
 }
 
@@ -334,8 +428,7 @@ pub(crate) fn normal_in_a(
 /// pushed out of another through a seam. `None` where no side faces the patch.
 fn nearest_side(model: &Model, work: &Workspace, patch: &Patch) -> Option<Vec2> {
     let outline_of = |rank: u32| &model.bodies()[model.ranked[rank as usize].id.0 as usize].outline;
-    let lenses = &work.lenses[patch.lenses.0 as usize..patch.lenses.1 as usize];
-    let corners = || lenses.iter().flat_map(|lens| outline(work, lens)).copied();
+    let corners = || outlines(work, patch).flatten().copied();
     // A body that lies within the other is pushed out by the other's sides, not by its own.
     let is_all_of = |rank: u32| patch.area_m2 >= outline_of(rank).area_m2() * (1.0 - 1e-9);
     let (a, b) = (patch.candidate.a, patch.candidate.b);
@@ -384,23 +477,19 @@ fn least_sunk_side(
 /// What a patch does to the fender that it lies on, in A's frame.
 pub(crate) fn press(model: &Model, work: &Workspace, patch: &Patch, face: &RankedFender) -> Press {
     let host = if face.host == patch.candidate.a { Pose::IDENTITY } else { patch.b_in_a };
-    let lenses = &work.lenses[patch.lenses.0 as usize..patch.lenses.1 as usize];
     let fender = &model.fenders()[face.id.0 as usize];
     let stiffness_npm2 = model.materials()[face.material.0 as usize].stiffness_npm2;
-    face::press(face, fender, stiffness_npm2, host, lenses.iter().map(|lens| outline(work, lens)))
+    face::press(face, fender, stiffness_npm2, host, outlines(work, patch))
 }
 
 /// δ, the extent of the patch along a direction [m].
-pub(crate) fn depth_m(work: &Workspace, patch: &Patch, along: Vec2) -> f64 {
-    let lenses = &work.lenses[patch.lenses.0 as usize..patch.lenses.1 as usize];
+fn depth_m(work: &Workspace, patch: &Patch, along: Vec2) -> f64 {
     let origin = patch.centroid_m;
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for lens in lenses {
-        for &v in outline(work, lens) {
+    for outline in outlines(work, patch) {
+        for &v in outline {
             let s = (v - origin).dot(along);
-            // Corners are numbers, so that plain comparisons do.
-            low = if s < low { s } else { low };
-            high = if s > high { s } else { high };
+            (low, high) = (lesser(s, low), greater(s, high));
         }
     }
     high - low

@@ -11,6 +11,7 @@ use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
 use crate::memory::{Memory, PatchMemory};
 use crate::model::Model;
+use crate::number::lesser;
 use crate::overlap::{Patch, overlap};
 use crate::report::{Contact, Wrench};
 use crate::state::BodyState;
@@ -42,15 +43,17 @@ pub fn step(
     overlap(model, memory, work);
     inherit_all(model, memory, work);
     forces(model, memory, work, step_s);
-    gather(model, work);
     remember(memory, work, step_s);
     Ok(())
 }
 
-/// Stages 4 and 5 for every patch, each by itself as the paper has it.
+/// Stages 4 and 5 for every patch, each by itself as the paper has it, and the contacts' part of stage 6:
+/// one wrench per body, in the order of the contacts.
 fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     work.contacts.clear();
     work.next_patches.clear();
+    work.wrenches.clear();
+    work.wrenches.resize(model.bodies().len(), Wrench::default());
     // The backward difference of eq. 3 is over the step that has gone, not the one to come.
     let elapsed_s = if memory.last_step_s > 0.0 { memory.last_step_s } else { step_s };
     let patches = core::mem::take(&mut work.patches);
@@ -64,6 +67,7 @@ fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
 }
 
 /// Law and limit for one patch: adds its contact to the report and its memory to the next step's.
+#[inline(always)]
 fn contact(
     model: &Model,
     work: &mut Workspace,
@@ -92,7 +96,7 @@ fn contact(
         normal_force(material, &touch, factor, patch.area_m2, area_before_m2, elapsed_s);
     let trial_n = parts.total_n();
     let largest_n = paper::largest_normal_n(&v, &mass, material.restitution, step_s);
-    let normal_force_n = trial_n.min(largest_n);
+    let normal_force_n = lesser(trial_n, largest_n);
     parts.limiter_n = trial_n - normal_force_n;
 
     // §3.3 and §3.4: the shear spring and its limits.
@@ -121,6 +125,7 @@ fn contact(
         shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
         ..touch.contact(model, work.poses[patch.candidate.a as usize].position_m, patch)
     };
+    gather(&report, &mut work.wrenches);
     work.contacts.push(report);
     work.next_patches.push(PatchMemory {
         flags,
@@ -128,24 +133,21 @@ fn contact(
         factor,
         v_normal_0_mps: v.normal_0_mps,
         v_tangential_0_mps: v.tangential_0_mps,
-        ..touch.memory(patch)
+        ..touch.memory(patch, &work.places)
     });
 }
 
-/// The contacts' part of stage 6, gather: one wrench per body, in the order of the contacts. The
-/// force on body 2 is exactly the opposite of that on body 1 (eq. 1).
-fn gather(model: &Model, work: &mut Workspace) {
-    work.wrenches.resize(model.bodies().len(), Wrench::default());
-    work.wrenches.fill(Wrench::default());
-    for contact in &work.contacts {
-        let force_n: Vec2 = contact.force_on_body_1_n();
-        let on_1 = &mut work.wrenches[contact.body_1.0 as usize];
-        on_1.force_n += force_n;
-        on_1.moment_nm += contact.arm_1_m.cross(force_n);
-        let on_2 = &mut work.wrenches[contact.body_2.0 as usize];
-        on_2.force_n -= force_n;
-        on_2.moment_nm -= contact.arm_2_m.cross(force_n);
-    }
+/// Stage 6, gather: adds a contact to the wrenches of its bodies. The force on body 2 is exactly the
+/// opposite of that on body 1 (eq. 1).
+#[inline(always)]
+fn gather(contact: &Contact, wrenches: &mut [Wrench]) {
+    let force_n: Vec2 = contact.force_on_body_1_n();
+    let on_1 = &mut wrenches[contact.body_1.0 as usize];
+    on_1.force_n += force_n;
+    on_1.moment_nm += contact.arm_1_m.cross(force_n);
+    let on_2 = &mut wrenches[contact.body_2.0 as usize];
+    on_2.force_n -= force_n;
+    on_2.moment_nm -= contact.arm_2_m.cross(force_n);
 }
 
 /// The step is done: what it found becomes the memory of the next.

@@ -3,7 +3,7 @@
 use crate::fender::RankedFender;
 use crate::memory::PatchMemory;
 use crate::model::Model;
-use crate::overlap::{self, Patch};
+use crate::overlap::{self, Patch, Place};
 use crate::report::{Contact, ContactWork, ForceParts, Friction};
 use crate::vec2::Vec2;
 use crate::workspace::Workspace;
@@ -38,6 +38,8 @@ pub(crate) struct Touch {
 }
 
 /// Kinematics of a patch from the states and poses in `work`.
+// Always inlined: what it returns stays in registers.
+#[inline(always)]
 pub(crate) fn touch(
     model: &Model,
     work: &mut Workspace,
@@ -75,20 +77,21 @@ pub(crate) fn touch(
 }
 
 /// Outline against outline: kS along the chord's normal, at the centroid (§1, §2 of the sheet).
+#[inline(always)]
 fn by_area(model: &Model, work: &mut Workspace, patch: &Patch, old: Option<&PatchMemory>) -> Touch {
-    let remembered = old.map(|m| (m.normal_in_a, m.normal_in_b));
-    let normal_in_a = overlap::normal_in_a(model, work, patch, remembered);
+    let (normal_in_a, depth_m) = overlap::normal_in_a(model, work, patch, old);
     let material = &model.materials()[patch.candidate.material.0 as usize];
     Touch {
         normal_in_a,
         point_in_a_m: patch.centroid_m,
-        depth_m: overlap::depth_m(work, patch, normal_in_a),
+        depth_m,
         spring_n: material.stiffness_npm2 * patch.area_m2,
         ..Touch::default()
     }
 }
 
 /// An outline against a fender: by the fender's law.
+#[inline(never)]
 fn by_face(model: &Model, work: &Workspace, patch: &Patch, face: &RankedFender) -> Touch {
     let press = overlap::press(model, work, patch, face);
     // The hull pushes towards the fender: that is A's outward normal where the hull is A's.
@@ -145,8 +148,8 @@ impl Touch {
 
     /// What the next step needs to know of this patch's place.
     #[inline]
-    pub(crate) fn memory(&self, patch: &Patch) -> PatchMemory {
-        PatchMemory {
+    pub(crate) fn memory(&self, patch: &Patch, places: &[Place]) -> PatchMemory {
+        let mut memory = PatchMemory {
             a: patch.candidate.a,
             b: patch.candidate.b,
             face: patch.candidate.face,
@@ -156,9 +159,11 @@ impl Touch {
             point_in_b_m: patch.b_in_a.apply_inverse(self.point_in_a_m),
             normal_in_a: self.normal_in_a,
             normal_in_b: patch.b_in_a.rotation.apply_inverse(self.normal_in_a),
-            extent_in_a: patch.extent_in_a,
-            extent_in_b: patch.extent_in_b,
             ..PatchMemory::default()
+        };
+        if let Some(place) = patch.place {
+            Place { in_a: memory.extent_in_a, in_b: memory.extent_in_b } = places[place as usize];
         }
+        memory
     }
 }

@@ -14,7 +14,7 @@ use crate::mass::InverseMatrix;
 use crate::memory::{HintMemory, Memory, PatchMemory};
 use crate::model::{MaterialId, Model};
 use crate::near::NearList;
-use crate::overlap::{Patch, PieceLens};
+use crate::overlap::{Patch, PieceLens, Place};
 use crate::report::{Contact, Event, Motion, Wrench};
 use crate::state::BodyState;
 use crate::vec2::{Pose, Vec2};
@@ -39,6 +39,8 @@ pub struct Workspace {
     /// Pairs that were near each other a while ago.
     pub(crate) near: NearList,
     pub(crate) patches: Vec<Patch>,
+    /// Where the patches of bodies of several pieces lie.
+    pub(crate) places: Vec<Place>,
     /// What each patch takes over from the last step.
     pub(crate) inherited: Vec<Inherited>,
     /// What patches take over that is not one old patch as it was.
@@ -123,6 +125,7 @@ impl Workspace {
             candidates: Vec::new(),
             near: NearList::default(),
             patches: Vec::new(),
+            places: Vec::new(),
             inherited: Vec::new(),
             shares: Vec::new(),
             lenses: Vec::new(),

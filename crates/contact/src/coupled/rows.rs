@@ -189,7 +189,7 @@ fn collect_one(
     work.ties.push(Tie::new(a, b, &touch, &laws, begins_with, time.h));
     let flags = tell_of_patch(model, work, patch, &touch, inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
-    let memory = touch.memory(patch);
+    let memory = touch.memory(patch, &work.places);
     work.next_patches.push(PatchMemory { flags, factor, v_normal_0_mps: v_ref_mps, ..memory });
     let unheld_j = unheld_j(&touch, factor, law_n, old);
     work.rows.push(Row { touch, parts, factor, restitution: material.restitution, unheld_j });

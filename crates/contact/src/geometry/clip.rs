@@ -90,40 +90,40 @@ impl Clip {
     }
 }
 
-/// Overlap of `a` and `b`, the pose of `b` given in `a`'s frame. The overlap's vertices are appended
-/// to `outline_m`. `None` where they have no area in common.
-#[inline]
+/// Overlap of `a` and `b`, the pose of `b` given in `a`'s frame; `None` where they have no area in common.
+/// And the hint for the next time. The overlap's vertices are appended to `outline_m`.
+// Always inlined: what goes to and fro stays in registers.
+#[inline(always)]
 pub(crate) fn clip(
     a: &ConvexPolygon,
     b: &ConvexPolygon,
     b_in_a: Pose,
-    hint: &mut Hint,
+    hint: Hint,
     buffers: &mut ClipBuffers,
     outline_m: &mut Vec<Vec2>,
-) -> Option<Clip> {
+) -> (Option<Clip>, Hint) {
     let placed = Placed { polygon: b, pose: b_in_a };
-    match *hint {
+    match hint {
         Hint::Lens(stretch) => {
             let start = outline_m.len();
             if let Some(found) = warm::find(a, &placed, stretch, outline_m) {
-                *hint = Hint::Lens(found.at);
                 let chord_m = found.leaves_m - found.enters_m;
-                return accept(measure(&outline_m[start..], chord_m, false), false);
+                let lens = measure(&outline_m[start..], chord_m, false);
+                return (accept(lens, false), Hint::Lens(found.at));
             }
         }
         Hint::Apart { on_a, edge, support } => {
             if let Some(support) = still_apart(a, &placed, on_a, edge, support) {
-                *hint = Hint::Apart { on_a, edge, support };
-                return None;
+                return (None, Hint::Apart { on_a, edge, support });
             }
         }
         Hint::None => {
             if circles_apart(a, &placed) {
-                return None;
+                return (None, Hint::None);
             }
         }
     }
-    cold(a, &placed, hint, &mut buffers.cold, outline_m)
+    cold(a, &placed, &mut buffers.cold, outline_m)
 }
 
 /// The least-penetration axis of two overlapping polygons: body 1's outward normal in its frame.
@@ -159,12 +159,11 @@ pub(crate) fn circles_apart(a: &ConvexPolygon, b: &Placed<'_>) -> bool {
 fn cold(
     a: &ConvexPolygon,
     b: &Placed<'_>,
-    hint: &mut Hint,
     buffers: &mut Buffers,
     outline_m: &mut Vec<Vec2>,
-) -> Option<Clip> {
+) -> (Option<Clip>, Hint) {
     place(b, &mut buffers.b_m);
-    *hint = Hint::None;
+    let mut hint = Hint::None;
     let start = outline_m.len();
     let found = match halfplanes::intersect(a, buffers) {
         Found::Nothing => None,
@@ -179,14 +178,14 @@ fn cold(
         }
         Found::Crossings { collinear } => {
             if let ([stretch], false) = (buffers.stretches.as_slice(), collinear) {
-                *hint = Hint::Lens(*stretch);
+                hint = Hint::Lens(*stretch);
             }
             let mut lens = assemble(a, b, &buffers.stretches, outline_m);
             let swept_m2 = signed_area(buffers.swept_m());
             if (lens.area_m2 - swept_m2).abs() > rounding_m2(a, b) + 1e-9 * swept_m2 {
                 // Flat edges on one another may seem to cross where they do not: the walk from one
                 // such crossing to the next then goes round a whole polygon. The sweep did not.
-                *hint = Hint::None;
+                hint = Hint::None;
                 outline_m.truncate(start);
                 outline_m.extend_from_slice(buffers.swept_m());
                 lens = measure(buffers.swept_m(), buffers.swept_chord_m(), collinear);
@@ -198,12 +197,12 @@ fn cold(
     if let Some(clip) = found
         && lies_in_both(clip.lens.centroid_m, a, &buffers.b_m, rounding_m2(a, b))
     {
-        return found;
+        return (found, hint);
     }
     outline_m.truncate(start);
     let BestAxis { gap_m, on_a, edge, support, .. } = best_axis(a, &buffers.b_m);
-    *hint = if gap_m > 0.0 { Hint::Apart { on_a, edge, support } } else { Hint::None };
-    None
+    let hint = if gap_m > 0.0 { Hint::Apart { on_a, edge, support } } else { Hint::None };
+    (None, hint)
 }
 
 /// Bodies that touch without area may deceive the sweep by their rounding: what it found is then
@@ -311,7 +310,10 @@ impl PairClip {
         b_pose: Pose,
     ) -> Option<Clip> {
         self.outline_m.clear();
-        clip(a, b, a_pose.to(b_pose), &mut self.hint, &mut self.buffers, &mut self.outline_m)
+        let b_in_a = a_pose.to(b_pose);
+        let (found, hint) = clip(a, b, b_in_a, self.hint, &mut self.buffers, &mut self.outline_m);
+        self.hint = hint;
+        found
     }
 
     /// Vertices of the last overlap, in the first polygon's frame [m].

@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::convex::{ConvexPolygon, Placed, after};
+use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
 /// A crossing of the two boundaries: the edge of the first and the edge of the second polygon.
@@ -29,6 +30,8 @@ pub(crate) struct Lens {
     pub(crate) centroid_m: Vec2,
     /// d = Σ (P_out − P_in) [m]; zero where one contains the other.
     pub(crate) chord_m: Vec2,
+    /// Extent along the chord's normal times the chord's length [m²].
+    pub(crate) spread_m2: f64,
     /// True where edges of the two lie on one another, so that the chord means little.
     pub(crate) collinear: bool,
 }
@@ -115,16 +118,20 @@ fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 
     point_along(a0, a1, side_start / (side_start - side_end))
 }
 
-/// Area and centroid of a polygon about its own first vertex: what is small is measured against
-/// what is near.
+/// Area, centroid and spread of a polygon about its own first vertex: what is small is measured
+/// against what is near.
 #[inline(always)]
 pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Lens {
     let origin = outline_m[0];
     let mut twice_area = 0.0;
     let mut moment = Vec2::ZERO;
     let mut from = outline_m[1] - origin;
+    let across = chord_m.quarter_turn_back();
+    let (mut low, mut high) = (lesser(from.dot(across), 0.0), greater(from.dot(across), 0.0));
     for &vertex in &outline_m[2..] {
         let to = vertex - origin;
+        let s = to.dot(across);
+        (low, high) = (lesser(s, low), greater(s, high));
         let cross = from.cross(to);
         twice_area += cross;
         moment += (from + to) * cross;
@@ -132,5 +139,5 @@ pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Len
     }
     let centroid_m =
         if twice_area > 0.0 { origin + moment * (1.0 / (3.0 * twice_area)) } else { origin };
-    Lens { area_m2: 0.5 * twice_area, centroid_m, chord_m, collinear }
+    Lens { area_m2: 0.5 * twice_area, centroid_m, chord_m, spread_m2: high - low, collinear }
 }

@@ -21,8 +21,6 @@ use crate::vec2::Vec2;
 const WALK: usize = 8;
 /// Chains longer than this (in vertices) are left to the cold path.
 const CHAIN: usize = 32;
-/// Far parts of fewer edges than this are tested edge by edge.
-const INSCRIBED: usize = 3;
 /// Crossing edges flatter than this sine are left to the cold path, which knows of edges that lie
 /// on one another.
 const FLAT: f64 = 1e-9;
@@ -59,7 +57,7 @@ impl Edges {
 
 /// The stretch of `a`'s boundary inside `b`, if it is found near `hint` and certified to be the
 /// only one. Then the vertices of the overlap are in `outline_m` (appended).
-#[inline]
+#[inline(always)]
 pub(crate) fn find(
     a: &ConvexPolygon,
     b: &Placed<'_>,
@@ -200,8 +198,15 @@ impl FarPart {
         if chain.is_empty() {
             return true;
         }
-        if self.edges < INSCRIBED {
-            return chain.iter().all(|&p| self.holds_exactly(&vertex, p));
+        match self.edges {
+            0 => return true,
+            1 => return chain.iter().all(|&p| is_left(self.start, self.end, p)),
+            2 => {
+                let middle = vertex(self.index(1));
+                let left = |p| is_left(self.start, middle, p) && is_left(middle, self.end, p);
+                return chain.iter().all(|&p| left(p));
+            }
+            _ => {}
         }
         let third = self.edges / 3;
         let (one, two) = (vertex(self.index(third)), vertex(self.index(self.edges - third)));

@@ -3,6 +3,7 @@
 use crate::fender::RankedFender;
 use crate::memory::PatchMemory;
 use crate::model::{Material, Model};
+use crate::number::greater;
 use crate::report::ForceParts;
 use crate::touch::Touch;
 
@@ -23,12 +24,13 @@ pub(crate) fn normal_force(
 ) -> ForceParts {
     let growth_m2ps = (area_m2 - area_before_m2) / elapsed_s;
     let (spring_n, stop_n) = (touch.spring_n * factor, touch.stop_n * factor);
-    let damper_n = (material.damping_nspm2 * growth_m2ps).max(-(spring_n + stop_n));
+    let damper_n = greater(material.damping_nspm2 * growth_m2ps, -(spring_n + stop_n));
     ForceParts { spring_n, stop_n, damper_n, limiter_n: 0.0 }
 }
 
 /// The factor on a contact's spring and stop: that of its fender at the speed and angle at which it
 /// began, kept since.
+#[inline]
 pub(crate) fn factor(
     model: &Model,
     face: Option<&RankedFender>,

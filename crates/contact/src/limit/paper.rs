@@ -4,6 +4,7 @@
 //! rebound than γ, and a steady load creeps through. That is the paper's method, kept as such.
 
 use super::effective_mass::InverseMass;
+use crate::number::{greater, lesser};
 
 /// Velocities at the contact, now and when it began [m/s].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,8 +26,8 @@ pub(crate) fn largest_normal_n(
     restitution: f64,
     step_s: f64,
 ) -> f64 {
-    let change_mps = v.normal_mps + restitution * v.normal_0_mps.max(0.0);
-    change_mps.max(0.0) / (mass.normal * step_s)
+    let change_mps = v.normal_mps + restitution * greater(v.normal_0_mps, 0.0);
+    greater(change_mps, 0.0) / (mass.normal * step_s)
 }
 
 /// The tangential force that momentum allows [N] (eq. 26, second line; its J is L).
@@ -44,14 +45,14 @@ pub(crate) fn limited_tangential_n(
     step_s: f64,
 ) -> f64 {
     let rebound_mps = restitution * v.tangential_0_mps.abs();
-    let lowest = v.tangential_mps.min(-rebound_mps);
-    let highest = v.tangential_mps.max(rebound_mps);
+    let lowest = lesser(v.tangential_mps, -rebound_mps);
+    let highest = greater(v.tangential_mps, rebound_mps);
     let without = v.tangential_mps - step_s * mass.cross * normal_n;
     let force_to = |velocity: f64| (velocity - without) / (mass.tangential * step_s);
     if tangential_n > 0.0 {
-        tangential_n.min(force_to(highest)).max(0.0)
+        greater(lesser(tangential_n, force_to(highest)), 0.0)
     } else if tangential_n < 0.0 {
-        tangential_n.max(force_to(lowest)).min(0.0)
+        lesser(greater(tangential_n, force_to(lowest)), 0.0)
     } else {
         tangential_n
     }
