@@ -121,6 +121,7 @@ const CASES: &[Case] = &[
     case("projection = \"1 m\"\nmaterial", "projection = \"1 m\"\nheight = \"1 m\"\nmaterial", "height = \"1 m\"\nmaterial", "fender.area.height", "is for fenders of a `type`"),
     case("projection = \"1 m\"\nmaterial", "projection = \"1 m\"\nrated_deflection = 1\nmaterial", "rated_deflection = 1\n", "fender.area.rated_deflection", "is for fenders with a `stiffness` or a `curve`"),
     case("projection = \"1 m\"\nmaterial = \"rubber\"", "projection = \"1 m\"\nmaterial = \"facing\"", "material = \"facing\"\n\n[[pair]]", "fender.area.material", "has no stiffness, and the fender no other law"),
+    case("projection = \"1 m\"\nmaterial", "projection = \"1 m\"\ncount = 2\nmaterial", "count = 2\nmaterial", "fender.area.count", "is for fenders of a `type`"),
     case("width = \"2 m\"\ntype", "width = 0\ntype", "width = 0", "fender.cone.width", "must be"),
     case("width = \"2 m\"\ntype", "width = nan\ntype", "width = nan", "fender.cone.width", "not a finite number"),
     case("position = [-20, 0]", "position = [-20]", "position = [-20]", "fender.cone.position", "is [forward, starboard], but has 1 numbers"),

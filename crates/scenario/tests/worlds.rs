@@ -226,6 +226,8 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("vessel = \"ship\"\nrudder = \"5 deg\"", "rudder = \"5 deg\"", "order.0", "must be for one of"),
     ("rudder = \"5 deg\"", "hands = false", "order.0.hands", "can only be true"),
     ("rudder = \"5 deg\"", "", "order.0", "asks for nothing"),
+    ("vessel = \"ship\"\nrudder = \"5 deg\"", "line = \"head\"\nlet_go = false", "order.0.let_go", "can only be true"),
+    ("vessel = \"ship\"\nrudder = \"5 deg\"", "tug = \"one\"\nstand_by = false", "order.0.stand_by", "can only be true"),
 ];
 
 #[test]

@@ -115,7 +115,16 @@ impl Assembly<'_, '_> {
         if table.item("type").is_some() {
             return Ok(());
         }
-        for name in ["size", "height", "rated_reaction", "temperature"] {
+        const OF_A_TYPE: [&str; 7] = [
+            "size",
+            "height",
+            "rated_reaction",
+            "count",
+            "temperature",
+            "velocity_factor",
+            "angle_factor",
+        ];
+        for name in OF_A_TYPE {
             if let Some(item) = table.item(name) {
                 let path = table.path_of(name);
                 let message = format!("`{path}` is for fenders of a `type`, but this one has none");
@@ -242,17 +251,18 @@ impl Assembly<'_, '_> {
         fender: &CatalogueFender,
         mut factors: ReactionFactors,
     ) -> Checked<Performance> {
-        let count = *table.given("count").number();
+        let count = table.item("count").map_or(1.0, |item| *item.number());
+        let wanted = |name: &str| table.item(name).is_none_or(|item| *item.flag());
         let points = |from: &[(f64, f64)], times: f64| -> Vec<[f64; 2]> {
             from.iter().map(|&(x, y)| [x, y * times]).collect()
         };
         factors.constant *= self.temperature_factor(table, fender)?;
         let mut energy_by_angle = Vec::new();
-        if *table.given("angle_factor").flag() {
+        if wanted("angle_factor") {
             factors.by_angle = points(&fender.angle_reaction_factors, 1.0);
             energy_by_angle = points(&fender.angle_energy_factors, 1.0);
         }
-        if *table.given("velocity_factor").flag() {
+        if wanted("velocity_factor") {
             factors.by_compression_time = points(&fender.velocity_factors, 1.0);
             if let Some(&[last_s, _]) = factors.by_compression_time.last()
                 && last_s < STATIC_TIME_S

@@ -181,12 +181,24 @@ impl Assembly<'_, '_> {
             }
             return Ok(());
         }
-        for name in ["length_bp", "beam", "draught", "block_coefficient", "gyradius"] {
+        let own =
+            ["length_bp", "beam", "draught", "block_coefficient", "centre_of_gravity", "gyradius"];
+        for name in own {
             if let Some(item) = table.item(name) {
                 let path = table.path_of(name);
                 let message = format!("`{path}` does not go together with `model`");
                 let error = self.sources.error(&item.key_span, &path, message);
                 return Err(error.with_help("the model brings its own particulars"));
+            }
+        }
+        let parts = [("propeller", "diameter"), ("rudder", "area"), ("rudder", "span")];
+        for (part, name) in parts {
+            let Some(of) = table.item(part).map(Item::table) else { continue };
+            if let Some(item) = of.item(name) {
+                let path = of.path_of(name);
+                let message = format!("`{path}` does not go together with `model`");
+                let error = self.sources.error(&item.key_span, &path, message);
+                return Err(error.with_help("the model brings its own propeller and rudder"));
             }
         }
         Ok(())
@@ -212,7 +224,7 @@ impl Assembly<'_, '_> {
         .and_then(|ship| {
             let gyradius = table.item("gyradius").map(|item| item.number() / ship.length_m);
             Particulars {
-                centre_of_gravity_m: number("centre_of_gravity"),
+                centre_of_gravity_m: table.item("centre_of_gravity").map_or(0.0, |i| *i.number()),
                 yaw_gyradius_ratio: gyradius.unwrap_or(ship.yaw_gyradius_ratio),
                 ..ship
             }
@@ -522,6 +534,9 @@ impl Assembly<'_, '_> {
                 return Err(error.with_help(format!("there are {}", asked.join(", "))));
             }
         };
+        if ["hands", "stand_by", "hold", "let_go"].contains(&what.name) {
+            self.only_true(table, what)?;
+        }
         let direction = table.item("direction");
         if let Some(direction) = direction.filter(|_| item.name != "tug") {
             let path = table.path_of("direction");
@@ -531,7 +546,7 @@ impl Assembly<'_, '_> {
         match item.name {
             "vessel" => {
                 let vessel = self.vessel_named(table, item, world.vessels, names)?;
-                let action = self.to_vessel(table, what, &world.thrusters[item.name()])?;
+                let action = self.to_vessel(what, &world.thrusters[item.name()])?;
                 Ok(Order { at_s, vessel, action })
             }
             "tug" => {
@@ -553,7 +568,7 @@ impl Assembly<'_, '_> {
         }
     }
 
-    fn to_vessel(&self, table: &Table, what: &Item, thrusters: &[String]) -> Checked<Action> {
+    fn to_vessel(&self, what: &Item, thrusters: &[String]) -> Checked<Action> {
         Ok(match what.name {
             "rudder" => Action::Rudder(*what.number()),
             "engine" => Action::Engine(*what.number()),
@@ -578,15 +593,12 @@ impl Assembly<'_, '_> {
                     fastest_mps: [*of.given("surge").number(), *of.given("sway").number()],
                 })
             }
-            "hands" => {
-                self.only_true(table, what)?;
-                Action::Hands
-            }
+            "hands" => Action::Hands,
             other => unreachable!("{other} is no order to a vessel"),
         })
     }
 
-    /// `hands = false` would ask for nothing.
+    /// `let_go = false` would ask for nothing.
     fn only_true(&self, table: &Table, what: &Item) -> Checked<()> {
         if *what.flag() {
             return Ok(());

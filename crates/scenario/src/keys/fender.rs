@@ -105,7 +105,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
         KeySpec {
             name: "count",
             kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1000.0 }),
-            absent: Is("1"),
+            absent: Means("one"),
             doc: "How many fenders of this type stand behind the one face.",
             examples: &["2"],
         },
@@ -157,14 +157,14 @@ pub(super) static FENDER: TableSpec = TableSpec {
         KeySpec {
             name: "velocity_factor",
             kind: Kind::Flag,
-            absent: Is("true"),
+            absent: Means("true"),
             doc: "Whether the type's factor by speed of approach is used, where it has one.",
             examples: &["false"],
         },
         KeySpec {
             name: "angle_factor",
             kind: Kind::Flag,
-            absent: Is("true"),
+            absent: Means("true"),
             doc: "Whether the type's factors by angle are used, where it has them.",
             examples: &["false"],
         },
@@ -204,7 +204,8 @@ pub(super) static FENDER: TableSpec = TableSpec {
             "else": {
                 "required": ["projection"],
                 "properties": {
-                    "size": false, "height": false, "rated_reaction": false, "temperature": false
+                    "size": false, "height": false, "rated_reaction": false, "temperature": false,
+                    "count": false, "velocity_factor": false, "angle_factor": false
                 }
             }
         })

@@ -191,7 +191,7 @@ pub(super) static VESSEL: TableSpec = TableSpec {
         key(
             "centre_of_gravity",
             Kind::Quantity(PLACE),
-            Is("0"),
+            Means("amidships, or that of the model"),
             "Centre of gravity forward of midship; the body's outline is about the centre of gravity.",
             &["\"-3.4 m\""],
         ),
@@ -232,7 +232,9 @@ pub(super) static VESSEL: TableSpec = TableSpec {
             "then": {
                 "properties": {
                     "length_bp": false, "beam": false, "draught": false, "block_coefficient": false,
-                    "gyradius": false
+                    "centre_of_gravity": false, "gyradius": false,
+                    "propeller": { "properties": { "diameter": false } },
+                    "rudder": { "properties": { "area": false, "span": false } }
                 }
             },
             "else": {
@@ -706,6 +708,11 @@ pub(super) static ORDER: TableSpec = TableSpec {
             json!({ "properties": refused })
         };
         json!({
+            // A flag that is false would ask for nothing.
+            "allOf": [{ "properties": {
+                "hands": { "const": true }, "stand_by": { "const": true },
+                "hold": { "const": true }, "let_go": { "const": true }
+            } }],
             "oneOf": [
                 { "allOf": [
                     one_of("vessel", super::VESSEL_ORDERS),
