@@ -444,6 +444,11 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
         if setup.method == Method::Paper {
             return Err(SetupError::VesselByPaperMethod { body: vessel.body });
         }
+        if vessel.thruster_lags_s.len() != vessel.thrusters.len() {
+            let (field, value) =
+                ("the number of thruster lags", vessel.thruster_lags_s.len() as f64);
+            return Err(SetupError::OutOfRange { field, value });
+        }
         inertias[vessel.body] = Inertia::of_vessel(&mass_matrix(&vessel.ship, density_kgpm3));
     }
     for tug in &setup.world.tugs {

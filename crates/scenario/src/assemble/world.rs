@@ -145,7 +145,7 @@ impl Assembly<'_, '_> {
                     along_m: *thruster.given("along").number(),
                 })
                 .collect(),
-            thruster_lag_s: thrusters.first().map_or(0.0, |(_, t)| *t.given("lag").number()),
+            thruster_lags_s: thrusters.iter().map(|(_, t)| *t.given("lag").number()).collect(),
             windage: self.windage(table, &particulars)?,
             response: float.map(|float| response(&particulars, &float)),
             float,

@@ -345,7 +345,7 @@ static THRUSTER: TableSpec = TableSpec {
             "lag",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 600.0 }),
             Is("8"),
-            "Time constant; that of the first thruster holds for all.",
+            "Time constant.",
             &["\"10 s\""],
         ),
     ],

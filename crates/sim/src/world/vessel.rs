@@ -25,8 +25,8 @@ pub struct VesselSetup {
     pub shaft: RateLimited,
     /// Tunnel thrusters.
     pub thrusters: Vec<TunnelThruster>,
-    /// Time constant of the thrusters [s].
-    pub thruster_lag_s: f64,
+    /// Time constant of each thruster [s].
+    pub thruster_lags_s: Vec<f64>,
     /// Wind areas.
     pub windage: Option<ShipWindage>,
     /// Heave, roll and pitch.
@@ -122,10 +122,11 @@ impl VesselState {
             },
             rudder: setup.rudder,
             shaft: setup.shaft,
-            thrusters: vec![
-                Lag { value: 0.0, time_constant_s: setup.thruster_lag_s };
-                setup.thrusters.len()
-            ],
+            thrusters: setup
+                .thruster_lags_s
+                .iter()
+                .map(|&time_constant_s| Lag { value: 0.0, time_constant_s })
+                .collect(),
             pilots: Pilots::default(),
             attitude: Attitude::default(),
             wave_motion: FirstOrderMotion::default(),
