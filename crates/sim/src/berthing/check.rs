@@ -1,6 +1,7 @@
 //! One check for every particular.
 
 use super::error::BerthingError;
+use crate::range::{OutOfRange, within};
 
 /// A particular's name with its unit and its range: wider than any ship, narrow enough that nothing
 /// computed from it overflows or divides by nothing.
@@ -17,11 +18,10 @@ impl Range {
 
     /// The value, where it lies within the range; NaN does not.
     pub(super) fn check(&self, value: f64) -> Result<f64, BerthingError> {
-        if value >= self.low && value <= self.high {
-            return Ok(value);
-        }
         let Range { name, low, high } = *self;
-        Err(BerthingError::OutOfRange { quantity: name, value, low, high })
+        within(name, value, low, high).map_err(|OutOfRange { quantity, .. }| {
+            BerthingError::OutOfRange { quantity, value, low, high }
+        })
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::range::OutOfRange;
+
 /// What is wrong with a ship's particulars or with the water she is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -70,8 +72,6 @@ pub(super) fn within(
     low: f64,
     high: f64,
 ) -> Result<f64, HydroError> {
-    if value >= low && value <= high {
-        return Ok(value);
-    }
-    Err(HydroError::OutOfRange { quantity, value, low, high })
+    crate::range::within(quantity, value, low, high)
+        .map_err(|OutOfRange { .. }| HydroError::OutOfRange { quantity, value, low, high })
 }
