@@ -2,15 +2,16 @@
 
 mod support;
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
-use fenderline_contact::{EventKind, FenderLaw, Material, ReactionFactors, Stop, vec2};
+use fenderline_contact::{EventKind, Material, ReactionFactors, vec2};
 use fenderline_sim::berthing::{BerthingSetup, Configuration, Softness};
 use fenderline_sim::{
-    BodySetup, Energy, FenderSetup, Integrator, Load, Method, NamedMaterial, PairSetup, Rated,
-    Setup, Simulation,
+    BodySetup, Energy, FenderSetup, Integrator, Load, Method, NamedMaterial, PairSetup, Setup,
+    Simulation,
 };
 use proptest::prelude::*;
+use support::scenes::{cone, cone_fender};
 use support::{fixed, floating, rectangle, spring};
 
 fn run(setup: Setup) -> Simulation {
@@ -21,43 +22,11 @@ fn run(setup: Setup) -> Simulation {
     simulation
 }
 
-/// A cone fender's curve (fenders.md), of a height and a rated reaction.
-fn cone(height_m: f64, rated_reaction_n: f64) -> FenderLaw {
-    let reactions =
-        [0.0, 0.20, 0.39, 0.58, 0.76, 0.90, 0.98, 1.00, 0.98, 0.94, 0.90, 0.88, 0.88, 0.90, 0.96];
-    let mut points: Vec<[f64; 2]> = (0..)
-        .zip(reactions)
-        .map(|(k, r)| [0.05 * f64::from(k) * height_m, r * rated_reaction_n])
-        .collect();
-    points
-        .extend([0.72, 0.75].map(|d| [d * height_m, (1.0 + (d - 0.72) / 0.3) * rated_reaction_n]));
-    FenderLaw::Curve(points)
-}
-
-/// A cone fender on the quay at `along_m`.
+/// A cone fender on the quay at `along_m`, against a hull that bears 200 kN/m².
 fn fender(name: &str, along_m: f64, height_m: f64, rated_reaction_n: f64) -> FenderSetup {
-    let law = cone(height_m, rated_reaction_n);
     FenderSetup {
-        name: name.into(),
-        body: 0,
-        position_m: vec2(along_m, 0.0),
-        // The quay lies east of the ship and looks west.
-        facing_rad: -FRAC_PI_2,
-        width_m: 2.0,
-        height_m: 3.0,
-        above_water_m: 2.0,
-        projection_m: height_m,
-        rated: Rated::of(&law, 0.72 * height_m),
-        stop: Some(Stop {
-            from_m: 0.75 * height_m,
-            stiffness_npm: 50.0 * rated_reaction_n / height_m,
-        }),
-        law,
-        material: 1,
-        factors: ReactionFactors::default(),
-        energy_by_angle: vec![],
         hull_pressure_limit_npm2: Some(200e3),
-        source: None,
+        ..cone_fender(name, along_m, height_m, rated_reaction_n)
     }
 }
 
