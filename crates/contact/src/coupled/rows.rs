@@ -34,6 +34,8 @@ pub(crate) struct Laws<'m> {
     pub(crate) rebound_mps: f64,
     /// What N may give the bodies in this sub-step at most: see [`may_give_j`] [J].
     pub(crate) may_give_j: f64,
+    /// And T: what the shear spring stores [J].
+    pub(crate) may_shear_j: f64,
 }
 
 /// Laws and effective masses of every patch in `work`, in `work.rows` and `work.ties`.
@@ -178,6 +180,7 @@ fn collect_one(
         law_n,
         rebound_mps: material.restitution * v_ref_mps,
         may_give_j: may_give_j(&touch, factor, law_n, old, time.placed),
+        may_shear_j: old.map_or(0.0, |m| m.sheared_j),
     };
     let begins_with = Forces {
         normal_n: old.map_or(law_n, |m| m.normal_force_n).min(law_n),
@@ -249,6 +252,9 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         memory.shear_m = shear_m - h * v_tangential_mps;
         memory.normal_force_n = normal_n;
         memory.tangential_force_n = tangential_n;
+        let shear_stored_j = tie.shear_stored_j(shear_m);
+        memory.sheared_j =
+            (tie.may_shear_j - tangential_n * slip_m).clamp(0.0, shear_stored_j.min(MOST_TAKEN_J));
         memory.taken_j = (tie.may_give_j + normal_n * closing_m).clamp(0.0, MOST_TAKEN_J);
         let position_m = poses[tie.a as usize].position_m;
         let own = &mut contacts[*first_contact..];
@@ -275,7 +281,7 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         contact.work.limiter_j -= limiter_n * closing_m;
         contact.parts.add(&ForceParts { limiter_n, ..row.parts }, h);
         contact.peak_stored_j = contact.peak_stored_j.max(touch.stored_j * row.factor);
-        contact.shear_stored_j = tie.shear_stored_j(shear_m);
+        contact.shear_stored_j = shear_stored_j;
         contact.shear_m = shear_m;
         contact.limited |= normal_n < tie.law_n;
         if friction == Friction::Slip {
