@@ -168,9 +168,10 @@ fn collect_one(
     time: Time,
 ) {
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
-    let touch = touch(model, work, patch, old);
+    let face = patch.candidate.fender(model);
+    let touch = touch(model, work, patch, face, old);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
-    let factor = factor(model, patch.candidate.fender(model), &touch, old);
+    let factor = factor(model, face, &touch, old);
     let parts =
         normal_force(material, &touch, factor, patch.area_m2, area_before_m2, time.elapsed_s);
     let law_n = parts.total_n();
@@ -190,7 +191,7 @@ fn collect_one(
     let [a, b] =
         [patch.candidate.a, patch.candidate.b].map(|rank| (rank, &work.inverses[rank as usize]));
     work.ties.push(Tie::new(a, b, &touch, &laws, begins_with, time.h));
-    let flags = tell_of_patch(model, work, patch, &touch, inherited, old)
+    let flags = tell_of_patch(model, work, patch, face, &touch, inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
     let memory = touch.memory(patch, &work.places);
     work.next_patches.push(PatchMemory { flags, factor, v_normal_0_mps: v_ref_mps, ..memory });
@@ -261,10 +262,11 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         let place = match place_of(model, own, &patches[index], index) {
             Some(place) => *first_contact + place,
             None => {
+                let face = patches[index].candidate.fender(model);
                 contacts.push(Contact {
                     factor: row.factor,
                     stored_j: touch.stored_j * row.factor,
-                    ..touch.contact(model, position_m, &patches[index])
+                    ..touch.contact(model, position_m, &patches[index], face)
                 });
                 contacts.len() - 1
             }
