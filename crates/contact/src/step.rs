@@ -12,7 +12,6 @@ use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
 use crate::memory::{Memory, PatchMemory};
 use crate::model::Model;
-use crate::number::lesser;
 use crate::overlap::{Patch, overlap};
 use crate::report::{Contact, Wrench};
 use crate::state::BodyState;
@@ -123,8 +122,7 @@ fn contact(
     let mut parts =
         normal_force(material, &touch, factor, patch.area_m2, area_before_m2, elapsed_s);
     let trial_n = parts.total_n();
-    let largest_n = paper::largest_normal_n(&v, &mass, material.restitution, step_s);
-    let normal_force_n = lesser(trial_n, largest_n);
+    let normal_force_n = paper::limited_normal_n(trial_n, &v, &mass, material.restitution, step_s);
     parts.limiter_n = trial_n - normal_force_n;
 
     // §3.3 and §3.4: the shear spring and its limits.
