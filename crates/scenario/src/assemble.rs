@@ -1,8 +1,12 @@
 //! From checked tables to a simulation set-up: what the key table cannot say, because it holds
 //! between keys.
 
+mod current;
+mod environment;
 mod fenders;
 mod providers;
+mod response;
+mod windage;
 mod world;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,6 +19,7 @@ use fenderline_sim::{
 
 use crate::checked::{Item, Table};
 use crate::error::{Notice, ScenarioError};
+use crate::files::Files;
 use crate::library::FenderLibrary;
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
@@ -30,14 +35,16 @@ const MOST_STEPS: f64 = 1e9;
 pub(crate) fn setup(
     sources: &Sources<'_>,
     file: &Table,
+    files: &Files,
     library: &FenderLibrary,
     notices: &mut Vec<Notice>,
 ) -> Checked<Setup> {
-    let mut assembly = Assembly { sources, notices };
+    let mut assembly = Assembly { sources, files, notices };
     let (step_s, duration_s, integrator) = assembly.time(file.given("time").table())?;
     let materials = assembly.materials(file.given("material").named())?;
     let environment = assembly.environment(file.given("environment").table())?;
     let kinds = assembly.kinds(file.given("vessel").named(), &environment)?;
+    assembly.note_unvalidated(file, &environment, &kinds);
     let bodies = assembly.bodies(file.given("body"), &kinds)?;
     let names = Names::new(&bodies, &materials);
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
@@ -102,6 +109,7 @@ struct Pairs {
 
 struct Assembly<'s, 'a> {
     sources: &'s Sources<'a>,
+    files: &'s Files,
     notices: &'s mut Vec<Notice>,
 }
 

@@ -3,8 +3,10 @@
 //! The bounds keep all that the simulation computes far from overflow and are beyond anything that
 //! floats. To add a key: add it here, then use it in [`crate::assemble`].
 
+mod environment;
 mod fender;
 mod provider;
+pub(crate) mod windage;
 mod world;
 
 use serde_json::json;
@@ -92,7 +94,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
         },
         KeySpec {
             name: "environment",
-            kind: Kind::Table(&world::ENVIRONMENT),
+            kind: Kind::Table(&environment::ENVIRONMENT),
             absent: Is("{}"),
             doc: "Wind, current, waves and water.",
             examples: &[],

@@ -55,7 +55,9 @@
 
 mod assemble;
 mod checked;
+mod csv;
 mod error;
+mod files;
 mod key_path;
 mod keys;
 mod library;

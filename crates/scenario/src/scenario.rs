@@ -5,6 +5,7 @@ use fenderline_sim::Setup;
 use crate::assemble;
 use crate::checked::Table;
 use crate::error::{Notice, ScenarioError};
+use crate::files::Files;
 use crate::keys::SCENARIO;
 use crate::library::FenderLibrary;
 use crate::overrides::{self, Override};
@@ -48,11 +49,11 @@ impl Scenario {
         })
     }
 
-    /// As [`Scenario::parse_with`], with a way to `read` the fender files that the scenario names: from
+    /// As [`Scenario::parse_with`], with a way to `read` the files that the scenario names: from
     /// the name as it stands in the file to the file's text, or why there is none.
     ///
     /// # Errors
-    /// As [`Scenario::parse_with`]; mistakes in a fender file point at that file.
+    /// As [`Scenario::parse_with`]; mistakes in such a file point at that file.
     pub fn parse_among(
         text: &str,
         file_name: &str,
@@ -67,7 +68,8 @@ impl Scenario {
         let file = reader::table(&sources, &SCENARIO, "", end..end, &document)?;
         let mut notices = Vec::new();
         let library = library(&sources, &file, read)?;
-        let setup = assemble::setup(&sources, &file, &library, &mut notices)?;
+        let files = Files::read(&sources, &file, read)?;
+        let setup = assemble::setup(&sources, &file, &files, &library, &mut notices)?;
         let title =
             file.item("title").map_or_else(|| stem(file_name), |item| item.text().to_owned());
         Ok(Scenario { title, setup, notices })

@@ -1,18 +1,11 @@
-//! Wind, current, waves and water, vessels, tugs, lines and orders.
+//! Vessels, tugs, lines and orders.
 
 use std::collections::BTreeMap;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Display;
 
-use fenderline_contact::{Rotation, Vec2, vec2};
 use fenderline_sim::attitude::{FloatParticulars, Hydrostatics};
-use fenderline_sim::environment::current::Current;
-use fenderline_sim::environment::waves::{
-    BoxShip, DriftHull, Jonswap, MotionResponse, Realisation, RegularWave, Sea,
-};
-use fenderline_sim::environment::wind::{
-    Blendermann, GustSpectrum, Gusts, MeanWind, ShipWindage, Wind, WindMethod, WindProfile,
-};
+use fenderline_sim::environment::waves::DriftHull;
 use fenderline_sim::hydro::actuator::{RateLimited, Telegraph};
 use fenderline_sim::hydro::{Mmg, Particulars, SternGear, TunnelThruster, estimated, vessels};
 use fenderline_sim::mooring::{
@@ -31,14 +24,9 @@ use crate::keys::{LINE_ORDERS, TUG_ORDERS, VESSEL_ORDERS};
 use crate::sources::quoted;
 use crate::suggest::nearest;
 
-/// How many harmonics a sea or a gusty wind has.
-const HARMONICS: usize = 200;
-/// Depth that is deep for every wave [m].
-const DEEP_M: f64 = 10_000.0;
-
 /// A kind of vessel, without a body.
 pub(super) struct Kind {
-    setup: VesselSetup,
+    pub(super) setup: VesselSetup,
     pub(super) mass: MassProperties,
 }
 
@@ -47,49 +35,14 @@ pub(super) type Thrusters = BTreeMap<String, Vec<String>>;
 
 impl Assembly<'_, '_> {
     /// An error of a computation about a key.
-    fn refused(&self, table: &Table, item: &Item, error: &dyn Display) -> ScenarioError {
+    pub(super) fn refused(&self, table: &Table, item: &Item, error: &dyn Display) -> ScenarioError {
         let path = table.path_of(item.name);
         self.sources.error(&item.span, &path, format!("`{path}`: {error}"))
     }
 
-    pub(super) fn environment(&self, table: &Table) -> Checked<Environment> {
-        let depth_m = table.item("depth").map(|item| *item.number());
-        let wind = match table.item("wind") {
-            None => None,
-            Some(item) => {
-                let wind = wind(item.table());
-                Some(wind.map_err(|error| self.refused(table, item, &error))?)
-            }
-        };
-        let current = match table.item("current") {
-            None => None,
-            Some(item) => {
-                let of = item.table();
-                let towards = along(*of.given("towards").number());
-                let current = Current::uniform(towards * *of.given("speed").number());
-                Some(current.map_err(|error| self.refused(table, item, &error))?)
-            }
-        };
-        let sea = match table.item("waves") {
-            None => None,
-            Some(item) => {
-                let sea = sea(item.table(), depth_m.unwrap_or(DEEP_M));
-                Some(sea.map_err(|error| self.refused(table, item, &error))?)
-            }
-        };
-        Ok(Environment {
-            wind,
-            current,
-            sea,
-            depth_m,
-            water_density_kgpm3: *table.given("water_density").number(),
-            ..Environment::default()
-        })
-    }
-
     /// Every kind of vessel, in the order of the file.
     pub(super) fn kinds(
-        &self,
+        &mut self,
         tables: &[(String, Table)],
         environment: &Environment,
     ) -> Checked<Vec<(String, Kind)>> {
@@ -98,7 +51,7 @@ impl Assembly<'_, '_> {
         tables.iter().map(read).collect()
     }
 
-    fn kind(&self, table: &Table, environment: &Environment) -> Checked<Kind> {
+    fn kind(&mut self, table: &Table, environment: &Environment) -> Checked<Kind> {
         self.refuse_a_model_with_particulars(table)?;
         let (deep, mut rudder) = self.ship(table)?;
         let water = environment.water_density_kgpm3;
@@ -147,7 +100,7 @@ impl Assembly<'_, '_> {
                 .collect(),
             thruster_lags_s: thrusters.iter().map(|(_, t)| *t.given("lag").number()).collect(),
             windage: self.windage(table, &particulars)?,
-            response: float.map(|float| response(&particulars, &float)),
+            response: self.response(table, &particulars, float.as_ref())?,
             float,
             drift: Some(drift),
         };
@@ -279,34 +232,6 @@ impl Assembly<'_, '_> {
             gravity_above_water_m: number("gravity_above_keel") - ship.draught_m,
             draught_m: ship.draught_m,
         }))
-    }
-
-    fn windage(&self, table: &Table, ship: &Particulars) -> Checked<Option<ShipWindage>> {
-        let Some(item) = table.item("windage") else { return Ok(None) };
-        let of = item.table();
-        let kind = of.given("type");
-        let Some(method) = Blendermann::of_type(kind.text()) else {
-            let names = fenderline_sim::environment::wind::BLENDERMANN_TYPES.map(|kind| kind.name);
-            let path = of.path_of("type");
-            let message = format!("`{path}`: there is no type {}", quoted(kind.text()));
-            let error = self.sources.error(&kind.span, &path, message);
-            return Err(error.with_help(match nearest(kind.text(), names) {
-                Some(near) => format!("did you mean \"{near}\"?"),
-                None => format!("there are \"{}\"", names.join("\", \"")),
-            }));
-        };
-        let number = |name: &str| *of.given(name).number();
-        let windage = ShipWindage {
-            length_m: ship.length_m,
-            beam_m: ship.beam_m,
-            frontal_m2: number("frontal_area"),
-            lateral_m2: number("lateral_area"),
-            centroid_forward_m: number("centroid_forward"),
-            centroid_height_m: number("centroid_height"),
-            method: WindMethod::Blendermann(method),
-        };
-        windage.check().map_err(|error| self.refused(table, item, &error))?;
-        Ok(Some(windage))
     }
 
     /// The vessels that bodies name, in the order of the bodies, and their thrusters' names.
@@ -649,52 +574,4 @@ fn rope(table: &Table) -> Rope {
         _ => RopeCurve::nylon(),
     };
     Rope { break_load_n: *table.given("break_load").number(), curve }
-}
-
-fn wind(table: &Table) -> Result<Wind, fenderline_sim::environment::EnvironmentError> {
-    let mean = MeanWind {
-        speed_mps: *table.given("speed").number(),
-        from_rad: *table.given("from").number(),
-        profile: WindProfile::Uniform,
-    };
-    if !table.given("gusts").flag() {
-        return Wind::steady(mean);
-    }
-    let realisation = realisation(table);
-    Wind::gusty(mean, Gusts::new(&mean, &GustSpectrum::Npd, realisation)?)
-}
-
-fn sea(table: &Table, depth_m: f64) -> Result<Sea, fenderline_sim::environment::EnvironmentError> {
-    let (height_m, period_s) = (*table.given("height").number(), *table.given("period").number());
-    let towards_rad = table.given("from").number() + PI;
-    if *table.given("regular").flag() {
-        let wave = RegularWave { height_m, period_s, phase_rad: 0.0 };
-        return Sea::regular(wave, towards_rad, depth_m);
-    }
-    let spectrum = Jonswap {
-        height_m,
-        peak_period_s: period_s,
-        peak_enhancement: *table.given("peakedness").number(),
-    };
-    Sea::jonswap(&spectrum, towards_rad, depth_m, realisation(table))
-}
-
-fn realisation(table: &Table) -> Realisation {
-    Realisation { harmonics: HARMONICS, seed: *table.given("seed").number() as u64 }
-}
-
-fn response(ship: &Particulars, float: &Float) -> MotionResponse {
-    MotionResponse::Estimate(BoxShip {
-        length_m: ship.length_m,
-        beam_m: ship.beam_m,
-        draught_m: ship.draught_m,
-        block_coefficient: ship.block_coefficient(),
-        roll_period_s: float.hydrostatics.roll.period_s(),
-        roll_damping: float.hydrostatics.roll.damping,
-    })
-}
-
-/// The unit vector of a compass direction.
-fn along(direction_rad: f64) -> Vec2 {
-    Rotation::from_angle(direction_rad).apply(vec2(1.0, 0.0))
 }

@@ -15,7 +15,7 @@
 //! | tunnel and azimuth thrusters | [`TunnelThruster`], [`AzimuthThruster`] |
 //! | rudder machine, shaft, lag, telegraph | [`actuator`] |
 //! | all of it on one ship | [`Mmg`], [`Mmg::forces`] |
-//! | shallow water: derivatives, squat, current | [`shallow`] |
+//! | shallow water: derivatives, squat, current | [`shallow`], [`Squat`] |
 //! | equations of motion, two integrators | [`Model3`] |
 //! | published ships | [`vessels`] |
 //! | any ship from her main particulars | [`estimated`] |
@@ -38,6 +38,7 @@
 pub mod actuator;
 pub mod manoeuvres;
 pub mod shallow;
+mod squat;
 pub mod vessels;
 
 mod added_mass;
@@ -67,4 +68,5 @@ pub use particulars::Particulars;
 pub use propeller::{Propeller, Series};
 pub use quantities::{Controls, Force, Velocity, Water};
 pub use rudder::{Race, Rudder};
+pub use squat::Squat;
 pub use thruster::{AzimuthThruster, TunnelThruster, tunnel_effect};

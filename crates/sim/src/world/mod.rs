@@ -92,7 +92,8 @@ impl World {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::OrderClamped });
             }
             self.clamped[index] = clamped;
-            let aground = vessel.is_aground(&setup.environment);
+            own.squat_m = vessel.squat_m(state, &setup.environment, t_s);
+            let aground = vessel.is_aground(own, &setup.environment);
             if aground && !own.aground {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
             }
@@ -177,7 +178,9 @@ impl World {
                 let height_m =
                     contact.fender.map_or(0.0, |id| fenders[id.0 as usize].above_water_m);
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
-                drive.add(own.x, own.y, height_m - float.gravity_above_water_m);
+                // Squat takes her centre of gravity down, the fender stays where it is.
+                let gravity_m = float.gravity_above_water_m - self.vessels[index].squat_m;
+                drive.add(own.x, own.y, height_m - gravity_m);
             }
             let state = &mut self.vessels[index];
             state.attitude = state.attitude.after(&float.hydrostatics, &drive, step_s);

@@ -9,8 +9,12 @@ use crate::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
 use crate::environment::wind::{RelativeWind, ShipWindage};
+use crate::environment::{BankWater, ShipAtBank};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
 use crate::hydro::{Controls, Force, Mmg, TunnelThruster, Velocity};
+
+/// How much water a ship that was aground needs under her keel to be afloat again [m]; our choice.
+const REFLOATED_M: f64 = 0.02;
 
 /// A ship of a set-up: what turns a body into a vessel.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,6 +80,8 @@ pub struct VesselState {
     pub attitude: Attitude,
     /// First-order wave motion, to be superposed.
     pub wave_motion: FirstOrderMotion,
+    /// How much deeper her keel is because she is under way in shallow water [m].
+    pub squat_m: f64,
     /// She is on the bottom.
     pub aground: bool,
 }
@@ -95,6 +101,8 @@ pub struct VesselForces {
     pub wind: Force,
     /// Mean wave drift.
     pub waves: Force,
+    /// Banks: unvalidated.
+    pub banks: Force,
     /// The bottom, where she is aground.
     pub bottom: Force,
 }
@@ -107,6 +115,7 @@ impl VesselForces {
             + self.thrusters
             + self.wind
             + self.waves
+            + self.banks
             + self.bottom
     }
 }
@@ -130,6 +139,7 @@ impl VesselState {
             pilots: Pilots::default(),
             attitude: Attitude::default(),
             wave_motion: FirstOrderMotion::default(),
+            squat_m: 0.0,
             aground: false,
         }
     }
@@ -175,7 +185,8 @@ impl VesselSetup {
             thrusters,
             wind: self.wind(state, environment, t_s),
             waves: self.drift(state, environment),
-            bottom: self.bottom(state, environment, step_s),
+            banks: self.banks(state, &velocity, environment),
+            bottom: self.bottom(vessel, state, environment, step_s),
         }
     }
 
@@ -200,19 +211,66 @@ impl VesselSetup {
         Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// Is the water no deeper than her draught?
-    pub(crate) fn is_aground(&self, environment: &Environment) -> bool {
-        environment.depth_m.is_some_and(|depth_m| depth_m <= self.ship.particulars.draught_m)
+    /// Pull and moment of all banks.
+    fn banks(&self, state: &BodyState, velocity: &Velocity, environment: &Environment) -> Force {
+        let hull = &self.ship.particulars;
+        let ship = ShipAtBank {
+            length_m: hull.length_m,
+            beam_m: hull.beam_m,
+            draught_m: hull.draught_m,
+            position_m: state.pose().apply(vec2(-hull.centre_of_gravity_m, 0.0)),
+            heading_rad: state.heading_rad,
+            surge_mps: velocity.surge_mps,
+        };
+        let water = BankWater {
+            density_kgpm3: environment.water_density_kgpm3,
+            depth_m: environment.depth_m,
+        };
+        environment.banks.iter().fold(Force::default(), |sum, bank| {
+            let [surge_n, sway_n, yaw_nm] = bank.force(&ship, &water);
+            sum + Force { surge_n, sway_n, yaw_nm }
+        })
+    }
+
+    /// Her squat in this state [m]; none in deep water.
+    pub(crate) fn squat_m(&self, state: &BodyState, environment: &Environment, t_s: f64) -> f64 {
+        let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_m) else {
+            return 0.0;
+        };
+        let surge_mps = self.velocity(state, environment, t_s).surge_mps;
+        squat.sinkage_m(&self.ship.particulars, depth_m, surge_mps)
+    }
+
+    /// Water under her keel, squat taken off [m]; `None` where the water is deep. Negative: how much too deep
+    /// she sits.
+    #[must_use]
+    pub fn under_keel_m(&self, vessel: &VesselState, environment: &Environment) -> Option<f64> {
+        let draught_m = self.ship.particulars.draught_m;
+        environment.depth_m.map(|depth_m| depth_m - draught_m - vessel.squat_m)
+    }
+
+    /// Is there no water under her keel? Who was aground has to come free by [`REFLOATED_M`]: a ship whose squat
+    /// takes her to the bottom would else be on it and off it again with every step.
+    pub(crate) fn is_aground(&self, vessel: &VesselState, environment: &Environment) -> bool {
+        let least_m = if vessel.aground { REFLOATED_M } else { 0.0 };
+        self.under_keel_m(vessel, environment).is_some_and(|clearance_m| clearance_m <= least_m)
     }
 
     /// The drag of a bottom that bears what she sits too deep, with Coulomb's friction of 0.4 (recalled, of
     /// sand): against her motion, and fading out below a centimetre a second so that it never drives her.
-    fn bottom(&self, state: &BodyState, environment: &Environment, step_s: f64) -> Force {
-        if !self.is_aground(environment) {
+    fn bottom(
+        &self,
+        vessel: &VesselState,
+        state: &BodyState,
+        environment: &Environment,
+        step_s: f64,
+    ) -> Force {
+        let Some(clearance_m) = self.under_keel_m(vessel, environment).filter(|_| vessel.aground)
+        else {
             return Force::default();
-        }
+        };
         let ship = &self.ship.particulars;
-        let sunk_m = ship.draught_m - environment.depth_m.unwrap_or(f64::INFINITY);
+        let sunk_m = -clearance_m;
         let specific_npm3 = environment.water_density_kgpm3 * 9.806_65;
         let waterplane_m2 = ship.block_coefficient() * ship.length_m * ship.beam_m;
         let weight_n = specific_npm3 * waterplane_m2 * sunk_m.max(0.01);
@@ -293,7 +351,15 @@ impl VesselSetup {
         let mut drive = Drive::default();
         let gravity_m = float.gravity_above_water_m;
         let water_m = -0.5 * float.draught_m - gravity_m;
-        for part in [forces.hull, forces.propeller, forces.rudder, forces.thrusters, forces.waves] {
+        let below = [
+            forces.hull,
+            forces.propeller,
+            forces.rudder,
+            forces.thrusters,
+            forces.waves,
+            forces.banks,
+        ];
+        for part in below {
             drive.add(part.surge_n, part.sway_n, water_m);
         }
         let air_m = self.windage.map_or(0.0, |w| w.centroid_height_m) - gravity_m;
