@@ -185,28 +185,46 @@ fn a_current_on_a_grid_is_linear_in_place_and_time() {
     );
 }
 
-/// A ship without engine comes to go with the water, by the drag of what is left. With k = 826.8 kN over 87.76 kt
-/// and 0.506 of it as added mass (the design sheet's) and the stream growing by a = 0.5/1200 m/s² she is
-/// √(a/k) tanh(√(ak)·1200 s) behind it when it has grown, v₀, and v₀/(1 + k v₀·4200 s) = 0.0330 m/s at the end. She
-/// is estimated, has a rudder and turns by a little on the way: 15 %.
+/// Water that speeds up takes a hull along by its pressure, not by drag alone: a ship without engine that lies in a
+/// stream which grows and turns goes with it at every step, to rounding.
 #[test]
-fn a_ship_adrift_comes_to_go_with_a_stream_that_sets_in() {
-    let file = "t_s,speed_mps,towards_deg\n0,0,90\n1200,0.5,90\n";
+fn a_ship_adrift_goes_with_a_stream_as_it_sets_in() {
+    let file = "t_s,north_mps,east_mps\n0,0,0\n1200,0.1,0.5\n2400,-0.4,0.2\n";
     let scenario =
         good(&[("environment", "current = { file = \"stream.csv\" }")], &[("stream.csv", file)]);
+    let current = scenario.setup.world.environment.current.clone().expect("a current");
     let mut setup = scenario.setup;
-    setup.duration_s = 5400.0;
+    setup.duration_s = 3000.0;
+    let mut simulation = Simulation::new(setup).expect("a good set-up");
+    while !simulation.is_done() {
+        simulation.step().expect("a good step");
+        let (state, t_s) = (simulation.states()[0], simulation.time_s());
+        let behind = state.velocity_mps - current.velocity(state.position_m, t_s, 9.0);
+        assert!(behind.length() < 1e-9 && state.yaw_rate_radps.abs() < 1e-12, "{t_s}: {state:?}");
+    }
+}
+
+/// A steady stream that narrows, U = 0.2 + 0.8 n/10 000 m/s to the north: what starts at n = 0 is at
+/// 2500 (e^(t/12 500 s) − 1) after t, by hand. A ship adrift is there to a step's share of the way: 0.1 %.
+#[test]
+fn a_ship_adrift_goes_with_a_stream_that_narrows() {
+    let file = "north_m,east_m,north_mps,east_mps\n0,0,0.2,0\n10000,0,1,0\n";
+    let scenario = good(
+        &[
+            ("environment", "current = { file = \"narrows.csv\" }"),
+            ("body", "velocity = { surge = 0.2 }"),
+        ],
+        &[("narrows.csv", file)],
+    );
+    let mut setup = scenario.setup;
+    setup.duration_s = 10_000.0;
     let mut simulation = Simulation::new(setup).expect("a good set-up");
     while !simulation.is_done() {
         simulation.step().expect("a good step");
     }
-    let velocity = simulation.states()[0].velocity_mps;
-    let k = 826.8e3 / (87.76e6 * 1.506);
-    let a: f64 = 0.5 / 1200.0;
-    let grown_mps = (a / k).sqrt() * ((a * k).sqrt() * 1200.0).tanh();
-    let behind_mps = grown_mps / (1.0 + k * grown_mps * 4200.0);
-    let ours_mps = (vec2(0.0, 0.5) - velocity).length();
-    assert!((ours_mps / behind_mps - 1.0).abs() < 0.15, "{velocity:?}, {behind_mps}");
+    let there_m = 2500.0 * ((10_000.0 / 12_500.0_f64).exp() - 1.0);
+    let north_m = simulation.states()[0].position_m.x;
+    assert!((north_m / there_m - 1.0).abs() < 1e-3, "{north_m} {there_m}");
 }
 
 #[test]

@@ -55,4 +55,16 @@ impl Environment {
         let current = self.current.as_ref();
         current.map_or(Vec2::ZERO, |current| current.velocity(position_m, t_s, draught_m))
     }
+
+    /// DU/Dt: mean acceleration of the water that a hull lies in, followed for a step [m/s²].
+    pub(crate) fn water_acceleration(
+        &self,
+        position_m: Vec2,
+        (t_s, step_s): (f64, f64),
+        draught_m: f64,
+    ) -> Vec2 {
+        let now = self.current(position_m, t_s, draught_m);
+        let then = self.current(position_m + now * step_s, t_s + step_s, draught_m);
+        (then - now) * (1.0 / step_s)
+    }
 }

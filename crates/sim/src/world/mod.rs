@@ -99,7 +99,8 @@ impl World {
             }
             own.aground = aground;
             let forces = vessel.forces(own, state, &setup.environment, (t_s, step_s));
-            let wrench = vessel.wrench(&forces, state, &setup.environment, t_s);
+            let times = (t_s, step_s);
+            let wrench = vessel.wrench(&forces, state, &setup.environment, times);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
             self.forces[index] = forces;

@@ -323,12 +323,16 @@ impl VesselSetup {
     /// The forces X, Y, N about midship have the added mass' Coriolis terms in them, and the engine's mass
     /// matrix is that about the centre of gravity. With v_g the sway of the centre of gravity and
     /// x_G its place forward of midship, that leaves (X − m_x v_g r, Y + m_y u r, N − x_G (Y + m_y u r)).
+    ///
+    /// Water that speeds up takes her along: M (v̇ − DU/Dt) = W, the pressure gradient on the displaced water and
+    /// the added mass by the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a body that is
+    /// small beside the stream's changes). So M·DU/Dt is added; in a steady uniform current it is zero.
     pub(crate) fn wrench(
         &self,
         forces: &VesselForces,
         state: &BodyState,
         environment: &Environment,
-        t_s: f64,
+        (t_s, step_s): (f64, f64),
     ) -> Wrench {
         let Force { surge_n, sway_n, yaw_nm } = forces.sum();
         let velocity = self.velocity(state, environment, t_s);
@@ -338,10 +342,16 @@ impl VesselSetup {
         let sway_of_gravity_mps = velocity.sway_mps + ahead_m * r;
         let surge_n = surge_n - density * self.ship.added_mass.surge_m3 * sway_of_gravity_mps * r;
         let sway_n = sway_n + density * self.ship.added_mass.sway_m3 * velocity.surge_mps * r;
-        let own = vec2(surge_n, sway_n);
+        let draught_m = self.ship.particulars.draught_m;
+        let water = environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
+        let attitude = Rotation::from_angle(state.heading_rad);
+        let water = attitude.apply_inverse(water);
+        let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] =
+            mass_matrix(&self.ship, density);
+        let own = vec2(surge_n + surge_kg * water.x, sway_n + sway_kg * water.y);
         Wrench {
-            force_n: Rotation::from_angle(state.heading_rad).apply(own),
-            moment_nm: yaw_nm - ahead_m * sway_n,
+            force_n: attitude.apply(own),
+            moment_nm: yaw_nm - ahead_m * sway_n + coupling_kgm * water.y,
         }
     }
 

@@ -19,6 +19,7 @@ pub(in crate::output) struct VesselRow {
     forces: VesselForces,
     attitude: Attitude,
     wave_motion: [f64; 6],
+    squat_m: f64,
     aground: bool,
 }
 
@@ -43,6 +44,7 @@ impl VesselRow {
             forces: *forces,
             attitude: now.attitude,
             wave_motion: now.wave_motion.motion,
+            squat_m: now.squat_m,
             aground: now.aground,
         }
     }
@@ -110,6 +112,16 @@ pub(in crate::output) fn vessels_columns() -> Vec<Column<VesselRow>> {
             "moment of mean wave drift: about midship, to starboard",
             |r| r.forces.waves.yaw_nm,
         ),
+        float("banks_x_n", "N", "force of banks, unvalidated: forward", |r| r.forces.banks.surge_n),
+        float("banks_y_n", "N", "force of banks, unvalidated: to starboard", |r| {
+            r.forces.banks.sway_n
+        }),
+        float(
+            "banks_n_nm",
+            "N·m",
+            "moment of banks, unvalidated: about midship, to starboard",
+            |r| r.forces.banks.yaw_nm,
+        ),
         float("bottom_x_n", "N", "force of the bottom, where she is aground: forward", |r| {
             r.forces.bottom.surge_n
         }),
@@ -167,6 +179,7 @@ pub(in crate::output) fn vessels_columns() -> Vec<Column<VesselRow>> {
         float("pitch_rad", "rad", "pitch at the end of the step, bow up, without waves", |r| {
             r.attitude.pitch.value
         }),
+        float("squat_m", "m", "how much deeper she sits because she is under way", |r| r.squat_m),
         flag("aground", "whether the bottom holds her", |r| r.aground),
     ]
 }

@@ -36,6 +36,8 @@ pub(in crate::report) struct VesselTrace {
     pub(in crate::report) roll_rad: Decimator,
     pub(in crate::report) pitch_rad: Decimator,
     pub(in crate::report) heave_m: Decimator,
+    /// Squat [m].
+    pub(in crate::report) squat_m: Decimator,
     /// Distance of her ends to a row of fenders, where there is one.
     pub(in crate::report) docking: Option<DockingTrace>,
 }
@@ -100,6 +102,7 @@ impl WorldTrace {
                 roll_rad: Decimator::new(),
                 pitch_rad: Decimator::new(),
                 heave_m: Decimator::new(),
+                squat_m: Decimator::new(),
                 docking: docking.map(|berth| DockingTrace::new(berth, hull)),
             }
         });
@@ -150,6 +153,7 @@ impl VesselTrace {
         // Attitude is that of the end of the step.
         let end_s = t_s + step_s;
         let [_, _, heave_m, roll_rad, pitch_rad, _] = now.wave_motion.motion;
+        self.squat_m.push(t_s, now.squat_m);
         self.heave_m.push(end_s, now.attitude.heave.value + heave_m);
         self.roll_rad.push(end_s, now.attitude.roll.value + roll_rad);
         self.pitch_rad.push(end_s, now.attitude.pitch.value + pitch_rad);

@@ -1,6 +1,7 @@
 //! Lines, tugs, wind, current and waves of a plan view, and the view of the moored ship.
 
 use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_sim::environment::Bank;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::{Environment, LineEnd, Setup};
 use maud::{Markup, html};
@@ -62,8 +63,13 @@ pub(super) fn around(setup: &Setup, recorder: &Recorder) -> Harbour {
     Harbour {
         lines: Vec::new(),
         tugs: tugs(setup, marks),
+        banks: banks(&setup.world.environment),
         weather: weather(&setup.world.environment),
     }
+}
+
+fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
+    environment.banks.iter().map(Bank::ends_m).collect()
 }
 
 /// Wind, current and waves at the start: the wind and the waves by where they come from, the current by
@@ -169,6 +175,7 @@ pub(in crate::report) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) -> M
         harbour: Harbour {
             lines: lines.clone(),
             tugs: tugs(setup, &marks),
+            banks: banks(&setup.world.environment),
             weather: weather(&setup.world.environment),
         },
         tracks: Vec::new(),

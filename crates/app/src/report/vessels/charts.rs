@@ -12,6 +12,8 @@ use crate::report::tables::KNOT_MPS;
 const VESSELS: usize = 3;
 /// Below this a motion is none [m, rad].
 const STILL: f64 = 1e-9;
+/// Below this nobody asks for squat [m].
+const SEEN_M: f64 = 0.01;
 
 /// The charts of each vessel.
 pub(super) fn vessels(page: &Charts<'_>, recorder: &Recorder) -> Markup {
@@ -75,6 +77,9 @@ fn of_vessel(page: &Charts<'_>, name: &str, trace: &VesselTrace) -> Markup {
                 line("roll", &trace.roll_rad, degrees),
                 line("pitch", &trace.pitch_rad, degrees),
             ]))
+        }
+        @if Series::line("", trace.squat_m.points()).largest() > SEEN_M {
+            (chart("Squat", zero("squat", "m"), vec![line("squat", &trace.squat_m, 1.0)]))
         }
         @if moves(&trace.heave_m) {
             (chart("Heave, positive down", zero("heave", "m"), vec![
