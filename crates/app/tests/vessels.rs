@@ -225,3 +225,66 @@ fn both_formats_have_the_same_tables() {
         assert!(files.contains(&format!("{name}.parquet")), "{files:?}");
     }
 }
+
+/// Squat, what it leaves under the keel, and a bank's pull: in the tables, the summary, the report and `check`.
+#[test]
+fn squat_and_a_bank_are_told_with_their_standing() {
+    let canal = HARBOUR
+        .replace(
+            "[environment]\n",
+            "[environment]\ndepth = \"7 m\"\nbank = [{ from = [-900, 40], to = [900, 40] }]\n",
+        )
+        .replace("position = [0, 0]", "position = [0, -60]\nvelocity = { surge = \"6 kn\" }");
+    let without_lines = canal.find("[line.strong]").expect("lines");
+    let orders = canal.find("[[order]]").expect("orders");
+    let canal = format!("{}{}", &canal[..without_lines], &canal[orders..]);
+    let (place, _) = harbour("canal", &canal, &[]);
+    let vessels = columns(&place, "vessels");
+    let column = |name: &str| numbers(&vessels[name]);
+    let squat = column("squat_m");
+    // ICORELS at 6 kn and the current's 0.2 m/s against her, by hand: 2.4 ∇/L² Fh²/√(1 − Fh²).
+    let square = (6.0 * 1852.0 / 3600.0 + 0.2_f64).powi(2) / (9.80665 * 7.0);
+    let by_hand_m = 2.4 * 0.7 * 18.0 * 6.0 / 120.0 * square / (1.0 - square).sqrt();
+    assert!((squat[0] - by_hand_m).abs() < 1e-9, "{} {by_hand_m}", squat[0]);
+    // The bank is to starboard: it draws her there and turns her bow away.
+    assert!(column("banks_y_n")[0] > 0.0 && column("banks_n_nm")[0] < 0.0);
+    let vessel = &place.json("out/harbour/summary.json")["vessels"][0];
+    let peak_m = squat.iter().copied().fold(0.0, f64::max);
+    assert_eq!(vessel["peak_squat_m"].as_f64(), Some(peak_m));
+    assert_eq!(vessel["least_under_keel_m"].as_f64(), Some(7.0 - 6.0 - peak_m));
+    let report = place.text("out/harbour/report.html");
+    contains_all(
+        &report,
+        &[
+            "UNVALIDATED",
+            "Norrbin",
+            "least water under the keel",
+            "by ICORELS",
+            "Squat, ship",
+            "wind coefficients by Blendermann 1994",
+            "bank (its pull is unvalidated)",
+        ],
+    );
+    let check = place.run(&["check", "harbour.toml"]);
+    contains_all(&check.stderr, &["bank suction is UNVALIDATED"]);
+}
+
+/// A file beside the scenario, and a mistake in it: told at its line, nothing written.
+#[test]
+fn a_file_of_currents_is_read_beside_the_scenario() {
+    let by_file = HARBOUR
+        .replace("{ speed = \"0.2 m/s\", towards = \"180 deg\" }", "{ file = \"stream.csv\" }");
+    let place = Workplace::new("stream");
+    place.write("harbour.toml", by_file.as_bytes());
+    let missing = place.run(&["check", "harbour.toml"]);
+    assert_eq!(missing.code, 2);
+    contains_all(&missing.stderr, &["`environment.current.file`: cannot read", "stream.csv"]);
+    place.write("stream.csv", b"t_s,north_mps,east_mps\n0,-0.2,0\n300,nan,0\n");
+    let broken = place.run(&["run", "harbour.toml"]);
+    assert_eq!(broken.code, 2);
+    contains_all(&broken.stderr, &["stream.csv:3:5", "`north_mps` is not a finite number"]);
+    place.write("stream.csv", b"t_s,north_mps,east_mps\n0,-0.2,0\n300,-0.4,0\n");
+    assert_eq!(place.run(&["run", "harbour.toml"]).code, 0);
+    let report = place.text("out/harbour/report.html");
+    contains_all(&report, &["current 0.2 m/s (0.4 kn) towards 180° (in the origin, at the start)"]);
+}

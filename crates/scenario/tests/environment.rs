@@ -462,6 +462,103 @@ fn squat_takes_a_fast_ship_to_the_bottom() {
     assert!(!record.vessels[0].aground);
 }
 
+/// The fenders stay where they are while she sits deeper: their push acts that much further above her centre of
+/// gravity and heels her that much more. She slides along a wall with a long face at 8 kn and is pressed on it by
+/// 2 MN; with squat s the heel is that without it and N s/(W GM) more. 2 % for what is left of the first roll.
+#[test]
+fn squat_moves_the_height_of_contact() {
+    let heel = |squat: &str| {
+        let water = format!("depth = 10.8\nsquat = \"{squat}\"");
+        let scenario = good(
+            &[
+                ("environment", &water),
+                (
+                    "vessel",
+                    "stability = { gm = 5, gravity_above_keel = 19, waterplane_area = 10612 }",
+                ),
+                ("body", WALL),
+            ],
+            &[],
+        );
+        let mut setup = scenario.setup;
+        setup.duration_s = 150.0;
+        let mut simulation = Simulation::new(setup).expect("a good set-up");
+        let (mut heel_rad, mut arm_nm) = (0.0, 0.0);
+        while !simulation.is_done() {
+            let record = simulation.step().expect("a good step");
+            let force_n: f64 = record.contacts.iter().map(|c| c.normal_force_n).sum();
+            arm_nm = force_n * record.vessels[0].squat_m;
+            heel_rad = record.vessels[0].attitude.roll.value;
+        }
+        (heel_rad, arm_nm)
+    };
+    let (deep, shallow) = (heel("none"), heel("barrass"));
+    assert_eq!(deep.1, 0.0);
+    let by_hand_rad = shallow.1 / (1025.0 * 0.694 * 298.0 * 46.0 * 9.0 * 9.806_65 * 5.0);
+    let more_rad = (shallow.0 - deep.0).abs();
+    assert!(by_hand_rad > 1e-4, "{by_hand_rad}");
+    assert!((more_rad / by_hand_rad - 1.0).abs() < 0.02, "{more_rad} {by_hand_rad}");
+}
+
+const WALL: &str = r#"
+velocity = { surge = "8 kn" }
+
+[body.wall]
+fixed = true
+outline = [[-300, 25], [4000, 25], [4000, 45], [-300, 45]]
+
+[material.smooth]
+stiffness = "1 MN/m^2"
+damping = "0.3 MN.s/m^2"
+
+[fender.face]
+on = "wall"
+position = [310, 25]
+facing = "-90 deg"
+width = "1000 m"
+projection = "1.5 m"
+above_water = "2 m"
+material = "smooth"
+
+[[pair]]
+bodies = ["ship", "wall"]
+material = "smooth"
+
+[[load]]
+body = "ship"
+force = ["0 kN", "2 MN"]
+"#;
+
+/// The hardest wind, the strongest current, the highest sea, all at once and in shallow water beside a bank: whatever
+/// they do to her, every state is finite.
+#[test]
+fn the_worst_that_is_taken_leaves_the_state_finite() {
+    let worst = "depth = 12\nbank = [{ from = [-2000, 30], to = [2000, 30] }]\n\
+                 wind = { speed = 120, from = 1, gusts = true }\ncurrent = { file = \"c.csv\" }\n\
+                 waves = { height = 30, period = 20, from = 2 }";
+    let files = [(
+        "c.csv",
+        "t_s,north_m,east_m,north_mps,east_mps\n0,0,0,15,-15\n0,0,9,-15,15\n1,0,0,-15,15\n1,0,9,15,-15\n",
+    )];
+    let lines = format!("windage = {{ {AREAS}, type = \"ferry\" }}");
+    let scenario = good(
+        &[
+            ("environment", worst),
+            ("vessel", &lines),
+            ("body", "velocity = { surge = \"60 kn\", sway = 10, yaw = \"5 deg/s\" }"),
+        ],
+        &files,
+    );
+    let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
+    while !simulation.is_done() {
+        let record = simulation.step().expect("a good step");
+        let (state, vessel) = (record.states_after[0], &record.vessels[0]);
+        assert!(state.position_m.is_finite() && state.velocity_mps.is_finite(), "{state:?}");
+        assert!(state.yaw_rate_radps.is_finite() && vessel.squat_m.is_finite(), "{state:?}");
+        assert!(vessel.wave_motion.motion.iter().all(|motion| motion.is_finite()));
+    }
+}
+
 /// A bank to starboard draws her to starboard and turns her bow to port, one to port the other way round; half as
 /// far it does so twice as hard; two banks as far from her undo each other.
 #[test]

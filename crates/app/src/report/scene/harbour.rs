@@ -86,8 +86,11 @@ fn weather(environment: &Environment) -> Vec<Weather> {
     });
     let current = environment.current.as_ref().and_then(|current| {
         // Of a current that varies: that in the origin, at the surface, at the start.
-        let varies = !matches!(current, Current::Uniform(_));
-        let which = if varies { " (in the origin, at the start)" } else { "" };
+        let which = match current {
+            Current::Uniform(_) => "",
+            Current::Layered(_) => " (at the surface)",
+            Current::Grid(_) => " (in the origin, at the start)",
+        };
         let velocity = current.velocity(Vec2::ZERO, 0.0, 0.0);
         let speed_mps = velocity.length();
         let towards_rad = libm::atan2(velocity.y, velocity.x);
