@@ -412,6 +412,7 @@ fn examples_are_accepted() {
                 // Shorter than the distance of its ends.
                 "/line/breast/length",
                 // A point at the side of another ship, and another ship than the point is at.
+                "/pair",
                 "/order/5/push_ship/at",
                 "/order/5/push_ship",
                 "/body/a/outline",
