@@ -28,6 +28,7 @@ propeller = { diameter = "4 m", full = "150 rpm" }
 rudder = { area = "12 m^2", span = "4 m" }
 thruster.bow = { along = "50 m", force = "80 kN", lag = "3 s" }
 thruster.stern = { along = "-50 m", force = "40 kN", lag = "3 s" }
+azimuth."drop-down" = { along = "40 m", force = "30 kN", diameter = "1.2 m" }
 windage = { frontal_area = "250 m^2", lateral_area = "1500 m^2", centroid_height = "8 m", type = "ferry" }
 stability = { gm = "1 m", gravity_above_keel = "7 m", waterplane_area = "1700 m^2" }
 
@@ -73,6 +74,11 @@ rudder = "60 deg"
 at = "20 s"
 vessel = "ship"
 thruster = { name = "stern", power = -0.5 }
+
+[[order]]
+at = "200 s"
+vessel = "ship"
+azimuth = { name = "drop-down", power = 0.4, direction = "-90 deg" }
 
 [[order]]
 at = "150 s"
@@ -124,10 +130,21 @@ fn a_vessel_s_forces_and_controls_are_told_step_by_step() {
     // A thruster that is half on to port gives half its force, less what speed takes.
     let thrusters = columns(&place, "thrusters");
     assert_eq!(thrusters["thruster"].len(), 1200);
+    assert_eq!((&*thrusters["thruster"][0], &*thrusters["thruster"][1]), ("bow", "stern"));
     let power = numbers(&thrusters["power"]);
     assert!((power[1199] + 0.5).abs() < 1e-9 && power[1198] == 0.0);
     let given_n = column("thrusters_y_n")[599];
-    assert!((-20e3..=-15e3).contains(&given_n), "{given_n}");
+    // From 200 s on an azimuth unit too pushes to port, with 0.4 of its 30 kN.
+    let azimuths = columns(&place, "azimuths");
+    assert_eq!(azimuths["azimuth"].len(), 600);
+    assert_eq!((&*azimuths["azimuth"][0], &*azimuths["vessel"][0]), ("drop-down", "ship"));
+    let last = |name: &str| *numbers(&azimuths[name]).last().expect("a row");
+    assert!((last("power") - 0.4).abs() < 1e-9);
+    assert!((last("direction_rad") + std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+    let unit_n = last("force_y_n");
+    assert!((-14e3..=-10e3).contains(&unit_n), "{unit_n}");
+    let tunnels_n = given_n - unit_n;
+    assert!((-20e3..=-15e3).contains(&tunnels_n), "{tunnels_n}");
 }
 
 #[test]
@@ -178,7 +195,7 @@ fn the_report_has_a_section_for_what_there_is_and_none_for_what_there_is_not() {
             "wind 15 m/s (29.2 kn) from 090°",
             "current 0.2 m/s (0.4 kn) towards 180°",
             "PARTED",
-            "Thruster 2, positive to starboard, ship",
+            "Thruster stern, positive to starboard, ship",
             "rudder 60° to starboard",
         ],
     );
@@ -192,7 +209,7 @@ fn the_report_has_a_section_for_what_there_is_and_none_for_what_there_is_not() {
         assert!(!report.contains(word), "{word}");
     }
     let files = place.files("out/tug");
-    for name in ["vessels.csv", "thrusters.csv", "tugs.csv", "lines.csv"] {
+    for name in ["vessels.csv", "thrusters.csv", "azimuths.csv", "tugs.csv", "lines.csv"] {
         assert!(!files.iter().any(|file| file == name), "{files:?}");
     }
 }
@@ -221,7 +238,7 @@ fn the_same_run_writes_the_same_bytes_also_with_vessels() {
 fn both_formats_have_the_same_tables() {
     let (place, _) = harbour("vessel_parquet", HARBOUR, &["--format", "parquet"]);
     let files = place.files("out/harbour");
-    for name in ["vessels", "thrusters", "tugs", "lines"] {
+    for name in ["vessels", "thrusters", "azimuths", "tugs", "lines"] {
         assert!(files.contains(&format!("{name}.parquet")), "{files:?}");
     }
 }

@@ -1,6 +1,7 @@
 //! From checked tables to a simulation set-up: what the key table cannot say, because it holds
 //! between keys.
 
+mod azimuth;
 mod current;
 mod environment;
 mod fenders;
@@ -24,6 +25,7 @@ use crate::library::FenderLibrary;
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
 
+use self::azimuth::Afloat;
 use self::world::WorldNames;
 
 type Checked<T> = Result<T, ScenarioError>;
@@ -50,11 +52,11 @@ pub(crate) fn setup(
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
     let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
     let fenders = assembly.fenders(file.given("fender").named(), library, &materials, &names)?;
-    let (vessels, thrusters) =
-        assembly.vessels(file.given("body").named(), &kinds, file.given("vessel").named())?;
+    let vessels = assembly.vessels(file.given("body").named(), &kinds)?;
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines = assembly.lines(file.given("line").named(), &bodies, &names)?;
-    let known = WorldNames { vessels: &vessels, thrusters: &thrusters, tugs: &tugs, lines: &lines };
+    let afloat = Afloat { bodies: &bodies, fenders: &fenders, pairs: &pairs, lines: &lines };
+    let known = WorldNames { vessels: &vessels, tugs: &tugs, afloat };
     let orders = assembly.orders(file.given("order").list(), &known, &names)?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
     let berthing = file.item("berthing").map(Item::table);

@@ -3,6 +3,8 @@
 //! The bounds keep all that the simulation computes far from overflow and are beyond anything that
 //! floats. To add a key: add it here, then use it in [`crate::assemble`].
 
+mod assist;
+mod azimuth;
 mod environment;
 mod fender;
 mod provider;
@@ -16,8 +18,20 @@ use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 /// What an order may ask of a vessel, a tug or a line: one of them.
-pub(crate) const VESSEL_ORDERS: &[&str] =
-    &["rudder", "engine", "telegraph", "thruster", "course", "speed", "station", "hands"];
+pub(crate) const VESSEL_ORDERS: &[&str] = &[
+    "rudder",
+    "engine",
+    "telegraph",
+    "thruster",
+    "azimuth",
+    "course",
+    "speed",
+    "station",
+    "push_ship",
+    "pull_ship",
+    "follow_ship",
+    "hands",
+];
 pub(crate) const TUG_ORDERS: &[&str] = &["push", "pull", "stand_by"];
 pub(crate) const LINE_ORDERS: &[&str] = &["heave", "pay_out", "hold", "let_go"];
 

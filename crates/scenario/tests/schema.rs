@@ -151,6 +151,10 @@ fn full() -> Json {
                 "propeller": { "diameter": 5, "full": "100 rpm", "reversal": "40 s", "running": 0.5 },
                 "rudder": { "area": 25, "span": 6, "rate": "2.5 deg/s", "stop": "35 deg" },
                 "thruster": { "bow": { "along": 60, "force": "150 kN", "lag": 5 } },
+                "azimuth": { "port": {
+                    "along": -70, "across": 2, "force": "300 kN", "diameter": 3, "rate": "12 deg/s",
+                    "lag": 4, "stop": "170 deg"
+                } },
                 "windage": {
                     "method": "blendermann", "frontal_area": 500, "lateral_area": 2000,
                     "length_overall": 160, "centroid_forward": 1, "centroid_height": 10, "type": "ferry"
@@ -196,6 +200,16 @@ fn full() -> Json {
             { "vessel": "d", "engine": 0.5 },
             { "vessel": "d", "telegraph": "half ahead" },
             { "vessel": "d", "thruster": { "name": "bow", "power": 0.5 } },
+            { "vessel": "d", "azimuth": { "name": "port", "power": 0.5, "direction": "30 deg" } },
+            { "vessel": "d", "push_ship": {
+                "ship": "a", "at": [1, 0], "force": "100 kN", "speed": "1 kn"
+            } },
+            { "vessel": "d", "pull_ship": {
+                "line": "spring", "force": "100 kN", "direction": "90 deg", "speed": "1 kn"
+            } },
+            { "vessel": "d", "follow_ship": {
+                "ship": "a", "at": [40, 40], "heading": "90 deg", "speed": "1 kn"
+            } },
             { "vessel": "d", "course": "10 deg" },
             { "vessel": "d", "speed": "4 kn" },
             { "vessel": "d", "station": {
@@ -361,6 +375,8 @@ fn absent_agrees(document: &Json, pointer: &str) {
         "/tug",
         "/line",
         "/vessel/box ship/thruster",
+        "/vessel/box ship/azimuth",
+        "/pair",
     ]
     .contains(&pointer);
     if !referred_to {
@@ -430,7 +446,7 @@ fn examples_are_accepted() {
     // These name bodies and materials of other scenarios.
     let names = [
         "bodies", "material", "body", "on", "ship", "vessel", "tug", "line", "from", "to",
-        "thruster",
+        "thruster", "azimuth",
     ];
     let mut tried = 0;
     for path in paths.iter().filter(|path| !names.contains(&path.last().unwrap().as_str())) {
@@ -456,6 +472,11 @@ fn examples_are_accepted() {
                 "/vessel/box ship/windage/method",
                 // Shorter than the distance of its ends.
                 "/line/breast/length",
+                // A point at the side of another ship, and another ship than the point is at.
+                "/pair",
+                "/order/5/push_ship/at",
+                "/order/5/push_ship",
+                "/body/a/outline",
             ];
             if !conflicts.contains(&pointer.as_str()) {
                 assert!(accepted(&changed), "{pointer} = {example}");

@@ -1,6 +1,5 @@
 //! Vessels, tugs, lines and orders.
 
-use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Display;
 
@@ -14,9 +13,10 @@ use fenderline_sim::mooring::{
 use fenderline_sim::tug::{TugEnvelope, TugOrder, VectorTug};
 use fenderline_sim::{
     Action, BodySetup, Environment, Float, LineEnd, MassProperties, MooringSetup, Order, Station,
-    TugSetup, VesselSetup,
+    ThrusterSetup, TugSetup, VesselSetup,
 };
 
+use super::azimuth::{Afloat, azimuths};
 use super::{Assembly, Checked, Names};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
@@ -29,9 +29,6 @@ pub(super) struct Kind {
     pub(super) setup: VesselSetup,
     pub(super) mass: MassProperties,
 }
-
-/// Names of thrusters, in their order.
-pub(super) type Thrusters = BTreeMap<String, Vec<String>>;
 
 impl Assembly<'_, '_> {
     /// An error of a computation about a key.
@@ -93,12 +90,16 @@ impl Assembly<'_, '_> {
             shaft,
             thrusters: thrusters
                 .iter()
-                .map(|(_, thruster)| TunnelThruster {
-                    bollard_n: *thruster.given("force").number(),
-                    along_m: *thruster.given("along").number(),
+                .map(|(name, thruster)| ThrusterSetup {
+                    name: name.clone(),
+                    tunnel: TunnelThruster {
+                        bollard_n: *thruster.given("force").number(),
+                        along_m: *thruster.given("along").number(),
+                    },
+                    lag_s: *thruster.given("lag").number(),
                 })
                 .collect(),
-            thruster_lags_s: thrusters.iter().map(|(_, t)| *t.given("lag").number()).collect(),
+            azimuths: azimuths(table.given("azimuth").named()),
             windage: self.windage(table, &particulars)?,
             response: self.response(table, &particulars, float.as_ref())?,
             float,
@@ -234,24 +235,21 @@ impl Assembly<'_, '_> {
         }))
     }
 
-    /// The vessels that bodies name, in the order of the bodies, and their thrusters' names.
+    /// The vessels that bodies name, in the order of the bodies.
     pub(super) fn vessels(
         &self,
         bodies: &[(String, Table)],
         kinds: &[(String, Kind)],
-        tables: &[(String, Table)],
-    ) -> Checked<(Vec<VesselSetup>, Thrusters)> {
-        let (mut vessels, mut thrusters) = (Vec::new(), Thrusters::new());
-        for (index, (name, body)) in bodies.iter().enumerate() {
+    ) -> Checked<Vec<VesselSetup>> {
+        let mut vessels = Vec::new();
+        for (index, (_, body)) in bodies.iter().enumerate() {
             let Some(item) = body.item("vessel") else { continue };
             let place = self.kind_named(body, item, kinds)?;
             let mut setup = kinds[place].1.setup.clone();
             setup.body = index;
             vessels.push(setup);
-            let own = tables[place].1.given("thruster").named();
-            thrusters.insert(name.clone(), own.iter().map(|(name, _)| name.clone()).collect());
         }
-        Ok((vessels, thrusters))
+        Ok(vessels)
     }
 
     /// The place among the kinds of the one that a body names.
@@ -268,7 +266,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    fn unknown<'n>(
+    pub(super) fn unknown<'n>(
         &self,
         what: &str,
         table: &Table,
@@ -471,7 +469,7 @@ impl Assembly<'_, '_> {
         match item.name {
             "vessel" => {
                 let vessel = self.vessel_named(table, item, world.vessels, names)?;
-                let action = self.to_vessel(what, &world.thrusters[item.name()])?;
+                let action = self.to_vessel(table, what, &world.vessels[vessel], world, names)?;
                 Ok(Order { at_s, vessel, action })
             }
             "tug" => {
@@ -484,7 +482,7 @@ impl Assembly<'_, '_> {
                 Ok(Order { at_s, vessel: tug.vessel, action: Action::Tug(index, order) })
             }
             _ => {
-                let known = || world.lines.iter().map(|line| line.line.name.as_str());
+                let known = || world.afloat.lines.iter().map(|line| line.line.name.as_str());
                 let index = known().position(|name| name == item.text());
                 let index =
                     index.ok_or_else(|| self.unknown("line", table, item, item.text(), known()))?;
@@ -493,7 +491,15 @@ impl Assembly<'_, '_> {
         }
     }
 
-    fn to_vessel(&self, what: &Item, thrusters: &[String]) -> Checked<Action> {
+    fn to_vessel(
+        &self,
+        table: &Table,
+        what: &Item,
+        vessel: &VesselSetup,
+        world: &WorldNames<'_>,
+        names: &Names,
+    ) -> Checked<Action> {
+        self.refuse_without_gear(table, what, vessel)?;
         Ok(match what.name {
             "rudder" => Action::Rudder(*what.number()),
             "engine" => Action::Engine(*what.number()),
@@ -501,11 +507,10 @@ impl Assembly<'_, '_> {
             "thruster" => {
                 let of = what.table();
                 let name = of.given("name");
-                let index = thrusters.iter().position(|known| known == name.text());
-                let index = index.ok_or_else(|| {
-                    let known = thrusters.iter().map(String::as_str);
-                    self.unknown("thruster", of, name, name.text(), known)
-                })?;
+                let known = || vessel.thrusters.iter().map(|thruster| thruster.name.as_str());
+                let index = known().position(|known| known == name.text());
+                let index = index
+                    .ok_or_else(|| self.unknown("thruster", of, name, name.text(), known()))?;
                 Action::Thruster(index, *of.given("power").number())
             }
             "course" => Action::Course(*what.number()),
@@ -518,9 +523,33 @@ impl Assembly<'_, '_> {
                     fastest_mps: [*of.given("surge").number(), *of.given("sway").number()],
                 })
             }
+            "azimuth" => self.to_azimuth(what.table(), vessel)?,
+            "push_ship" | "pull_ship" | "follow_ship" => {
+                self.to_tug_vessel(what, vessel, &world.afloat, names)?
+            }
             "hands" => Action::Hands,
             other => unreachable!("{other} is no order to a vessel"),
         })
+    }
+
+    /// What she has nothing to carry out with would ask for nothing.
+    fn refuse_without_gear(&self, table: &Table, what: &Item, vessel: &VesselSetup) -> Checked<()> {
+        let (has_it, needed) = match what.name {
+            "rudder" | "engine" | "telegraph" => {
+                (vessel.ship.propulsion.is_some(), "propeller and rudder")
+            }
+            "course" | "speed" => (
+                vessel.ship.propulsion.is_some() || vessel.steers_with_azimuths(),
+                "propeller and rudder, nor azimuth units",
+            ),
+            _ => return Ok(()),
+        };
+        if has_it {
+            return Ok(());
+        }
+        let path = table.path_of(what.name);
+        let message = format!("`{path}`: the vessel has no {needed}");
+        Err(self.sources.error(&what.key_span, &path, message))
     }
 
     /// `let_go = false` would ask for nothing.
@@ -536,9 +565,8 @@ impl Assembly<'_, '_> {
 /// What orders refer to.
 pub(super) struct WorldNames<'w> {
     pub(super) vessels: &'w [VesselSetup],
-    pub(super) thrusters: &'w Thrusters,
     pub(super) tugs: &'w [TugSetup],
-    pub(super) lines: &'w [MooringSetup],
+    pub(super) afloat: Afloat<'w>,
 }
 
 fn to_tug(tug: &TugSetup, what: &Item, direction_rad: Option<f64>) -> TugOrder {

@@ -85,6 +85,13 @@ pub(super) static VESSEL: TableSpec = TableSpec {
         key("rudder", Kind::Table(&RUDDER), Means("that of the model, or none"), "Rudder.", &[]),
         key("thruster", Kind::Named(&THRUSTER), Is("{}"), "Tunnel thrusters, by name.", &[]),
         key(
+            "azimuth",
+            Kind::Named(&super::azimuth::AZIMUTH),
+            Is("{}"),
+            "Azimuth units, by name. A vessel without a propeller goes and steers with them.",
+            &[],
+        ),
+        key(
             "windage",
             Kind::Table(&WINDAGE),
             Means("the wind does not move her"),
@@ -264,7 +271,8 @@ static STABILITY: TableSpec = TableSpec {
 pub(super) static TUG: TableSpec = TableSpec {
     what: "a tug",
     doc: "A tug that is a force at a point of a vessel: what she can give falls with speed (derived, \
-          unvalidated). For one that pushes through her own bow fender use a body.",
+          unvalidated). For one that pushes through her own bow fender use a vessel with azimuth units and the \
+          orders `push_ship`, `pull_ship` and `follow_ship`.",
     keys: &[
         key(
             "vessel",
@@ -467,6 +475,34 @@ pub(super) static ORDER: TableSpec = TableSpec {
             &["\"slow astern\""],
         ),
         key("thruster", Kind::Table(&THRUSTER_ORDER), Means("another order"), "A thruster.", &[]),
+        key(
+            "azimuth",
+            Kind::Table(&super::azimuth::AZIMUTH_ORDER),
+            Means("another order"),
+            "An azimuth unit.",
+            &[],
+        ),
+        key(
+            "push_ship",
+            Kind::Table(&super::assist::PUSH_SHIP),
+            Means("another order"),
+            "A vessel with azimuth units comes to a ship's side and pushes.",
+            &[],
+        ),
+        key(
+            "pull_ship",
+            Kind::Table(&super::assist::PULL_SHIP),
+            Means("another order"),
+            "A vessel with azimuth units pulls on a line between her and a ship.",
+            &[],
+        ),
+        key(
+            "follow_ship",
+            Kind::Table(&super::assist::FOLLOW_SHIP),
+            Means("another order"),
+            "A vessel with azimuth units keeps a place beside a ship.",
+            &[],
+        ),
         key(
             "course",
             Kind::Quantity(DIRECTION),

@@ -2,6 +2,7 @@
 
 use fenderline_contact::{BodyState, Rotation, Wrench, vec2};
 
+use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::environment::Environment;
 use super::pilot::Pilots;
 use crate::attitude::{Attitude, Drive, Hydrostatics};
@@ -11,7 +12,7 @@ use crate::environment::waves::{
 use crate::environment::wind::{RelativeWind, ShipWindage};
 use crate::environment::{BankWater, ShipAtBank};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
-use crate::hydro::{Controls, Force, Mmg, TunnelThruster, Velocity};
+use crate::hydro::{Controls, Force, Mmg, Velocity};
 
 /// How much water a ship that was aground needs under her keel to be afloat again [m]; our choice.
 const REFLOATED_M: f64 = 0.02;
@@ -28,9 +29,9 @@ pub struct VesselSetup {
     /// Shaft where it starts, with its rate and its full revolutions as the stop [1/s].
     pub shaft: RateLimited,
     /// Tunnel thrusters.
-    pub thrusters: Vec<TunnelThruster>,
-    /// Time constant of each thruster [s].
-    pub thruster_lags_s: Vec<f64>,
+    pub thrusters: Vec<ThrusterSetup>,
+    /// Azimuth units.
+    pub azimuths: Vec<AzimuthSetup>,
     /// Wind areas.
     pub windage: Option<ShipWindage>,
     /// Heave, roll and pitch.
@@ -61,6 +62,8 @@ pub struct VesselOrders {
     pub shaft: f64,
     /// Each thruster, −1 (to port) to 1.
     pub thrusters: Vec<f64>,
+    /// Each azimuth unit.
+    pub azimuths: Vec<AzimuthOrder>,
 }
 
 /// What changes of a vessel besides her state in the plane: plain data.
@@ -74,6 +77,8 @@ pub struct VesselState {
     pub shaft: RateLimited,
     /// Thrusters now.
     pub thrusters: Vec<Lag>,
+    /// Azimuth units now.
+    pub azimuths: Vec<AzimuthState>,
     /// Pilots that are on.
     pub pilots: Pilots,
     /// Heave, roll and pitch, without first-order wave motion.
@@ -95,7 +100,7 @@ pub struct VesselForces {
     pub propeller: Force,
     /// Rudder.
     pub rudder: Force,
-    /// Thrusters.
+    /// Thrusters, azimuth units among them.
     pub thrusters: Force,
     /// Wind.
     pub wind: Force,
@@ -108,6 +113,11 @@ pub struct VesselForces {
 }
 
 impl VesselForces {
+    /// What she feels besides what she orders: hull, wind and waves.
+    pub(crate) fn felt(&self) -> Force {
+        self.hull + self.wind + self.waves
+    }
+
     fn sum(&self) -> Force {
         self.hull
             + self.propeller
@@ -128,14 +138,16 @@ impl VesselState {
                 rudder_rad: setup.rudder.value,
                 shaft: setup.shaft.value / setup.shaft.stop,
                 thrusters: vec![0.0; setup.thrusters.len()],
+                azimuths: vec![AzimuthOrder::default(); setup.azimuths.len()],
             },
             rudder: setup.rudder,
             shaft: setup.shaft,
             thrusters: setup
-                .thruster_lags_s
+                .thrusters
                 .iter()
-                .map(|&time_constant_s| Lag { value: 0.0, time_constant_s })
+                .map(|thruster| Lag { value: 0.0, time_constant_s: thruster.lag_s })
                 .collect(),
+            azimuths: setup.azimuths.iter().map(AzimuthState::new).collect(),
             pilots: Pilots::default(),
             attitude: Attitude::default(),
             wave_motion: FirstOrderMotion::default(),
@@ -154,15 +166,24 @@ impl VesselState {
             clamped |= within != order;
             lag.step(within, step_s);
         }
+        for (unit, order) in self.azimuths.iter_mut().zip(&self.orders.azimuths) {
+            clamped |= unit.act(order, step_s);
+        }
         clamped
     }
 }
 
 impl VesselSetup {
-    /// The forces of a step that begins at a state.
+    /// Whether she goes and steers with her azimuth units, for want of a propeller and a rudder.
+    #[must_use]
+    pub fn steers_with_azimuths(&self) -> bool {
+        self.ship.propulsion.is_none() && !self.azimuths.is_empty()
+    }
+
+    /// The forces of a step that begins at a state; each azimuth unit keeps its own.
     pub(crate) fn forces(
         &self,
-        vessel: &VesselState,
+        vessel: &mut VesselState,
         state: &BodyState,
         environment: &Environment,
         (t_s, step_s): (f64, f64),
@@ -171,13 +192,13 @@ impl VesselSetup {
         let water = environment.density();
         let controls = Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
         let parts = self.ship.parts(&velocity, &controls, water);
-        let thrusters = self
-            .thrusters
-            .iter()
-            .zip(&vessel.thrusters)
-            .fold(Force::default(), |sum, (thruster, lag)| {
-                sum + thruster.force(lag.value, &velocity)
-            });
+        let mut thrusters = Force::default();
+        for (thruster, lag) in self.thrusters.iter().zip(&vessel.thrusters) {
+            thrusters = thrusters + thruster.tunnel.force(lag.value, &velocity);
+        }
+        for (azimuth, now) in self.azimuths.iter().zip(&mut vessel.azimuths) {
+            thrusters = thrusters + now.push(azimuth, &velocity, water);
+        }
         VesselForces {
             hull: parts.hull,
             propeller: parts.propeller,

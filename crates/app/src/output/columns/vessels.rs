@@ -90,13 +90,21 @@ pub(in crate::output) fn vessels_columns() -> Vec<Column<VesselRow>> {
         float("rudder_n_nm", "N·m", "moment of rudder: about midship, to starboard", |r| {
             r.forces.rudder.yaw_nm
         }),
-        float("thrusters_x_n", "N", "force of thrusters: forward", |r| r.forces.thrusters.surge_n),
-        float("thrusters_y_n", "N", "force of thrusters: to starboard", |r| {
-            r.forces.thrusters.sway_n
+        float("thrusters_x_n", "N", "force of thrusters, azimuth units among them: forward", |r| {
+            r.forces.thrusters.surge_n
         }),
-        float("thrusters_n_nm", "N·m", "moment of thrusters: about midship, to starboard", |r| {
-            r.forces.thrusters.yaw_nm
-        }),
+        float(
+            "thrusters_y_n",
+            "N",
+            "force of thrusters, azimuth units among them: to starboard",
+            |r| r.forces.thrusters.sway_n,
+        ),
+        float(
+            "thrusters_n_nm",
+            "N·m",
+            "moment of thrusters, azimuth units among them: about midship, to starboard",
+            |r| r.forces.thrusters.yaw_nm,
+        ),
         float("wind_x_n", "N", "force of wind: forward", |r| r.forces.wind.surge_n),
         float("wind_y_n", "N", "force of wind: to starboard", |r| r.forces.wind.sway_n),
         float("wind_n_nm", "N·m", "moment of wind: about midship, to starboard", |r| {

@@ -23,7 +23,7 @@ pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
                     (heading("Block coefficient", "–"))
                     (heading("Full revolutions", "rpm"))
                     (heading("Rudder", "stop deg, deg/s"))
-                    (heading("Thrusters", "kN each"))
+                    (heading("Thrusters and azimuth units", "kN each"))
                     (heading("Largest speed", "over ground, kn"))
                     (heading("Largest rate of turn", "deg/min"))
                     (heading("Largest roll", "deg"))
@@ -48,8 +48,10 @@ pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
 
 fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Markup {
     let ship = &vessel.ship.particulars;
-    let thrusters = vessel.thrusters.iter().map(|t| plain(t.bollard_n / 1e3, 3));
-    let thrusters: Vec<String> = thrusters.collect();
+    let named = |name: &str, bollard_n: f64| format!("{name} {}", plain(bollard_n / 1e3, 3));
+    let tunnels = vessel.thrusters.iter().map(|t| named(&t.name, t.tunnel.bollard_n));
+    let azimuths = vessel.azimuths.iter().map(|a| named(&a.name, a.bollard_n));
+    let thrusters: Vec<String> = tunnels.chain(azimuths).collect();
     let has_gear = vessel.ship.propulsion.is_some();
     let gear = |text: String| if has_gear { text } else { "none".to_owned() };
     let rudder = &vessel.rudder;
