@@ -3,6 +3,7 @@
 
 mod fenders;
 mod providers;
+mod vessel;
 mod world;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -155,7 +156,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    fn bodies(&mut self, item: &Item, kinds: &[(String, world::Kind)]) -> Checked<Vec<BodySetup>> {
+    fn bodies(&mut self, item: &Item, kinds: &[(String, vessel::Kind)]) -> Checked<Vec<BodySetup>> {
         let bodies = item.named();
         if bodies.is_empty() {
             let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
@@ -168,7 +169,7 @@ impl Assembly<'_, '_> {
         &mut self,
         name: &str,
         table: &Table,
-        kinds: &[(String, world::Kind)],
+        kinds: &[(String, vessel::Kind)],
     ) -> Checked<BodySetup> {
         let outline = self.outline(table)?;
         let mass = if *table.given("fixed").flag() {

@@ -5,6 +5,7 @@
 
 mod fender;
 mod provider;
+mod vessel;
 mod world;
 
 use serde_json::json;
@@ -99,7 +100,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
         },
         KeySpec {
             name: "vessel",
-            kind: Kind::Named(&world::VESSEL),
+            kind: Kind::Named(&vessel::VESSEL),
             absent: Is("{}"),
             doc: "Kinds of vessels, by name.",
             examples: &[],
