@@ -1,70 +1,63 @@
 //! Kinds of vessels, and the vessels that bodies are.
 
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 use std::fmt::Display;
 
-use fenderline_sim::attitude::{FloatParticulars, Hydrostatics};
+use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::environment::waves::{BoxShip, DriftHull, MotionResponse};
+use fenderline_sim::hydro::Particulars;
 use fenderline_sim::hydro::actuator::RateLimited;
-use fenderline_sim::hydro::{Mmg, Particulars, SternGear, TunnelThruster, estimated, vessels};
 use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
 
 use super::{Assembly, Checked};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
+use crate::sources::quoted;
+use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
 
 /// A kind of vessel, without a body.
 pub(super) struct Kind {
     setup: VesselSetup,
     pub(super) mass: MassProperties,
+    data: VesselData,
 }
 
 /// Names of thrusters, in their order.
 pub(super) type Thrusters = BTreeMap<String, Vec<String>>;
 
-impl Assembly<'_, '_> {
-    /// Every kind of vessel, in the order of the file.
-    pub(super) fn kinds(
-        &self,
-        tables: &[(String, Table)],
-        environment: &Environment,
-    ) -> Checked<Vec<(String, Kind)>> {
-        let read =
-            |(name, table): &(String, Table)| Ok((name.clone(), self.kind(table, environment)?));
-        tables.iter().map(read).collect()
-    }
+/// What a body is, where she is a vessel, by the index of the body.
+pub(super) type Decks<'k> = Vec<Option<&'k Kind>>;
 
-    fn kind(&self, table: &Table, environment: &Environment) -> Checked<Kind> {
-        self.refuse_a_model_with_particulars(table)?;
-        let (deep, mut rudder) = self.ship(table)?;
+impl Kind {
+    /// Of a vessel in her water.
+    fn new(data: VesselData, environment: &Environment) -> Result<Kind, Box<dyn Display>> {
+        let deep = &data.ship;
         let water = environment.water_density_kgpm3;
         let ship = match environment.depth_m {
             Some(depth_m) if depth_m > deep.particulars.draught_m => {
-                deep.at_depth(depth_m).map_err(|error| self.wrong(table, &error))?
+                deep.at_depth(depth_m).map_err(|error| Box::new(error) as Box<dyn Display>)?
             }
             // Aground her hull coefficients are her least concern.
-            _ => deep,
+            _ => *deep,
         };
-        let mut shaft = RateLimited { value: 0.0, rate_per_s: 0.1, stop: 1.0 };
-        if let Some(propeller) = table.item("propeller").map(Item::table) {
-            let full_rps = propeller.given("full").number() / TAU;
-            shaft = RateLimited {
-                value: full_rps * propeller.given("running").number(),
-                rate_per_s: 2.0 * full_rps / propeller.given("reversal").number(),
-                stop: full_rps,
-            };
-        }
-        if let Some(gear) = table.item("rudder").map(Item::table) {
-            rudder = RateLimited {
+        let shaft = match data.shaft {
+            Some(shaft) => RateLimited {
                 value: 0.0,
-                rate_per_s: *gear.given("rate").number(),
-                stop: *gear.given("stop").number(),
-            };
-        }
-        let thrusters = table.given("thruster").named();
+                rate_per_s: 2.0 * shaft.full_rps / shaft.reversal_s,
+                stop: shaft.full_rps,
+            },
+            None => RateLimited { value: 0.0, rate_per_s: 0.1, stop: 1.0 },
+        };
         let particulars = ship.particulars;
-        let float = self.float(table, &particulars, water)?;
+        let float = match &data.stability {
+            Some(stability) => Some(Float {
+                hydrostatics: hydrostatics(stability, &particulars, water)
+                    .map_err(|error| Box::new(error) as Box<dyn Display>)?,
+                gravity_above_water_m: stability.gravity_above_keel_m - particulars.draught_m,
+                draught_m: particulars.draught_m,
+            }),
+            None => None,
+        };
         let drift = DriftHull {
             length_m: particulars.length_m,
             beam_m: particulars.beam_m,
@@ -72,150 +65,87 @@ impl Assembly<'_, '_> {
         };
         let setup = VesselSetup {
             body: 0,
+            origin: data.origin.clone(),
             ship,
-            rudder,
+            rudder: data.rudder,
             shaft,
-            thrusters: thrusters
-                .iter()
-                .map(|(_, thruster)| TunnelThruster {
-                    bollard_n: *thruster.given("force").number(),
-                    along_m: *thruster.given("along").number(),
-                })
-                .collect(),
-            thruster_lags_s: thrusters.iter().map(|(_, t)| *t.given("lag").number()).collect(),
-            windage: self.windage(table, &particulars)?,
+            thrusters: data.thrusters.iter().map(|thruster| thruster.thruster).collect(),
+            thruster_lags_s: data.thrusters.iter().map(|thruster| thruster.lag_s).collect(),
+            windage: data.windage,
             response: float.map(|float| response(&particulars, &float)),
             float,
             drift: Some(drift),
         };
-        let mass_kg = water * particulars.volume_m3;
         let mass = MassProperties {
-            mass_kg,
+            mass_kg: water * particulars.volume_m3,
             yaw_inertia_kgm2: water * particulars.yaw_inertia_m5(),
             added_surge_kg: water * ship.added_mass.surge_m3,
             added_sway_kg: water * ship.added_mass.sway_m3,
             added_yaw_kgm2: water * ship.added_mass.yaw_m5,
         };
-        Ok(Kind { setup, mass })
+        Ok(Kind { setup, mass, data })
     }
 
-    fn refuse_a_model_with_particulars(&self, table: &Table) -> Checked<()> {
-        if table.item("model").is_none() {
-            for name in ["length_bp", "beam", "draught", "block_coefficient"] {
-                if table.item(name).is_none() {
-                    let path = table.path_of(name);
-                    let message = format!("`{path}` is missing");
-                    let error = self.sources.error(&table.span, &path, message);
-                    return Err(error.with_help("give it, or a published `model`"));
-                }
-            }
-            let gear = ["propeller", "rudder"].map(|name| table.item(name));
-            if let [Some(alone), None] | [None, Some(alone)] = gear {
-                let other = if alone.name == "rudder" { "propeller" } else { "rudder" };
-                let path = table.path_of(alone.name);
-                let message = format!("`{path}` needs `{other}` beside it");
-                return Err(self.sources.error(&alone.key_span, &path, message));
-            }
-            return Ok(());
-        }
-        let own =
-            ["length_bp", "beam", "draught", "block_coefficient", "centre_of_gravity", "gyradius"];
-        for name in own {
-            if let Some(item) = table.item(name) {
-                let path = table.path_of(name);
-                let message = format!("`{path}` does not go together with `model`");
-                let error = self.sources.error(&item.key_span, &path, message);
-                return Err(error.with_help("the model brings its own particulars"));
-            }
-        }
-        let parts = [("propeller", "diameter"), ("rudder", "area"), ("rudder", "span")];
-        for (part, name) in parts {
-            let Some(of) = table.item(part).map(Item::table) else { continue };
-            if let Some(item) = of.item(name) {
-                let path = of.path_of(name);
-                let message = format!("`{path}` does not go together with `model`");
-                let error = self.sources.error(&item.key_span, &path, message);
-                return Err(error.with_help("the model brings its own propeller and rudder"));
-            }
-        }
-        Ok(())
+    /// From midship to the centre of gravity, which is a body's origin.
+    fn about_gravity(&self, at_m: Vec2) -> Vec2 {
+        at_m - vec2(self.data.ship.particulars.centre_of_gravity_m, 0.0)
     }
 
-    /// The manoeuvring model in deep water, and her rudder.
-    fn ship(&self, table: &Table) -> Checked<(Mmg, RateLimited)> {
-        if let Some(model) = table.item("model") {
-            let vessel = match model.choice() {
-                0 => vessels::kvlcc2(),
-                1 => vessels::kcs(),
-                other => unreachable!("the key table has no model {other}"),
+    /// Her outline about the centre of gravity.
+    pub(super) fn outline_m(&self) -> Option<Vec<Vec2>> {
+        let points = self.data.outline_m.as_ref()?;
+        Some(points.iter().map(|point| self.about_gravity(*point)).collect())
+    }
+
+    /// Length and beam [m].
+    pub(super) fn size_m(&self) -> [f64; 2] {
+        let hull = &self.data.ship.particulars;
+        [self.data.length_overall_m.unwrap_or(hull.length_m), hull.beam_m]
+    }
+}
+
+impl Assembly<'_, '_> {
+    /// Every kind of vessel: the scenario's own, in the order of the file, then those of the library that bodies
+    /// name.
+    pub(super) fn kinds(
+        &self,
+        file: &Table,
+        library: &VesselLibrary,
+        environment: &Environment,
+    ) -> Checked<Vec<(String, Kind)>> {
+        let mut kinds: Vec<(String, Kind)> = Vec::new();
+        for (name, table) in file.given("vessel").named() {
+            if library.vessel(name).is_ok() {
+                let message = format!("the library has a vessel named {} already", quoted(name));
+                let error = self.sources.error(&table.span, &table.path, message);
+                return Err(error.with_help(format!(
+                    "take another name, with from = \"{name}\" in it where she is that vessel"
+                )));
+            }
+            let data = own_vessel(self.sources, name, table, library)?;
+            let kind = Kind::new(data, environment).map_err(|error| self.wrong(table, &error))?;
+            kinds.push((name.clone(), kind));
+        }
+        for (_, body) in file.given("body").named() {
+            let Some(item) = body.item("vessel") else { continue };
+            let name = item.text();
+            if kinds.iter().any(|(known, _)| known == name) {
+                continue;
+            }
+            let Ok(data) = library.vessel(name) else {
+                let own = kinds.iter().map(|(known, _)| known.as_str());
+                let known = own.chain(library.vessels().iter().map(|known| known.name.as_str()));
+                return Err(self.unknown("vessel", body, item, name, known));
             };
-            return Ok((vessel.ship, vessel.steering));
+            let kind = Kind::new(data.clone(), environment)
+                .map_err(|error| self.refused(body, item, &error))?;
+            kinds.push((name.to_owned(), kind));
         }
-        let number = |name: &str| *table.given(name).number();
-        let particulars = Particulars::from_block(
-            number("length_bp"),
-            number("beam"),
-            number("draught"),
-            number("block_coefficient"),
-        )
-        .and_then(|ship| {
-            let gyradius = table.item("gyradius").map(|item| item.number() / ship.length_m);
-            Particulars {
-                centre_of_gravity_m: table.item("centre_of_gravity").map_or(0.0, |i| *i.number()),
-                yaw_gyradius_ratio: gyradius.unwrap_or(ship.yaw_gyradius_ratio),
-                ..ship
-            }
-            .check()
-        })
-        .map_err(|error| self.wrong(table, &error))?;
-        let gear = self.stern_gear(table)?;
-        let ship =
-            estimated(particulars, gear.as_ref()).map_err(|error| self.wrong(table, &error))?;
-        Ok((ship, RateLimited { value: 0.0, rate_per_s: 0.04, stop: 0.6 }))
-    }
-
-    fn stern_gear(&self, table: &Table) -> Checked<Option<SternGear>> {
-        let (Some(propeller), Some(rudder)) = (table.item("propeller"), table.item("rudder"))
-        else {
-            return Ok(None);
-        };
-        let of = |item: &Item, name: &str| {
-            item.table().item(name).map(|item| *item.number()).ok_or_else(|| {
-                let path = item.table().path_of(name);
-                let message = format!("`{path}` is missing");
-                let error = self.sources.error(&item.span, &path, message);
-                error.with_help("a vessel without a published `model` needs it")
-            })
-        };
-        Ok(Some(SternGear {
-            propeller_m: of(propeller, "diameter")?,
-            rudder_m2: of(rudder, "area")?,
-            rudder_span_m: of(rudder, "span")?,
-        }))
+        Ok(kinds)
     }
 
     pub(super) fn wrong(&self, table: &Table, error: &dyn Display) -> ScenarioError {
         self.sources.error(&table.span, &table.path, format!("`{}`: {error}", table.path))
-    }
-
-    fn float(&self, table: &Table, ship: &Particulars, water: f64) -> Checked<Option<Float>> {
-        let Some(item) = table.item("stability") else { return Ok(None) };
-        let of = item.table();
-        let number = |name: &str| *of.given(name).number();
-        let hydrostatics = Hydrostatics::of(&FloatParticulars {
-            mass_kg: water * ship.volume_m3,
-            length_m: ship.length_m,
-            beam_m: ship.beam_m,
-            draught_m: ship.draught_m,
-            waterplane_m2: number("waterplane_area"),
-            gm_m: number("gm"),
-            water_kgpm3: water,
-        });
-        Ok(Some(Float {
-            hydrostatics: hydrostatics.map_err(|error| self.refused(table, item, &error))?,
-            gravity_above_water_m: number("gravity_above_keel") - ship.draught_m,
-            draught_m: ship.draught_m,
-        }))
     }
 
     /// The vessels that bodies name, in the order of the bodies, and their thrusters' names.
@@ -223,34 +153,109 @@ impl Assembly<'_, '_> {
         &self,
         bodies: &[(String, Table)],
         kinds: &[(String, Kind)],
-        tables: &[(String, Table)],
     ) -> Checked<(Vec<VesselSetup>, Thrusters)> {
         let (mut vessels, mut thrusters) = (Vec::new(), Thrusters::new());
         for (index, (name, body)) in bodies.iter().enumerate() {
             let Some(item) = body.item("vessel") else { continue };
-            let place = self.kind_named(body, item, kinds)?;
-            let mut setup = kinds[place].1.setup.clone();
+            let kind = kind_named(item, kinds);
+            let mut setup = kind.setup.clone();
             setup.body = index;
+            if let Some(running) = body.item("running") {
+                if kind.data.shaft.is_none() {
+                    let message = format!("{} has no propeller", kind.data.origin.title);
+                    return Err(self.refused(body, running, &message));
+                }
+                setup.shaft.value = setup.shaft.stop * running.number();
+            }
             vessels.push(setup);
-            let own = tables[place].1.given("thruster").named();
-            thrusters.insert(name.clone(), own.iter().map(|(name, _)| name.clone()).collect());
+            let own = kind.data.thrusters.iter().map(|thruster| thruster.name.clone());
+            thrusters.insert(name.clone(), own.collect());
         }
         Ok((vessels, thrusters))
     }
 
-    /// The place among the kinds of the one that a body names.
-    pub(super) fn kind_named(
+    /// A chock, from the centre of gravity, and its height above the water [m].
+    pub(super) fn chock(
         &self,
-        body: &Table,
+        table: &Table,
         item: &Item,
-        kinds: &[(String, Kind)],
-    ) -> Checked<usize> {
-        let name = item.text();
-        kinds.iter().position(|(kind, _)| kind == name).ok_or_else(|| {
-            let known = kinds.iter().map(|(kind, _)| kind.as_str());
-            self.unknown("vessel", body, item, name, known)
-        })
+        deck: Option<&Kind>,
+    ) -> Checked<(Vec2, f64)> {
+        self.deck_point(table, item, "chock", deck, |data| &data.chocks)
     }
+
+    /// Bitts, likewise.
+    pub(super) fn bitts(
+        &self,
+        table: &Table,
+        item: &Item,
+        deck: Option<&Kind>,
+    ) -> Checked<(Vec2, f64)> {
+        self.deck_point(table, item, "bitts", deck, |data| &data.bitts)
+    }
+
+    fn deck_point(
+        &self,
+        table: &Table,
+        item: &Item,
+        what: &str,
+        deck: Option<&Kind>,
+        points: fn(&VesselData) -> &Vec<DeckPoint>,
+    ) -> Checked<(Vec2, f64)> {
+        let kind = self.deck(table, item, deck)?;
+        let points = points(&kind.data);
+        let point = points.iter().find(|point| point.name == item.text()).ok_or_else(|| {
+            self.not_on_her(what, table, item, kind, points.iter().map(|point| point.name.as_str()))
+        })?;
+        Ok((kind.about_gravity(point.at_m), point.above_water_m))
+    }
+
+    /// A belting, its middle from the centre of gravity.
+    pub(super) fn belting(
+        &self,
+        table: &Table,
+        item: &Item,
+        deck: Option<&Kind>,
+    ) -> Checked<Belting> {
+        let kind = self.deck(table, item, deck)?;
+        let all = &kind.data.beltings;
+        let belting = all.iter().find(|belting| belting.name == item.text()).ok_or_else(|| {
+            self.not_on_her("belting", table, item, kind, all.iter().map(|b| b.name.as_str()))
+        })?;
+        Ok(Belting { middle_m: kind.about_gravity(belting.middle_m), ..belting.clone() })
+    }
+
+    fn deck<'k>(&self, table: &Table, item: &Item, deck: Option<&'k Kind>) -> Checked<&'k Kind> {
+        deck.ok_or_else(|| self.refused(table, item, &"its body is no vessel"))
+    }
+
+    fn not_on_her<'n>(
+        &self,
+        what: &str,
+        table: &Table,
+        item: &Item,
+        kind: &Kind,
+        known: impl Iterator<Item = &'n str> + Clone,
+    ) -> ScenarioError {
+        let error = self.unknown(what, table, item, item.text(), known.clone());
+        match known.clone().next() {
+            None => {
+                error.with_help(format!("{} has no {what} in her file", kind.data.origin.title))
+            }
+            Some(_) => error,
+        }
+    }
+}
+
+/// The kind that a body names: [`Assembly::kinds`] has every one.
+pub(super) fn kind_named<'k>(item: &Item, kinds: &'k [(String, Kind)]) -> &'k Kind {
+    let kind = kinds.iter().find(|(kind, _)| kind == item.text());
+    &kind.unwrap_or_else(|| unreachable!("the kind of every body is there")).1
+}
+
+/// What each body is, where she is a vessel.
+pub(super) fn decks<'k>(bodies: &[(String, Table)], kinds: &'k [(String, Kind)]) -> Decks<'k> {
+    bodies.iter().map(|(_, body)| body.item("vessel").map(|item| kind_named(item, kinds))).collect()
 }
 
 fn response(ship: &Particulars, float: &Float) -> MotionResponse {

@@ -19,7 +19,7 @@ use fenderline_sim::{
     Action, BodySetup, Environment, LineEnd, MooringSetup, Order, Station, TugSetup, VesselSetup,
 };
 
-use super::vessel::Thrusters;
+use super::vessel::{Decks, Thrusters};
 use super::{Assembly, Checked, Names};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
@@ -182,9 +182,10 @@ impl Assembly<'_, '_> {
         &self,
         lines: &[(String, Table)],
         bodies: &[BodySetup],
+        decks: &Decks<'_>,
         names: &Names,
     ) -> Checked<Vec<MooringSetup>> {
-        lines.iter().map(|(name, table)| self.line(name, table, bodies, names)).collect()
+        lines.iter().map(|(name, table)| self.line(name, table, bodies, decks, names)).collect()
     }
 
     fn line(
@@ -192,6 +193,7 @@ impl Assembly<'_, '_> {
         name: &str,
         table: &Table,
         bodies: &[BodySetup],
+        decks: &Decks<'_>,
         names: &Names,
     ) -> Checked<MooringSetup> {
         let number = |name: &str| *table.given(name).number();
@@ -203,6 +205,16 @@ impl Assembly<'_, '_> {
             let message = format!("`{path}`: both ends are on body {}", quoted(to.name()));
             return Err(self.sources.error(&to.span, &path, message));
         }
+        let (fairlead_m, fairlead_above_water_m) =
+            match self.one_of(table, "fairlead", "fairlead_height", "chock")? {
+                LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
+                LinePoint::Named(item) => self.chock(table, item, decks[ship])?,
+            };
+        let (bollard_m, bollard_above_water_m) =
+            match self.one_of(table, "bollard", "bollard_height", "bitts")? {
+                LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
+                LinePoint::Named(item) => self.bitts(table, item, decks[body])?,
+            };
         let fitting = match (table.item("length"), table.item("pretension")) {
             (Some(length), None) => Fitting::Length(*length.number()),
             (None, Some(tension)) => Fitting::Pretension(*tension.number()),
@@ -235,19 +247,44 @@ impl Assembly<'_, '_> {
                 fitting,
             },
             ship,
-            fairlead_m: *table.given("fairlead").vector(),
-            fairlead_above_water_m: number("fairlead_height"),
-            end: LineEnd::OnBody {
-                body,
-                at_m: *table.given("bollard").vector(),
-                above_water_m: number("bollard_height"),
-            },
+            fairlead_m,
+            fairlead_above_water_m,
+            end: LineEnd::OnBody { body, at_m: bollard_m, above_water_m: bollard_above_water_m },
             from_s: number("made_fast"),
         };
         if setup.from_s <= 0.0 {
             setup.check_at_start(bodies).map_err(|error| self.wrong(table, &error))?;
         }
         Ok(setup)
+    }
+
+    /// A line's end by its coordinates or by name, one of the two.
+    fn one_of<'t>(
+        &self,
+        table: &'t Table,
+        place: &str,
+        height: &str,
+        name: &str,
+    ) -> Checked<LinePoint<'t>> {
+        let height = table.given(height);
+        match (table.item(place), table.item(name)) {
+            (Some(at), None) => Ok(LinePoint::At(*at.vector(), *height.number())),
+            (None, Some(item)) if height.is_default => Ok(LinePoint::Named(item)),
+            (None, Some(_)) => Err(self.beside(table, height, name)),
+            (Some(_), Some(item)) => Err(self.beside(table, item, place)),
+            (None, None) => {
+                let path = table.path_of(place);
+                let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
+                Err(error.with_help(format!("give it, or `{name}` by name")))
+            }
+        }
+    }
+
+    fn beside(&self, table: &Table, item: &Item, other: &str) -> ScenarioError {
+        let path = table.path_of(item.name);
+        let message = format!("`{path}` does not go together with `{other}`");
+        let error = self.sources.error(&item.key_span, &path, message);
+        error.with_help("keep one of the two")
     }
 
     pub(super) fn orders(
@@ -369,6 +406,14 @@ impl Assembly<'_, '_> {
         let path = table.path_of(what.name);
         Err(self.sources.error(&what.span, &path, format!("`{path}` can only be true")))
     }
+}
+
+/// Where a line ends.
+enum LinePoint<'t> {
+    /// From the body's origin, and above the water [m].
+    At(Vec2, f64),
+    /// A chock or bitts.
+    Named(&'t Item),
 }
 
 /// What orders refer to.

@@ -4,48 +4,43 @@ use serde_json::json;
 
 use super::world::{FORCE, LENGTH, PLACE, WINDAGE, key};
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Choices, Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 pub(super) static VESSEL: TableSpec = TableSpec {
     what: "a vessel",
-    doc: "What makes a ship of a body: hull, propeller, rudder, thrusters, wind areas, stability. Bodies name it \
-          by their key `vessel`; several may be of one kind. Without a published model everything is \
-          estimated from the particulars.",
+    doc: "A kind of vessel of the scenario's own: from main particulars, with everything else estimated and said \
+          so, or from one of the library with other machinery, wind areas or stability. Bodies name it by their key \
+          `vessel`; several may be of one kind.",
     keys: &[
         key(
-            "model",
-            Kind::Choice(&MODELS),
-            Means("estimated from the particulars"),
-            "A published manoeuvring model; it brings its own particulars, propeller and rudder.",
+            "from",
+            Kind::Text,
+            Means("she has particulars of her own"),
+            "A vessel of the library or of `vessel_files`: she keeps her hull, propeller and rudder; thrusters, wind \
+             areas and stability given here replace hers.",
             &["\"kvlcc2\""],
         ),
         key(
             "length_bp",
             Kind::Quantity(LENGTH),
-            Means("that of the model"),
+            Means("that of `from`"),
             "Length between perpendiculars.",
             &["\"285 m\""],
         ),
-        key("beam", Kind::Quantity(LENGTH), Means("that of the model"), "Beam.", &["\"46 m\""]),
-        key(
-            "draught",
-            Kind::Quantity(LENGTH),
-            Means("that of the model"),
-            "Draught.",
-            &["\"9 m\""],
-        ),
+        key("beam", Kind::Quantity(LENGTH), Means("that of `from`"), "Beam.", &["\"46 m\""]),
+        key("draught", Kind::Quantity(LENGTH), Means("that of `from`"), "Draught.", &["\"9 m\""]),
         key(
             "block_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
-            Means("that of the model"),
+            Means("that of `from`"),
             "Volume over length, beam and draught.",
             &["0.71"],
         ),
         key(
             "centre_of_gravity",
             Kind::Quantity(PLACE),
-            Means("amidships, or that of the model"),
+            Means("amidships, or that of `from`"),
             "Centre of gravity forward of midship; the body's outline is about the centre of gravity.",
             &["\"-3.4 m\""],
         ),
@@ -59,30 +54,30 @@ pub(super) static VESSEL: TableSpec = TableSpec {
         key(
             "propeller",
             Kind::Table(&PROPELLER),
-            Means("that of the model, or none"),
+            Means("that of `from`, or none"),
             "Propeller and shaft.",
             &[],
         ),
-        key("rudder", Kind::Table(&RUDDER), Means("that of the model, or none"), "Rudder.", &[]),
+        key("rudder", Kind::Table(&RUDDER), Means("that of `from`, or none"), "Rudder.", &[]),
         key("thruster", Kind::Named(&THRUSTER), Is("{}"), "Tunnel thrusters, by name.", &[]),
         key(
             "windage",
             Kind::Table(&WINDAGE),
-            Means("the wind does not move her"),
+            Means("that of `from`, or the wind does not move her"),
             "Wind areas.",
             &[],
         ),
         key(
             "stability",
             Kind::Table(&STABILITY),
-            Means("she neither heaves nor rolls nor pitches"),
+            Means("that of `from`, or she neither heaves nor rolls nor pitches"),
             "What heave, roll and pitch need.",
             &[],
         ),
     ],
     rules: Some(|| {
         json!({
-            "if": { "required": ["model"] },
+            "if": { "required": ["from"] },
             "then": {
                 "properties": {
                     "length_bp": false, "beam": false, "draught": false, "block_coefficient": false,
@@ -95,20 +90,12 @@ pub(super) static VESSEL: TableSpec = TableSpec {
                 "required": ["length_bp", "beam", "draught", "block_coefficient"],
                 "dependentRequired": { "propeller": ["rudder"], "rudder": ["propeller"] },
                 "properties": {
-                    "propeller": { "required": ["diameter"] },
+                    "propeller": { "required": ["diameter", "full"] },
                     "rudder": { "required": ["area", "span"] }
                 }
             }
         })
     }),
-};
-
-/// In the order that [`crate::assemble`] relies on.
-static MODELS: Choices = Choices {
-    words: &[
-        ("kvlcc2", "a tanker of 320 m, Yasukawa & Yoshimura 2015"),
-        ("kcs", "a container ship of 230 m"),
-    ],
 };
 
 static PROPELLER: TableSpec = TableSpec {
@@ -118,30 +105,23 @@ static PROPELLER: TableSpec = TableSpec {
         key(
             "diameter",
             Kind::Quantity(LENGTH),
-            Means("that of the model"),
+            Means("that of `from`"),
             "Diameter.",
             &["\"8.5 m\""],
         ),
         key(
             "full",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-3, high: 1e3 }),
-            Refused,
+            Means("that of `from`"),
             "Full revolutions.",
             &["\"95 rpm\""],
         ),
         key(
             "reversal",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.1, high: 3600.0 }),
-            Is("40"),
+            Means("that of `from`, or 40 s"),
             "Time from full ahead to full astern.",
             &["\"60 s\""],
-        ),
-        key(
-            "running",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
-            Is("0"),
-            "Revolutions over full ones at the start.",
-            &["0.3"],
         ),
     ],
     rules: None,
@@ -154,22 +134,22 @@ static RUDDER: TableSpec = TableSpec {
         key(
             "area",
             Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-4, high: 1e4 }),
-            Means("that of the model"),
+            Means("that of `from`"),
             "Movable area.",
             &["\"60 m^2\""],
         ),
-        key("span", Kind::Quantity(LENGTH), Means("that of the model"), "Span.", &["\"9 m\""]),
+        key("span", Kind::Quantity(LENGTH), Means("that of `from`"), "Span.", &["\"9 m\""]),
         key(
             "rate",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
-            Is("\"2.32 deg/s\""),
+            Means("that of `from`, or 2.32 deg/s"),
             "Rate of the steering gear.",
             &["\"2.5 deg/s\""],
         ),
         key(
             "stop",
             Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
-            Is("\"35 deg\""),
+            Means("that of `from`, or 35 deg"),
             "Its stop to either side.",
             &["\"35 deg\""],
         ),
@@ -177,7 +157,7 @@ static RUDDER: TableSpec = TableSpec {
     rules: None,
 };
 
-static THRUSTER: TableSpec = TableSpec {
+pub(crate) static THRUSTER: TableSpec = TableSpec {
     what: "a thruster",
     doc: "A tunnel thruster.",
     keys: &[
@@ -206,7 +186,7 @@ static THRUSTER: TableSpec = TableSpec {
     rules: None,
 };
 
-static STABILITY: TableSpec = TableSpec {
+pub(crate) static STABILITY: TableSpec = TableSpec {
     what: "a stability",
     doc: "What heave, roll and pitch need.",
     keys: &[

@@ -7,14 +7,14 @@ use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
-pub(super) const LENGTH: Quantity = Quantity { measure: &unit::LENGTH, low: 0.01, high: 5000.0 };
-pub(super) const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
+pub(crate) const LENGTH: Quantity = Quantity { measure: &unit::LENGTH, low: 0.01, high: 5000.0 };
+pub(crate) const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
 const DIRECTION: Quantity = Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 };
 const TIME: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 };
 pub(super) const FORCE: Quantity = Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 };
 const SHARE: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 };
 
-pub(super) const fn key(
+pub(crate) const fn key(
     name: &'static str,
     kind: Kind,
     absent: crate::spec::Absent,
@@ -153,7 +153,7 @@ static WAVES: TableSpec = TableSpec {
     rules: None,
 };
 
-pub(super) static WINDAGE: TableSpec = TableSpec {
+pub(crate) static WINDAGE: TableSpec = TableSpec {
     what: "a windage",
     doc: "Wind areas; coefficients by Blendermann.",
     keys: &[
@@ -258,7 +258,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "fairlead",
             Kind::Point(POSITION_M),
-            Refused,
+            Means("`chock` says it"),
             "Fairlead, forward and starboard of the body's origin.",
             &["[140, 5]"],
         ),
@@ -270,6 +270,13 @@ pub(super) static LINE: TableSpec = TableSpec {
             &["\"12 m\""],
         ),
         key(
+            "chock",
+            Kind::Text,
+            Means("`fairlead` says it"),
+            "A chock of the vessel that `from` is, instead of `fairlead` and `fairlead_height`.",
+            &["\"head\""],
+        ),
+        key(
             "to",
             Kind::BodyName,
             Refused,
@@ -279,7 +286,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "bollard",
             Kind::Point(POSITION_M),
-            Refused,
+            Means("`bitts` says it"),
             "Bollard, forward and starboard of that body's origin.",
             &["[170, 4]"],
         ),
@@ -289,6 +296,13 @@ pub(super) static LINE: TableSpec = TableSpec {
             Is("0"),
             "Bollard above the still water.",
             &["\"4 m\""],
+        ),
+        key(
+            "bitts",
+            Kind::Text,
+            Means("`bollard` says it"),
+            "Bitts of the vessel that `to` is, instead of `bollard` and `bollard_height`.",
+            &["\"fore\""],
         ),
         key("rope", Kind::Choice(&ROPES), Refused, "What it is made of.", &["\"hmpe\""]),
         key(
@@ -328,9 +342,22 @@ pub(super) static LINE: TableSpec = TableSpec {
         ),
         key("made_fast", Kind::Quantity(TIME), Is("0"), "When it is made fast.", &["\"25 min\""]),
     ],
-    rules: Some(
-        || json!({ "oneOf": [{ "required": ["length"] }, { "required": ["pretension"] }] }),
-    ),
+    rules: Some(|| {
+        let either = |place: &str, height: &str, name: &str| {
+            let refused: serde_json::Map<String, serde_json::Value> =
+                [(height.to_owned(), json!(false))].into_iter().collect();
+            json!({ "oneOf": [
+                { "required": [place] }, { "required": [name], "properties": refused }
+            ] })
+        };
+        json!({
+            "oneOf": [{ "required": ["length"] }, { "required": ["pretension"] }],
+            "allOf": [
+                either("fairlead", "fairlead_height", "chock"),
+                either("bollard", "bollard_height", "bitts")
+            ]
+        })
+    }),
 };
 
 static TAIL: TableSpec = TableSpec {

@@ -10,6 +10,7 @@ use crate::environment::waves::{
 };
 use crate::environment::wind::{RelativeWind, ShipWindage};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
+use crate::hydro::vessels::Origin;
 use crate::hydro::{Controls, Force, Mmg, TunnelThruster, Velocity};
 
 /// A ship of a set-up: what turns a body into a vessel.
@@ -17,6 +18,8 @@ use crate::hydro::{Controls, Force, Mmg, TunnelThruster, Velocity};
 pub struct VesselSetup {
     /// Index of her body in [`crate::Setup::bodies`].
     pub body: usize,
+    /// Who she is, and where her numbers come from.
+    pub origin: Origin,
     /// Hull, propeller and rudder, about midship.
     pub ship: Mmg,
     /// Rudder where it starts, with its rate and stop [rad].
