@@ -145,7 +145,7 @@ fn full() -> Json {
             },
             "between ships": {
                 "from": "f", "chock": "head-starboard", "to": "g", "bitts": "fore", "rope": "wire",
-                "break_load": "1000 kN", "length": 800
+                "break_load": "1000 kN", "pretension": "50 kN"
             }
         },
         "order": [

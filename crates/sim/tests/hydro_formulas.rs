@@ -344,7 +344,7 @@ fn impossible_particulars_are_refused_by_name() {
 #[test]
 fn impossible_coefficients_are_refused_by_name() {
     for vessel in [kvlcc2(), kvlcc2_model(), kcs(), esso_osaka_model()] {
-        assert_eq!(vessel.ship.check(), Ok(vessel.ship), "{}", vessel.name);
+        assert_eq!(vessel.ship.check(), Ok(vessel.ship), "{}", vessel.origin.title);
     }
     let changed = |change: fn(&mut fenderline_sim::hydro::Propulsion)| {
         let mut ship = kvlcc2().ship;

@@ -202,7 +202,7 @@ pub(crate) static STABILITY: TableSpec = TableSpec {
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 200.0 }),
             Refused,
             "Centre of gravity above the keel, KG.",
-            &["\"20.8 m\""],
+            &["\"10 m\""],
         ),
         key(
             "waterplane_area",
