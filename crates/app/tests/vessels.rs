@@ -28,6 +28,7 @@ propeller = { diameter = "4 m", full = "150 rpm" }
 rudder = { area = "12 m^2", span = "4 m" }
 thruster.bow = { along = "50 m", force = "80 kN", lag = "3 s" }
 thruster.stern = { along = "-50 m", force = "40 kN", lag = "3 s" }
+azimuth."drop-down" = { along = "40 m", force = "30 kN", diameter = "1.2 m" }
 windage = { frontal_area = "250 m^2", lateral_area = "1500 m^2", centroid_height = "8 m", type = "ferry" }
 stability = { gm = "1 m", gravity_above_keel = "7 m", waterplane_area = "1700 m^2" }
 
@@ -73,6 +74,11 @@ rudder = "60 deg"
 at = "20 s"
 vessel = "ship"
 thruster = { name = "stern", power = -0.5 }
+
+[[order]]
+at = "200 s"
+vessel = "ship"
+azimuth = { name = "drop-down", power = 0.4, direction = "-90 deg" }
 
 [[order]]
 at = "150 s"
@@ -124,10 +130,21 @@ fn a_vessel_s_forces_and_controls_are_told_step_by_step() {
     // A thruster that is half on to port gives half its force, less what speed takes.
     let thrusters = columns(&place, "thrusters");
     assert_eq!(thrusters["thruster"].len(), 1200);
+    assert_eq!((&*thrusters["thruster"][0], &*thrusters["thruster"][1]), ("bow", "stern"));
     let power = numbers(&thrusters["power"]);
     assert!((power[1199] + 0.5).abs() < 1e-9 && power[1198] == 0.0);
     let given_n = column("thrusters_y_n")[599];
-    assert!((-20e3..=-15e3).contains(&given_n), "{given_n}");
+    // From 200 s on an azimuth unit too pushes to port, with 0.4 of its 30 kN.
+    let azimuths = columns(&place, "azimuths");
+    assert_eq!(azimuths["azimuth"].len(), 600);
+    assert_eq!((&*azimuths["azimuth"][0], &*azimuths["vessel"][0]), ("drop-down", "ship"));
+    let last = |name: &str| *numbers(&azimuths[name]).last().expect("a row");
+    assert!((last("power") - 0.4).abs() < 1e-9);
+    assert!((last("direction_rad") + std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+    let unit_n = last("force_y_n");
+    assert!((-14e3..=-10e3).contains(&unit_n), "{unit_n}");
+    let tunnels_n = given_n - unit_n;
+    assert!((-20e3..=-15e3).contains(&tunnels_n), "{tunnels_n}");
 }
 
 #[test]
@@ -181,7 +198,7 @@ fn the_report_has_a_section_for_what_there_is_and_none_for_what_there_is_not() {
             "wind 15 m/s (29.2 kn) from 090°",
             "current 0.2 m/s (0.4 kn) towards 180°",
             "PARTED",
-            "Thruster 2, positive to starboard, ship",
+            "Thruster stern, positive to starboard, ship",
             "rudder 60° to starboard",
         ],
     );
@@ -195,7 +212,7 @@ fn the_report_has_a_section_for_what_there_is_and_none_for_what_there_is_not() {
         assert!(!report.contains(word), "{word}");
     }
     let files = place.files("out/tug");
-    for name in ["vessels.csv", "thrusters.csv", "tugs.csv", "lines.csv"] {
+    for name in ["vessels.csv", "thrusters.csv", "azimuths.csv", "tugs.csv", "lines.csv"] {
         assert!(!files.iter().any(|file| file == name), "{files:?}");
     }
 }
@@ -224,7 +241,70 @@ fn the_same_run_writes_the_same_bytes_also_with_vessels() {
 fn both_formats_have_the_same_tables() {
     let (place, _) = harbour("vessel_parquet", HARBOUR, &["--format", "parquet"]);
     let files = place.files("out/harbour");
-    for name in ["vessels", "thrusters", "tugs", "lines"] {
+    for name in ["vessels", "thrusters", "azimuths", "tugs", "lines"] {
         assert!(files.contains(&format!("{name}.parquet")), "{files:?}");
     }
+}
+
+/// Squat, what it leaves under the keel, and a bank's pull: in the tables, the summary, the report and `check`.
+#[test]
+fn squat_and_a_bank_are_told_with_their_standing() {
+    let canal = HARBOUR
+        .replace(
+            "[environment]\n",
+            "[environment]\ndepth = \"7 m\"\nbank = [{ from = [-900, 40], to = [900, 40] }]\n",
+        )
+        .replace("position = [0, 0]", "position = [0, -60]\nvelocity = { surge = \"6 kn\" }");
+    let without_lines = canal.find("[line.strong]").expect("lines");
+    let orders = canal.find("[[order]]").expect("orders");
+    let canal = format!("{}{}", &canal[..without_lines], &canal[orders..]);
+    let (place, _) = harbour("canal", &canal, &[]);
+    let vessels = columns(&place, "vessels");
+    let column = |name: &str| numbers(&vessels[name]);
+    let squat = column("squat_m");
+    // ICORELS at 6 kn and the current's 0.2 m/s against her, by hand: 2.4 ∇/L² Fh²/√(1 − Fh²).
+    let square = (6.0 * 1852.0 / 3600.0 + 0.2_f64).powi(2) / (9.80665 * 7.0);
+    let by_hand_m = 2.4 * 0.7 * 18.0 * 6.0 / 120.0 * square / (1.0 - square).sqrt();
+    assert!((squat[0] - by_hand_m).abs() < 1e-9, "{} {by_hand_m}", squat[0]);
+    // The bank is to starboard: it draws her there and turns her bow away.
+    assert!(column("banks_y_n")[0] > 0.0 && column("banks_n_nm")[0] < 0.0);
+    let vessel = &place.json("out/harbour/summary.json")["vessels"][0];
+    let peak_m = squat.iter().copied().fold(0.0, f64::max);
+    assert_eq!(vessel["peak_squat_m"].as_f64(), Some(peak_m));
+    assert_eq!(vessel["least_under_keel_m"].as_f64(), Some(7.0 - 6.0 - peak_m));
+    let report = place.text("out/harbour/report.html");
+    contains_all(
+        &report,
+        &[
+            "UNVALIDATED",
+            "Norrbin",
+            "least water under the keel",
+            "by ICORELS",
+            "Squat, ship",
+            "wind coefficients by Blendermann 1994",
+            "bank (its pull is unvalidated)",
+        ],
+    );
+    let check = place.run(&["check", "harbour.toml"]);
+    contains_all(&check.stderr, &["bank suction is UNVALIDATED"]);
+}
+
+/// A file beside the scenario, and a mistake in it: told at its line, nothing written.
+#[test]
+fn a_file_of_currents_is_read_beside_the_scenario() {
+    let by_file = HARBOUR
+        .replace("{ speed = \"0.2 m/s\", towards = \"180 deg\" }", "{ file = \"stream.csv\" }");
+    let place = Workplace::new("stream");
+    place.write("harbour.toml", by_file.as_bytes());
+    let missing = place.run(&["check", "harbour.toml"]);
+    assert_eq!(missing.code, 2);
+    contains_all(&missing.stderr, &["`environment.current.file`: cannot read", "stream.csv"]);
+    place.write("stream.csv", b"t_s,north_mps,east_mps\n0,-0.2,0\n300,nan,0\n");
+    let broken = place.run(&["run", "harbour.toml"]);
+    assert_eq!(broken.code, 2);
+    contains_all(&broken.stderr, &["stream.csv:3:5", "`north_mps` is not a finite number"]);
+    place.write("stream.csv", b"t_s,north_mps,east_mps\n0,-0.2,0\n300,-0.4,0\n");
+    assert_eq!(place.run(&["run", "harbour.toml"]).code, 0);
+    let report = place.text("out/harbour/report.html");
+    contains_all(&report, &["current 0.2 m/s (0.4 kn) towards 180° (in the origin, at the start)"]);
 }

@@ -104,30 +104,34 @@ fn unsound_load(model: &Model, loads: &[Wrench], index: usize) -> StepError {
 /// Puts states and poses in the order of the ranks, and finds bodies that jumped.
 pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
     let count = model.ranked.len();
-    let Workspace { states: ranked, poses, headings_rad, teleported, reach_m, events, .. } = work;
+    let Workspace { states: own, poses, headings_rad, teleported, reach_m, events, .. } = work;
     if headings_rad.len() != count {
         headings_rad.clear();
         headings_rad.resize(count, 0.0);
         poses.clear();
         poses.resize(count, Pose::IDENTITY);
     }
-    ranked.clear();
-    ranked.extend(model.ranked.iter().map(|body| states[body.id.0 as usize]));
-    reach_m.clear();
-    reach_m.extend(model.ranked.iter().map(|body| body.reach_m));
-    for ((state, pose), heading_rad) in ranked.iter().zip(poses).zip(headings_rad) {
+    own.resize(count, BodyState::default());
+    teleported.resize(count, false);
+    reach_m.resize(count, 0.0);
+    // In one pass: the bodies of a large model are far from the processor.
+    let of_body = own.iter_mut().zip(poses).zip(headings_rad).zip(teleported).zip(reach_m);
+    for (rank, (body, ((((own, pose), heading_rad), teleported), reach_m))) in
+        model.ranked.iter().zip(of_body).enumerate()
+    {
+        let state = states[body.id.0 as usize];
+        *own = state;
+        *reach_m = body.reach_m;
+        pose.position_m = state.position_m;
         // Quays and fenders on them never turn: spare their sine and cosine.
         if state.heading_rad.to_bits() != heading_rad.to_bits() {
             *heading_rad = state.heading_rad;
             pose.rotation = Rotation::from_angle(state.heading_rad);
         }
-        pose.position_m = state.position_m;
-    }
-    teleported.clear();
-    teleported.resize(count, false);
-    let bodies = model.ranked.iter().zip(ranked.iter());
-    for (((body, state), last), teleported) in bodies.zip(&memory.last_states).zip(teleported) {
-        *teleported = jumped(last, state, memory.last_step_s, body.radius_m);
+        *teleported = memory
+            .last_states
+            .get(rank)
+            .is_some_and(|last| jumped(last, &state, memory.last_step_s, body.radius_m));
         if *teleported {
             let bodies = [body.id, body.id];
             events.push(Event { bodies, kind: EventKind::Teleported });

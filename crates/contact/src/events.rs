@@ -1,6 +1,6 @@
 //! Events: what a user should know of, told when it begins and not again while it lasts.
 
-use crate::fender::FenderId;
+use crate::fender::{FenderId, RankedFender};
 use crate::inherit::{Inherited, continues};
 use crate::memory::PatchMemory;
 use crate::model::Model;
@@ -37,6 +37,7 @@ pub(crate) fn tell_of_patch(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
+    face: Option<&RankedFender>,
     touch: &Touch,
     inherited: Inherited,
     old: Option<&PatchMemory>,
@@ -48,7 +49,7 @@ pub(crate) fn tell_of_patch(
         Inherited::One(_) | Inherited::Part(_) => {}
     }
     let told = old.map_or(0, |m| m.flags);
-    if let Some(face) = patch.candidate.fender(model) {
+    if let Some(face) = face {
         return tell_of_fender(model, work, patch, face.id, touch.depth_m, told);
     }
     let smaller_m2 = lesser(model.ranked[a as usize].area_m2, model.ranked[b as usize].area_m2);

@@ -133,6 +133,7 @@ fn inherit_of_several(
         }
         merged.flags |= parent.flags;
         merged.taken_j += parent.taken_j;
+        merged.sheared_j += parent.sheared_j;
     }
     let place = shares.len() as u32;
     shares.push(merged);
@@ -150,7 +151,12 @@ fn share_of(
     let heirs = patches.iter().filter(|p| continues(parent, p, places));
     let heirs_m2: f64 = heirs.map(|p| p.area_m2).sum();
     let share = patch.area_m2 / heirs_m2;
-    PatchMemory { area_m2: parent.area_m2 * share, taken_j: parent.taken_j * share, ..*parent }
+    PatchMemory {
+        area_m2: parent.area_m2 * share,
+        taken_j: parent.taken_j * share,
+        sheared_j: parent.sheared_j * share,
+        ..*parent
+    }
 }
 
 /// Does the patch lie where the old one lay, as one of the two bodies sees it? A contact that slides

@@ -56,6 +56,9 @@ pub(crate) struct PatchMemory {
     /// What the bodies have lost to the normal force and not got back, by the coupled method [J]: the
     /// most that it may give them.
     pub(crate) taken_j: f64,
+    /// What the shear spring has taken from the bodies and still stores, by the coupled method [J]: the
+    /// most that it may give them.
+    pub(crate) sheared_j: f64,
     /// Extent of the patch in each body's frame [m]: which patch is which when there are several.
     pub(crate) extent_in_a: Extent,
     pub(crate) extent_in_b: Extent,

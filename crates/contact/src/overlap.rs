@@ -31,8 +31,9 @@ pub(crate) struct Patch {
     pub(crate) centroid_m: Vec2,
     /// d = Σ (P_out − P_in) [m].
     pub(crate) chord_m: Vec2,
-    /// Edges of the two lie on one another: the chord means little.
-    pub(crate) collinear: bool,
+    /// 1/|d| [1/m]; 0 where the chord is no use: there is none, or edges of the two lie on one another.
+    // Found here, where the processor has other work while it waits for the root and the quotient.
+    pub(crate) per_chord_m: f64,
     /// One piece lies within the other, and there are no other pieces.
     pub(crate) contained: bool,
     /// Extent along the chord's normal times the chord's length [m²], where the patch is one lens.
@@ -111,9 +112,10 @@ fn clip_convex(
     work: &mut Workspace,
 ) {
     let Workspace { patches, outline_m, clip: buffers, next_hints, .. } = work;
-    let (hint, from) = (take_hint(hints, &candidate, (0, 0)), outline_m.len());
-    let (found, hint) = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
-    remember_hint(next_hints, &candidate, (0, 0), hint);
+    let from = outline_m.len();
+    let hint = next_hint(hints, next_hints, &candidate, (0, 0));
+    let found = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
+    drop_empty(next_hints);
     match found {
         Some(clip) => patches.push(Patch {
             candidate,
@@ -122,7 +124,7 @@ fn clip_convex(
             area_m2: clip.lens.area_m2,
             centroid_m: clip.lens.centroid_m,
             chord_m: clip.lens.chord_m,
-            collinear: clip.lens.collinear,
+            per_chord_m: per_chord_m(clip.lens.chord_m, clip.lens.collinear),
             contained: clip.contained,
             spread_m2: clip.lens.spread_m2,
             parts: Parts::One { from: from as u32, to: outline_m.len() as u32 },
@@ -158,9 +160,11 @@ fn clip_pieces(
     for (piece_a, a) in pieces_a.iter().enumerate() {
         for (piece_b, b) in pieces_b.iter().enumerate() {
             let pieces = (piece_a as u32, piece_b as u32);
-            let (hint, start) = (take_hint(hints, &candidate, pieces), work.outline_m.len());
-            let (found, hint) = clip::clip(a, b, b_in_a, hint, &mut work.clip, &mut work.outline_m);
-            remember_hint(&mut work.next_hints, &candidate, pieces, hint);
+            let Workspace { outline_m, clip: buffers, next_hints, .. } = work;
+            let start = outline_m.len();
+            let hint = next_hint(hints, next_hints, &candidate, pieces);
+            let found = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
+            drop_empty(next_hints);
             match found {
                 Some(clip) => work.lenses.push(PieceLens {
                     lens: clip.lens,
@@ -193,15 +197,26 @@ fn take_hint(hints: &mut &[HintMemory], of: &Candidate, (piece_a, piece_b): (u32
     Hint::None
 }
 
+/// A place for the next step's hint, with the last one's in it.
+// The clip writes there at once: copied as a whole, it would be waited for.
 #[inline]
-fn remember_hint(
-    hints: &mut Vec<HintMemory>,
+fn next_hint<'h>(
+    hints: &mut &[HintMemory],
+    next_hints: &'h mut Vec<HintMemory>,
     of: &Candidate,
     (piece_a, piece_b): (u32, u32),
-    hint: Hint,
-) {
-    if hint != Hint::None {
-        hints.push(HintMemory { a: of.a, b: of.b, face: of.face, piece_a, piece_b, hint });
+) -> &'h mut Hint {
+    let hint = take_hint(hints, of, (piece_a, piece_b));
+    next_hints.push(HintMemory { a: of.a, b: of.b, face: of.face, piece_a, piece_b, hint });
+    let last = next_hints.len() - 1;
+    &mut next_hints[last].hint
+}
+
+/// Takes the place away again where nothing is worth remembering.
+#[inline]
+fn drop_empty(next_hints: &mut Vec<HintMemory>) {
+    if next_hints.last().is_some_and(|last| last.hint == Hint::None) {
+        next_hints.pop();
     }
 }
 
@@ -306,12 +321,13 @@ fn sum(
         area_m2: lenses[0].lens.area_m2,
         centroid_m: lenses[0].lens.centroid_m,
         chord_m: lenses[0].lens.chord_m,
-        collinear: lenses[0].lens.collinear,
+        per_chord_m: 0.0,
         contained: lenses.len() == 1 && lenses[0].contained,
         spread_m2: lenses[0].lens.spread_m2,
         parts: Parts::Lenses { from: start as u32, to: stop as u32 },
         place: None,
     };
+    let mut collinear = lenses[0].lens.collinear;
     if lenses.len() > 1 {
         let mut moment = Vec2::ZERO;
         let origin = lenses[0].lens.centroid_m;
@@ -319,10 +335,11 @@ fn sum(
             patch.area_m2 += piece.lens.area_m2;
             moment += (piece.lens.centroid_m - origin) * piece.lens.area_m2;
             patch.chord_m += piece.lens.chord_m;
-            patch.collinear |= piece.lens.collinear;
+            collinear |= piece.lens.collinear;
         }
         patch.centroid_m = origin + moment * (1.0 / patch.area_m2);
     }
+    patch.per_chord_m = per_chord_m(patch.chord_m, collinear);
     patch
 }
 
@@ -363,6 +380,13 @@ fn seen_from_b(extent: &Extent, b_in_a: Pose) -> Extent {
 /// A chord shorter than this is rounding: seams cancel to about 1e-13 m.
 const SHORTEST_CHORD_M: f64 = 1e-11;
 
+/// 1/|d|, or 0 where the chord is no use: see [`Patch::per_chord_m`].
+#[inline]
+fn per_chord_m(chord_m: Vec2, collinear: bool) -> f64 {
+    let length_m = chord_m.length();
+    if length_m > SHORTEST_CHORD_M && !collinear { 1.0 / length_m } else { 0.0 }
+}
+
 /// A's outward normal in its frame, and δ, the extent of the patch along it [m]. The normal is the chord's
 /// where there is one; else the contact's last good one; else the axis of least penetration.
 #[inline]
@@ -372,9 +396,8 @@ pub(crate) fn normal_in_a(
     patch: &Patch,
     old: Option<&PatchMemory>,
 ) -> (Vec2, f64) {
-    let length_m = patch.chord_m.length();
-    if length_m > SHORTEST_CHORD_M && !patch.collinear {
-        let per_m = 1.0 / length_m;
+    let per_m = patch.per_chord_m;
+    if per_m > 0.0 {
         let normal = patch.chord_m.quarter_turn_back() * per_m;
         let depth_m = match patch.parts {
             Parts::One { .. } => patch.spread_m2 * per_m,

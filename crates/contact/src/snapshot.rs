@@ -8,7 +8,7 @@
 //! | 8 | Δt of the last step |
 //! | 4, 4, 4 | numbers of states, patches and hints |
 //! | 48 each | states, by rank |
-//! | 212 each | patches |
+//! | 220 each | patches |
 //! | 40 each | hints |
 //! | 8 | FNV-1a of all before |
 //!
@@ -26,11 +26,11 @@ use crate::state::BodyState;
 use crate::vec2::{Vec2, vec2};
 
 /// The version that [`Memory::snapshot`] writes and [`Memory::restore`] reads.
-pub const SNAPSHOT_VERSION: u32 = 3;
+pub const SNAPSHOT_VERSION: u32 = 4;
 
 const MAGIC: &[u8; 8] = b"fndrline";
 const STATE_BYTES: usize = 48;
-const PATCH_BYTES: usize = 212;
+const PATCH_BYTES: usize = 220;
 const HINT_BYTES: usize = 40;
 
 impl Memory {
@@ -128,6 +128,7 @@ fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
         && (memory.last_step_s == 0.0 || elapsed.contains(&memory.last_step_s))
         && memory.patches.windows(2).all(|w| w[0].key() < w[1].key())
         && memory.patches.iter().all(|p| known(p.candidate()) && p.area_m2 > 0.0)
+        && memory.patches.iter().all(|p| p.taken_j >= 0.0 && p.sheared_j >= 0.0)
         && memory.hints.windows(2).all(|w| w[0].key() < w[1].key())
         && memory.hints.iter().all(|h| known(h.candidate()));
     if ok { Ok(()) } else { Err(RestoreError::Content) }
@@ -170,7 +171,7 @@ impl Writer {
         [p.area_m2, p.shear_m, p.v_normal_0_mps, p.v_tangential_0_mps]
             .into_iter()
             .for_each(|v| self.number(v));
-        [p.normal_force_n, p.tangential_force_n, p.factor, p.taken_j]
+        [p.normal_force_n, p.tangential_force_n, p.factor, p.taken_j, p.sheared_j]
             .into_iter()
             .for_each(|v| self.number(v));
         [p.point_in_a_m, p.point_in_b_m, p.normal_in_a, p.normal_in_b]
@@ -243,6 +244,7 @@ impl<'a> Reader<'a> {
             tangential_force_n: self.number()?,
             factor: self.number()?,
             taken_j: self.number()?,
+            sheared_j: self.number()?,
             point_in_a_m: self.vector()?,
             point_in_b_m: self.vector()?,
             normal_in_a: self.vector()?,

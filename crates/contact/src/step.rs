@@ -4,6 +4,7 @@ use crate::admit;
 use crate::broad;
 use crate::error::StepError;
 use crate::events::tell_of_patch;
+use crate::fender::RankedFender;
 use crate::inherit::{Inherited, inherit_all};
 use crate::law::normal::{factor, normal_force};
 use crate::law::shear;
@@ -11,7 +12,6 @@ use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
 use crate::memory::{Memory, PatchMemory};
 use crate::model::Model;
-use crate::number::lesser;
 use crate::overlap::{Patch, overlap};
 use crate::report::{Contact, Wrench};
 use crate::state::BodyState;
@@ -58,12 +58,39 @@ fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     let elapsed_s = if memory.last_step_s > 0.0 { memory.last_step_s } else { step_s };
     let patches = core::mem::take(&mut work.patches);
     let shares = core::mem::take(&mut work.shares);
-    for (index, patch) in patches.iter().enumerate() {
-        let inherited = work.inherited[index];
+    let all_inherited = core::mem::take(&mut work.inherited);
+    let time = Time { step_s, elapsed_s };
+    for (patch, &inherited) in patches.iter().zip(&all_inherited) {
         let old = inherited.of(memory, &shares);
-        contact(model, work, patch, inherited, old, step_s, elapsed_s);
+        // Twice the same: without a fender most of it is nought, which the compiler then knows.
+        match patch.candidate.fender(model) {
+            None => contact(model, work, patch, None, inherited, old, time),
+            Some(face) => contact_at_face(model, work, patch, face, inherited, old, time),
+        }
     }
+    work.inherited = all_inherited;
     (work.patches, work.shares) = (patches, shares);
+}
+
+/// The step that is to come and the one that has gone [s].
+#[derive(Clone, Copy)]
+struct Time {
+    step_s: f64,
+    elapsed_s: f64,
+}
+
+/// As [`contact`], on a fender.
+#[inline(never)]
+fn contact_at_face(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    face: &RankedFender,
+    inherited: Inherited,
+    old: Option<&PatchMemory>,
+    time: Time,
+) {
+    contact(model, work, patch, Some(face), inherited, old, time);
 }
 
 /// Law and limit for one patch: adds its contact to the report and its memory to the next step's.
@@ -72,13 +99,13 @@ fn contact(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
+    face: Option<&RankedFender>,
     inherited: Inherited,
     old: Option<&PatchMemory>,
-    step_s: f64,
-    elapsed_s: f64,
+    Time { step_s, elapsed_s }: Time,
 ) {
     let material = &model.materials()[patch.candidate.material.0 as usize];
-    let touch = touch(model, work, patch, old);
+    let touch = touch(model, work, patch, face, old);
 
     // §3.2 and §3.4: the normal force.
     let v = Velocities {
@@ -91,12 +118,11 @@ fn contact(
     let body_b = &model.ranked[patch.candidate.b as usize];
     let mass = inverse_mass(body_a, touch.arm_a_m, body_b, touch.arm_b_m, touch.normal);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
-    let factor = factor(model, patch.candidate.fender(model), &touch, old);
+    let factor = factor(model, face, &touch, old);
     let mut parts =
         normal_force(material, &touch, factor, patch.area_m2, area_before_m2, elapsed_s);
     let trial_n = parts.total_n();
-    let largest_n = paper::largest_normal_n(&v, &mass, material.restitution, step_s);
-    let normal_force_n = lesser(trial_n, largest_n);
+    let normal_force_n = paper::limited_normal_n(trial_n, &v, &mass, material.restitution, step_s);
     parts.limiter_n = trial_n - normal_force_n;
 
     // §3.3 and §3.4: the shear spring and its limits.
@@ -110,7 +136,7 @@ fn contact(
         step_s,
     );
 
-    let flags = tell_of_patch(model, work, patch, &touch, inherited, old);
+    let flags = tell_of_patch(model, work, patch, face, &touch, inherited, old);
     let report = Contact {
         shear_m: shear.shear_m,
         normal_force_n,
@@ -123,7 +149,7 @@ fn contact(
         stored_j: touch.stored_j * factor,
         peak_stored_j: touch.stored_j * factor,
         shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
-        ..touch.contact(model, work.poses[patch.candidate.a as usize].position_m, patch)
+        ..touch.contact(model, work.poses[patch.candidate.a as usize].position_m, patch, face)
     };
     gather(&report, &mut work.wrenches);
     work.contacts.push(report);

@@ -37,17 +37,18 @@ pub(crate) struct Touch {
     pub(crate) shear_m: f64,
 }
 
-/// Kinematics of a patch from the states and poses in `work`.
+/// Kinematics of a patch from the states and poses in `work`; `face` is the fender of it, where there is one.
 // Always inlined: what it returns stays in registers.
 #[inline(always)]
 pub(crate) fn touch(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
+    face: Option<&RankedFender>,
     old: Option<&PatchMemory>,
 ) -> Touch {
     let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
-    let pressed = match patch.candidate.fender(model) {
+    let pressed = match face {
         None => by_area(model, work, patch, old),
         Some(face) => by_face(model, work, patch, face),
     };
@@ -112,14 +113,20 @@ impl Touch {
     /// The report of this patch without its forces, with the body that was added first as body 1:
     /// a change of order turns n and t round and nothing else. `a_position_m`: where body A is.
     #[inline]
-    pub(crate) fn contact(&self, model: &Model, a_position_m: Vec2, patch: &Patch) -> Contact {
+    pub(crate) fn contact(
+        &self,
+        model: &Model,
+        a_position_m: Vec2,
+        patch: &Patch,
+        face: Option<&RankedFender>,
+    ) -> Contact {
         let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
         let (id_a, id_b) = (model.ranked[a].id, model.ranked[b].id);
         let swapped = id_a > id_b;
         Contact {
             body_1: id_a.min(id_b),
             body_2: id_a.max(id_b),
-            fender: patch.candidate.fender(model).map(|face| face.id),
+            fender: face.map(|face| face.id),
             patch: patch.number,
             area_m2: patch.area_m2,
             depth_m: self.depth_m,

@@ -1,9 +1,14 @@
 //! From checked tables to a simulation set-up: what the key table cannot say, because it holds
 //! between keys.
 
+mod azimuth;
+mod current;
+mod environment;
 mod fenders;
 mod providers;
+mod response;
 mod vessel;
+mod windage;
 mod world;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,11 +23,14 @@ use fenderline_sim::{
 
 use crate::checked::{Item, Table};
 use crate::error::{Notice, ScenarioError};
+use crate::files::Files;
 use crate::library::FenderLibrary;
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
 use crate::vessels::VesselLibrary;
 
+use self::azimuth::Afloat;
+pub(crate) use self::azimuth::azimuths;
 use self::vessel::Decks;
 use self::world::WorldNames;
 
@@ -43,21 +51,24 @@ pub(crate) fn windage(
     table: &Table,
     ship: &Particulars,
 ) -> Checked<Option<ShipWindage>> {
-    Assembly { sources, notices: &mut Vec::new() }.windage(table, ship)
+    let files = Files::default();
+    Assembly { sources, files: &files, notices: &mut Vec::new() }.windage(table, ship)
 }
 
 /// Builds the set-up from the checked file; notices are added to `notices` in the order of the file.
 pub(crate) fn setup(
     sources: &Sources<'_>,
     file: &Table,
+    files: &Files,
     libraries: &Libraries,
     notices: &mut Vec<Notice>,
 ) -> Checked<Setup> {
-    let mut assembly = Assembly { sources, notices };
+    let mut assembly = Assembly { sources, files, notices };
     let (step_s, duration_s, integrator) = assembly.time(file.given("time").table())?;
     let materials = assembly.materials(file.given("material").named())?;
     let environment = assembly.environment(file.given("environment").table())?;
     let kinds = assembly.kinds(file, &libraries.vessels, &environment)?;
+    assembly.note_unvalidated(file, &environment, &kinds);
     let bodies = assembly.bodies(file.given("body"), &kinds)?;
     let names = Names::new(&bodies, &materials);
     let decks = vessel::decks(file.given("body").named(), &kinds);
@@ -65,10 +76,11 @@ pub(crate) fn setup(
     let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
     let parts = FenderParts { library: &libraries.fenders, materials: &materials, decks: &decks };
     let fenders = assembly.fenders(file.given("fender").named(), &parts, &names)?;
-    let (vessels, thrusters) = assembly.vessels(file.given("body").named(), &kinds)?;
+    let vessels = assembly.vessels(file.given("body").named(), &kinds)?;
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines = assembly.lines(file.given("line").named(), &bodies, &decks, &names)?;
-    let known = WorldNames { vessels: &vessels, thrusters: &thrusters, tugs: &tugs, lines: &lines };
+    let afloat = Afloat { bodies: &bodies, fenders: &fenders, pairs: &pairs, lines: &lines };
+    let known = WorldNames { vessels: &vessels, tugs: &tugs, afloat };
     let orders = assembly.orders(file.given("order").list(), &known, &names)?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
     let berthing = file.item("berthing").map(Item::table);
@@ -130,6 +142,7 @@ struct Pairs {
 
 struct Assembly<'s, 'a> {
     sources: &'s Sources<'a>,
+    files: &'s Files,
     notices: &'s mut Vec<Notice>,
 }
 

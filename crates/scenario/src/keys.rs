@@ -3,9 +3,13 @@
 //! The bounds keep all that the simulation computes far from overflow and are beyond anything that
 //! floats. To add a key: add it here, then use it in [`crate::assemble`].
 
+mod assist;
+mod azimuth;
+mod environment;
 mod fender;
 mod provider;
 mod vessel;
+pub(crate) mod windage;
 mod world;
 
 use serde_json::json;
@@ -15,12 +19,26 @@ use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 // What vessel files share with scenarios.
+pub(crate) use azimuth::AZIMUTH;
 pub(crate) use vessel::{STABILITY, THRUSTER};
-pub(crate) use world::{LENGTH as LENGTH_M, PLACE as FORWARD_M, WINDAGE, key};
+pub(crate) use windage::WINDAGE;
+pub(crate) use world::{LENGTH as LENGTH_M, PLACE as FORWARD_M, key};
 
 /// What an order may ask of a vessel, a tug or a line: one of them.
-pub(crate) const VESSEL_ORDERS: &[&str] =
-    &["rudder", "engine", "telegraph", "thruster", "course", "speed", "station", "hands"];
+pub(crate) const VESSEL_ORDERS: &[&str] = &[
+    "rudder",
+    "engine",
+    "telegraph",
+    "thruster",
+    "azimuth",
+    "course",
+    "speed",
+    "station",
+    "push_ship",
+    "pull_ship",
+    "follow_ship",
+    "hands",
+];
 pub(crate) const TUG_ORDERS: &[&str] = &["push", "pull", "stand_by"];
 pub(crate) const LINE_ORDERS: &[&str] = &["heave", "pay_out", "hold", "let_go"];
 
@@ -97,7 +115,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
         },
         KeySpec {
             name: "environment",
-            kind: Kind::Table(&world::ENVIRONMENT),
+            kind: Kind::Table(&environment::ENVIRONMENT),
             absent: Is("{}"),
             doc: "Wind, current, waves and water.",
             examples: &[],

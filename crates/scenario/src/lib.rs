@@ -56,7 +56,9 @@
 
 mod assemble;
 mod checked;
+mod csv;
 mod error;
+mod files;
 mod key_path;
 mod keys;
 mod library;
@@ -80,4 +82,4 @@ pub use library::{
 pub use overrides::Override;
 pub use scenario::Scenario;
 pub use schema::{fender_schema, schema, vessel_schema};
-pub use vessels::{Belting, DeckPoint, Shaft, Stability, Thruster, VesselData, VesselLibrary};
+pub use vessels::{Belting, DeckPoint, Shaft, Stability, VesselData, VesselLibrary};

@@ -81,7 +81,7 @@ fn in_file_order<'t, 'i>(table: &'t DeTable<'i>) -> Vec<(&'t Spanned<DeString<'i
 
 fn read_value(sources: &Sources<'_>, key: &KeySpec, path: &str, node: &Node<'_>) -> Read<Value> {
     match &key.kind {
-        Kind::Text => text(sources, path, node).map(Value::Text),
+        Kind::Text | Kind::FileName => text(sources, path, node).map(Value::Text),
         Kind::Flag => flag(sources, path, node).map(Value::Flag),
         Kind::Choice(choices) => choice(sources, choices, path, node).map(Value::Choice),
         Kind::Quantity(quantity) => number(sources, quantity, path, node).map(Value::Number),

@@ -5,6 +5,7 @@ use fenderline_sim::Setup;
 use crate::assemble::{self, Libraries};
 use crate::checked::Table;
 use crate::error::{Notice, ScenarioError};
+use crate::files::Files;
 use crate::keys::SCENARIO;
 use crate::library::FenderLibrary;
 use crate::overrides::{self, Override};
@@ -49,7 +50,7 @@ impl Scenario {
         })
     }
 
-    /// As [`Scenario::parse_with`], with a way to `read` the fender and vessel files that the scenario names: from
+    /// As [`Scenario::parse_with`], with a way to `read` the files that the scenario names: from
     /// the name as it stands in the file to the file's text, or why there is none.
     ///
     /// # Errors
@@ -68,7 +69,8 @@ impl Scenario {
         let file = reader::table(&sources, &SCENARIO, "", end..end, &document)?;
         let mut notices = Vec::new();
         let libraries = libraries(&sources, &file, read)?;
-        let setup = assemble::setup(&sources, &file, &libraries, &mut notices)?;
+        let files = Files::read(&sources, &file, read)?;
+        let setup = assemble::setup(&sources, &file, &files, &libraries, &mut notices)?;
         let title =
             file.item("title").map_or_else(|| stem(file_name), |item| item.text().to_owned());
         Ok(Scenario { title, setup, notices })

@@ -101,7 +101,7 @@ fn key(key: &KeySpec) -> Map<String, Json> {
 fn kind(kind: &Kind) -> Map<String, Json> {
     let name = || json!({ "type": "string", "minLength": 1, "maxLength": 200 });
     match kind {
-        Kind::Text | Kind::MaterialName | Kind::BodyName => object(name()),
+        Kind::Text | Kind::FileName | Kind::MaterialName | Kind::BodyName => object(name()),
         Kind::Flag => object(json!({ "type": "boolean" })),
         Kind::Choice(choices) => choice(choices),
         Kind::Quantity(value) => quantity(value),

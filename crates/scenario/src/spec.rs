@@ -67,6 +67,8 @@ pub(crate) enum Kind {
     Vector(Quantity),
     /// A point in a body's axes: forward and to starboard.
     Point(Quantity),
+    /// The name of a file, relative to this one; the reader of the scenario reads it too.
+    FileName,
     /// A list of texts.
     Texts,
     /// A list of points, forward and to starboard.

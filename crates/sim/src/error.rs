@@ -46,6 +46,13 @@ pub enum SetupError {
         /// That of the thruster.
         thruster: usize,
     },
+    /// An order to an azimuth unit that the vessel does not have.
+    NoAzimuth {
+        /// The index of the vessel.
+        vessel: usize,
+        /// That of the unit.
+        azimuth: usize,
+    },
     /// A vessel with the paper's contact method, which knows one mass for all directions.
     VesselByPaperMethod {
         /// The index of her body.
@@ -72,6 +79,9 @@ impl fmt::Display for SetupError {
             SetupError::Line(error) => error.fmt(f),
             SetupError::NoThruster { vessel, thruster } => {
                 write!(f, "vessel {vessel} has no thruster {thruster}")
+            }
+            SetupError::NoAzimuth { vessel, azimuth } => {
+                write!(f, "vessel {vessel} has no azimuth unit {azimuth}")
             }
             SetupError::VesselByPaperMethod { body } => {
                 write!(f, "body {body} is a vessel: the paper's method has no mass matrix for her")

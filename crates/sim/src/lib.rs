@@ -86,7 +86,8 @@ pub use setup::{
 pub use simulation::Simulation;
 pub use summary::PairSummary;
 pub use world::{
-    Action, Environment, Float, LineEnd, Mooring, MooringSetup, Order, Pilots, ProviderSetup,
-    Station, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent,
-    WorldEventKind, WorldSetup, mass_matrix,
+    Action, Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Float, Job,
+    LineEnd, Mooring, MooringSetup, NotAtTheSide, Order, Pilots, ProviderSetup, PushJob, Station,
+    ThrusterSetup, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState,
+    WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
 };

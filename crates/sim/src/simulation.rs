@@ -15,7 +15,7 @@ use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
-use crate::world::{Action, LineEnd, VesselState, World, mass_matrix};
+use crate::world::{Action, Assist, Job, LineEnd, MooringSetup, VesselState, World, mass_matrix};
 
 /// Weights of the four stages of classical Runge–Kutta.
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
@@ -444,11 +444,6 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
         if setup.method == Method::Paper {
             return Err(SetupError::VesselByPaperMethod { body: vessel.body });
         }
-        if vessel.thruster_lags_s.len() != vessel.thrusters.len() {
-            let (field, value) =
-                ("the number of thruster lags", vessel.thruster_lags_s.len() as f64);
-            return Err(SetupError::OutOfRange { field, value });
-        }
         inertias[vessel.body] = Inertia::of_vessel(&mass_matrix(&vessel.ship, density_kgpm3));
     }
     for tug in &setup.world.tugs {
@@ -479,8 +474,45 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
         {
             return Err(SetupError::NoThruster { vessel: order.vessel, thruster: index });
         }
+        if let Action::Azimuth { unit, .. } = order.action
+            && unit >= vessel.azimuths.len()
+        {
+            return Err(SetupError::NoAzimuth { vessel: order.vessel, azimuth: unit });
+        }
+        if let Action::Assist(assist) = &order.action {
+            check_assist(assist, order.vessel, setup)?;
+        }
     }
     Ok(inertias)
+}
+
+/// A tug's work at another body, by thrust that she has.
+fn check_assist(assist: &Assist, vessel: usize, setup: &Setup) -> Result<(), SetupError> {
+    let tug = &setup.world.vessels[vessel];
+    if tug.azimuths.is_empty() {
+        return Err(SetupError::NoAzimuth { vessel, azimuth: 0 });
+    }
+    let ship = match assist.job {
+        Job::Follow { ship, .. } => ship,
+        Job::Push(push) => push.ship,
+        Job::Pull { line, .. } => match setup.world.lines.get(line) {
+            Some(MooringSetup { ship, end: LineEnd::OnBody { body, .. }, .. })
+                if tug.body == *ship =>
+            {
+                *body
+            }
+            Some(MooringSetup { ship, end: LineEnd::OnBody { body, .. }, .. })
+                if tug.body == *body =>
+            {
+                *ship
+            }
+            _ => return Err(SetupError::BadBody { owner: "tug's line", body: line }),
+        },
+    };
+    if ship >= setup.bodies.len() || ship == tug.body {
+        return Err(SetupError::BadBody { owner: "tug's work", body: ship });
+    }
+    Ok(())
 }
 
 /// Lines between bodies that are there; those that are fast from the start on can be.

@@ -247,7 +247,11 @@ fn a_rudder_takes_its_time_and_stops_at_its_stop() {
 
 #[test]
 fn an_azimuth_turns_by_the_shorter_way() {
-    let mut unit = Slewing { angle_rad: 170_f64.to_radians(), rate_radps: 12_f64.to_radians() };
+    let mut unit = Slewing {
+        angle_rad: 170_f64.to_radians(),
+        rate_radps: 12_f64.to_radians(),
+        stop_rad: None,
+    };
     unit.step((-150_f64).to_radians(), 1.0);
     assert!((unit.angle_rad.to_degrees() + 178.0).abs() < 1e-9, "{}", unit.angle_rad.to_degrees());
     unit.step((-150_f64).to_radians(), 10.0);
@@ -292,7 +296,7 @@ proptest! {
         prop_assert!((once.value - twice.value).abs() < 1e-12);
         // A turn by exactly half a circle may go either way after rounding.
         prop_assume!((order - start).abs() < 3.0);
-        let mut once = Slewing { angle_rad: start, rate_radps: 0.1 };
+        let mut once = Slewing { angle_rad: start, rate_radps: 0.1, stop_rad: None };
         let mut twice = once;
         once.step(order, one_s + two_s);
         twice.step(order, one_s);

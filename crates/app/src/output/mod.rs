@@ -25,7 +25,7 @@ pub(crate) use summary::{Events, event_text, integrator_text, is_plain, method_t
 pub(crate) use tables::Tables;
 
 /// Every file that a run may leave; an earlier run's are removed at the start.
-const RESULT_FILES: [&str; 18] = [
+const RESULT_FILES: [&str; 20] = [
     SUMMARY,
     "bodies.csv",
     "bodies.parquet",
@@ -37,6 +37,8 @@ const RESULT_FILES: [&str; 18] = [
     "fenders.parquet",
     "lines.csv",
     "lines.parquet",
+    "azimuths.csv",
+    "azimuths.parquet",
     "thrusters.csv",
     "thrusters.parquet",
     "tugs.csv",

@@ -1,10 +1,10 @@
-//! The tables of vessels, thrusters, tugs and lines: each only where the set-up has any.
+//! The tables of vessels, thrusters, azimuth units, tugs and lines: each only where the set-up has any.
 
 use fenderline_sim::{StepRecord, WorldSetup};
 
 use super::columns::{
-    Column, LineRow, ThrusterRow, TugRow, VesselRow, lines_columns, thrusters_columns,
-    tugs_columns, vessels_columns,
+    AzimuthRow, Column, LineRow, ThrusterRow, TugRow, VesselRow, azimuths_columns, lines_columns,
+    thrusters_columns, tugs_columns, vessels_columns,
 };
 use super::part_file::Sealed;
 use super::tables::{Place, Table};
@@ -15,6 +15,7 @@ pub(super) struct WorldTables {
     setup: WorldSetup,
     vessels: Option<Table<VesselRow>>,
     thrusters: Option<Table<ThrusterRow>>,
+    azimuths: Option<Table<AzimuthRow>>,
     tugs: Option<Table<TugRow>>,
     lines: Option<Table<LineRow>>,
 }
@@ -34,9 +35,11 @@ impl WorldTables {
         setup: &WorldSetup,
     ) -> Result<WorldTables, OutputError> {
         let has_thrusters = setup.vessels.iter().any(|vessel| !vessel.thrusters.is_empty());
+        let has_azimuths = setup.vessels.iter().any(|vessel| !vessel.azimuths.is_empty());
         Ok(WorldTables {
             vessels: table(!setup.vessels.is_empty(), place, "vessels", vessels_columns)?,
             thrusters: table(has_thrusters, place, "thrusters", thrusters_columns)?,
+            azimuths: table(has_azimuths, place, "azimuths", azimuths_columns)?,
             tugs: table(!setup.tugs.is_empty(), place, "tugs", tugs_columns)?,
             lines: table(!setup.lines.is_empty(), place, "lines", lines_columns)?,
             setup: setup.clone(),
@@ -56,10 +59,20 @@ impl WorldTables {
             }
         }
         if let Some(table) = &mut self.thrusters {
+            let mut numbers = 0..;
             for (vessel, now) in step.vessels.iter().enumerate() {
                 let each = now.orders.thrusters.iter().zip(&now.thrusters);
-                for (thruster, (&order, lag)) in (0..).zip(each) {
+                for ((&order, lag), thruster) in each.zip(numbers.by_ref()) {
                     table.push(&ThrusterRow { t_s, vessel, thruster, order, power: lag.value })?;
+                }
+            }
+        }
+        if let Some(table) = &mut self.azimuths {
+            let mut numbers = 0..;
+            for (vessel, now) in step.vessels.iter().enumerate() {
+                let each = now.orders.azimuths.iter().zip(&now.azimuths);
+                for ((&order, &now), azimuth) in each.zip(numbers.by_ref()) {
+                    table.push(&AzimuthRow { t_s, vessel, azimuth, order, now })?;
                 }
             }
         }
@@ -83,6 +96,7 @@ impl WorldTables {
         let files = [
             self.vessels.as_ref().map(|table| table.file(format)),
             self.thrusters.as_ref().map(|table| table.file(format)),
+            self.azimuths.as_ref().map(|table| table.file(format)),
             self.tugs.as_ref().map(|table| table.file(format)),
             self.lines.as_ref().map(|table| table.file(format)),
         ];
@@ -94,6 +108,7 @@ impl WorldTables {
         let sealed = [
             self.vessels.map(Table::finish),
             self.thrusters.map(Table::finish),
+            self.azimuths.map(Table::finish),
             self.tugs.map(Table::finish),
             self.lines.map(Table::finish),
         ];

@@ -232,6 +232,7 @@ impl Plan {
                             path d=(map.path(&track.points_m)) fill="none" stroke=(colour(track.style))
                                 stroke-width="1" stroke-dasharray=(dash(2)) {}
                         }
+                        @for ends_m in &self.harbour.banks { (harbour::bank(*ends_m, &map)) }
                         @for line in &self.harbour.lines { (harbour::line(line, &map)) }
                         @for tug in &self.harbour.tugs { (harbour::tug(tug, &map)) }
                         @for (label, at) in self.labels.iter().zip(label_places(self, &map)) {
@@ -385,6 +386,7 @@ mod tests {
                     on_line: true,
                     label: "<script>".to_owned(),
                 }],
+                banks: vec![[frame.low, frame.high]],
                 weather: vec![Weather {
                     towards: vec2(1.0, 0.0),
                     text: "<script>".to_owned(),

@@ -72,11 +72,14 @@ pub(crate) fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
     page(outcome.title, &body)
 }
 
-/// The key to lines and tugs, where there are any.
+/// The key to lines, tugs and banks, where there are any.
 fn harbour(outcome: &Outcome<'_>) -> Markup {
     let world = &outcome.setup.world;
     let (has_lines, has_tugs) = (!world.lines.is_empty(), !world.tugs.is_empty());
-    html! { @if has_lines || has_tugs { (harbour_legend(has_lines, has_tugs)) } }
+    let has_banks = !world.environment.banks.is_empty();
+    html! {
+        @if has_lines || has_tugs || has_banks { (harbour_legend(has_lines, has_tugs, has_banks)) }
+    }
 }
 
 /// The pairs with the largest forces, largest first.

@@ -81,7 +81,7 @@ pub(crate) fn world_event_key(kind: WorldEventKind) -> &'static str {
 pub(crate) fn world_event_text(kind: WorldEventKind) -> &'static str {
     match kind {
         WorldEventKind::OrderClamped => "an order was beyond a stop: the stop was ordered",
-        WorldEventKind::Aground => "AGROUND: the water is no deeper than her draught",
+        WorldEventKind::Aground => "AGROUND: the water is no deeper than her draught and her squat",
         WorldEventKind::TugLimited => "cannot give at this speed and angle what she is ordered to",
         WorldEventKind::TugOrderRefused => "an order was refused: no such force or direction",
         WorldEventKind::LineNotMadeFast => {

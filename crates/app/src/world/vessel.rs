@@ -23,6 +23,10 @@ pub(crate) struct VesselTotals {
     pub(crate) heel_rad: Peak,
     /// Pitch with wave motion, positive bow up [rad].
     pub(crate) pitch_rad: Peak,
+    /// Squat [m].
+    pub(crate) squat_m: Peak,
+    /// Least water under her keel, squat taken off [m]; `None` where the water is deep.
+    pub(crate) under_keel_m: Option<Peak>,
     /// How long she was on the bottom.
     pub(crate) aground: Lasting,
 }
@@ -34,6 +38,7 @@ impl VesselTotals {
         step_s: f64,
         state: &BodyState,
         water: &Velocity,
+        under_keel_m: Option<f64>,
         now: &VesselState,
     ) {
         self.over_ground_mps.raise(state.velocity_mps.length(), t_s);
@@ -46,6 +51,12 @@ impl VesselTotals {
         self.heel_rad.raise(now.attitude.roll.value, end_s);
         self.roll_rad.raise(now.attitude.roll.value + wave_roll_rad, end_s);
         self.pitch_rad.raise(now.attitude.pitch.value + wave_pitch_rad, end_s);
+        self.squat_m.raise(now.squat_m, t_s);
+        if let Some(value) = under_keel_m
+            && self.under_keel_m.is_none_or(|least| value < least.value)
+        {
+            self.under_keel_m = Some(Peak { value, at_s: t_s });
+        }
         self.aground.count(now.aground, step_s);
     }
 }

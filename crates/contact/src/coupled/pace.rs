@@ -63,15 +63,10 @@ fn inverse_mass(a: &RankedBody, b: &RankedBody, own: &[Patch], chord_m: f64) -> 
         let by_turning = body.inverse.of_turning() * lever_m * lever_m;
         body.lightest_inverse_mass + by_turning.min(body.lightest_inverse_mass)
     };
-    let chord = match own {
-        [only] if !only.collinear => only.chord_m,
-        _ => Vec2::ZERO,
+    let normal = match own {
+        [only] if only.per_chord_m > 0.0 => only.chord_m.quarter_turn_back() * only.per_chord_m,
+        _ => return of_body(a, f64::INFINITY) + of_body(b, f64::INFINITY),
     };
-    let length_m = chord.length();
-    if length_m == 0.0 {
-        return of_body(a, f64::INFINITY) + of_body(b, f64::INFINITY);
-    }
-    let normal = chord.quarter_turn_back() * (1.0 / length_m);
     let lever_m = |arm_m: Vec2| arm_m.cross(normal).abs() + 0.5 * chord_m;
     let arm_a_m = own[0].centroid_m;
     of_body(a, lever_m(arm_a_m)) + of_body(b, lever_m(arm_a_m - own[0].b_in_a.position_m))

@@ -34,6 +34,8 @@ pub(crate) struct Laws<'m> {
     pub(crate) rebound_mps: f64,
     /// What N may give the bodies in this sub-step at most: see [`may_give_j`] [J].
     pub(crate) may_give_j: f64,
+    /// And T: what the shear spring stores [J].
+    pub(crate) may_shear_j: f64,
 }
 
 /// Laws and effective masses of every patch in `work`, in `work.rows` and `work.ties`.
@@ -166,9 +168,10 @@ fn collect_one(
     time: Time,
 ) {
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
-    let touch = touch(model, work, patch, old);
+    let face = patch.candidate.fender(model);
+    let touch = touch(model, work, patch, face, old);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
-    let factor = factor(model, patch.candidate.fender(model), &touch, old);
+    let factor = factor(model, face, &touch, old);
     let parts =
         normal_force(material, &touch, factor, patch.area_m2, area_before_m2, time.elapsed_s);
     let law_n = parts.total_n();
@@ -178,6 +181,7 @@ fn collect_one(
         law_n,
         rebound_mps: material.restitution * v_ref_mps,
         may_give_j: may_give_j(&touch, factor, law_n, old, time.placed),
+        may_shear_j: old.map_or(0.0, |m| m.sheared_j),
     };
     let begins_with = Forces {
         normal_n: old.map_or(law_n, |m| m.normal_force_n).min(law_n),
@@ -187,7 +191,7 @@ fn collect_one(
     let [a, b] =
         [patch.candidate.a, patch.candidate.b].map(|rank| (rank, &work.inverses[rank as usize]));
     work.ties.push(Tie::new(a, b, &touch, &laws, begins_with, time.h));
-    let flags = tell_of_patch(model, work, patch, &touch, inherited, old)
+    let flags = tell_of_patch(model, work, patch, face, &touch, inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
     let memory = touch.memory(patch, &work.places);
     work.next_patches.push(PatchMemory { flags, factor, v_normal_0_mps: v_ref_mps, ..memory });
@@ -249,16 +253,20 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         memory.shear_m = shear_m - h * v_tangential_mps;
         memory.normal_force_n = normal_n;
         memory.tangential_force_n = tangential_n;
+        let shear_stored_j = tie.shear_stored_j(shear_m);
+        memory.sheared_j =
+            (tie.may_shear_j - tangential_n * slip_m).clamp(0.0, shear_stored_j.min(MOST_TAKEN_J));
         memory.taken_j = (tie.may_give_j + normal_n * closing_m).clamp(0.0, MOST_TAKEN_J);
         let position_m = poses[tie.a as usize].position_m;
         let own = &mut contacts[*first_contact..];
         let place = match place_of(model, own, &patches[index], index) {
             Some(place) => *first_contact + place,
             None => {
+                let face = patches[index].candidate.fender(model);
                 contacts.push(Contact {
                     factor: row.factor,
                     stored_j: touch.stored_j * row.factor,
-                    ..touch.contact(model, position_m, &patches[index])
+                    ..touch.contact(model, position_m, &patches[index], face)
                 });
                 contacts.len() - 1
             }
@@ -275,7 +283,7 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         contact.work.limiter_j -= limiter_n * closing_m;
         contact.parts.add(&ForceParts { limiter_n, ..row.parts }, h);
         contact.peak_stored_j = contact.peak_stored_j.max(touch.stored_j * row.factor);
-        contact.shear_stored_j = tie.shear_stored_j(shear_m);
+        contact.shear_stored_j = shear_stored_j;
         contact.shear_m = shear_m;
         contact.limited |= normal_n < tie.law_n;
         if friction == Friction::Slip {

@@ -7,7 +7,7 @@
 //!   contact and no load this is the paper's limiter.
 //! - T_i = −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺, the shear spring taken implicitly, within
 //!   Coulomb's limits: see [`super::tie::implicit_share`].
-//! - N_i gives the bodies no more energy than it has taken from them.
+//! - N_i gives the bodies no more energy than it has taken from them, and neither does T_i.
 //!
 //! Projected Gauss–Seidel on the bodies' velocities, warm-started with the last forces, in the fixed
 //! order of the contacts. What is slow to settle is helped by leaps ([`super::leap`]). Bounded work: what has
@@ -160,7 +160,9 @@ mod tests {
                 Touch { normal: vec2(0.0, 1.0), arm_a_m, shear_m: 1e-4, ..Touch::default() };
             let law_n = 3e5 + 1e4 * f64::from(k * k % 7);
             let rebound_mps = 1e-3 + 1e-5 * f64::from(k * k % 5);
-            let laws = Laws { material: &RUBBER, law_n, rebound_mps, may_give_j: f64::MAX };
+            let [may_give_j, may_shear_j] = [f64::MAX; 2];
+            let material = &RUBBER;
+            let laws = Laws { material, law_n, rebound_mps, may_give_j, may_shear_j };
             let forces = Forces { normal_n: law_n, tangential_n: 0.0, friction: Friction::Stick };
             Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, H)
         });
@@ -185,5 +187,55 @@ mod tests {
         let apart = swept[0].velocity_mps - states[0].velocity_mps;
         let turn = swept[0].yaw_rate_radps - states[0].yaw_rate_radps;
         assert!(apart.length() < 1e-11 && turn.abs() < 1e-13, "{apart:?} {turn}");
+    }
+
+    /// It gained 0.5 % in one of 100,000 random hits, by a shear spring stiff for the time step while the
+    /// other forces changed.
+    #[test]
+    fn a_shear_spring_that_is_stiff_for_the_step_gives_back_more_than_it_took() {
+        let material = Material { shear_stiffness_npm: 1e8, friction_static: 1e30, ..RUBBER };
+        let inverses = [InverseMatrix::isotropic(9e5, 6e7), InverseMatrix::default()];
+        let mut state = BodyState { velocity_mps: vec2(0.3, 0.0), ..BodyState::default() };
+        let kinetic_j = |state: &BodyState| {
+            0.5 * (9e5 * state.velocity_mps.length_squared()
+                + 6e7 * state.yaw_rate_radps * state.yaw_rate_radps)
+        };
+        let start_j = kinetic_j(&state);
+        let (mut shear_m, mut stored_j) = (0.0, 0.0);
+        for step in 0..400_i32 {
+            // A push to and fro, as neighbouring contacts give it.
+            let pushed_mps = 0.02 * f64::from((step * step) % 7 - 3);
+            let touch = Touch {
+                normal: vec2(0.0, 1.0),
+                arm_a_m: vec2(0.0, 5.0),
+                shear_m,
+                v_tangential_mps: -(state.velocity_mps.x - 5.0 * state.yaw_rate_radps),
+                ..Touch::default()
+            };
+            let laws = Laws {
+                material: &material,
+                law_n: 1e-9,
+                rebound_mps: 1.0,
+                may_give_j: f64::MAX,
+                may_shear_j: stored_j,
+            };
+            let forces = Forces { normal_n: 0.0, tangential_n: 0.0, friction: Friction::Stick };
+            let mut tie =
+                Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, 0.5);
+            let (before_mps, before_j) = (state.velocity_mps.x, kinetic_j(&state) + stored_j);
+            let mut states = [state, BodyState::default()];
+            states[0].velocity_mps.x += pushed_mps;
+            let last_mps = alone(&mut states, &mut tie, 0.5);
+            assert!(last_mps <= SETTLED_MPS, "{last_mps}");
+            state = states[0];
+            let put_in_j = 9e5 * pushed_mps * 0.5 * (before_mps + state.velocity_mps.x);
+            let after_mps = tie.speeds(&states).1;
+            let slip_m = 0.25 * (touch.v_tangential_mps + after_mps);
+            shear_m = tie.shear_after_m(after_mps, 0.5);
+            stored_j = (stored_j - tie.forces.tangential_n * slip_m)
+                .clamp(0.0, tie.shear_stored_j(shear_m));
+            let gain_j = kinetic_j(&state) + stored_j - before_j - put_in_j;
+            assert!(gain_j < 1e-9 * start_j, "step {step}: {gain_j} J");
+        }
     }
 }

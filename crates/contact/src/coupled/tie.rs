@@ -40,6 +40,8 @@ pub(crate) struct Tie {
     pub(crate) rebound_mps: f64,
     /// The most that N may give the bodies in this sub-step [J].
     pub(crate) may_give_j: f64,
+    /// And T [J].
+    pub(crate) may_shear_j: f64,
     shear_stiffness_npm: f64,
     friction_static: f64,
     friction_dynamic: f64,
@@ -158,6 +160,7 @@ impl Tie {
             law_n: laws.law_n,
             rebound_mps: laws.rebound_mps,
             may_give_j: laws.may_give_j,
+            may_shear_j: laws.may_shear_j,
             shear_stiffness_npm: material.shear_stiffness_npm,
             friction_static: material.friction_static,
             friction_dynamic: material.friction_dynamic,
@@ -228,12 +231,13 @@ impl Tie {
             Friction::Stick => self.friction_static,
             Friction::Slip => self.friction_dynamic,
         };
-        if spring_n.abs() <= holds * normal_n {
-            Forces { normal_n, tangential_n: spring_n, friction: Friction::Stick }
+        let (wanted_n, friction) = if spring_n.abs() <= holds * normal_n {
+            (spring_n, Friction::Stick)
         } else {
-            let tangential_n = (self.friction_dynamic * normal_n).copysign(spring_n);
-            Forces { normal_n, tangential_n, friction: Friction::Slip }
-        }
+            ((self.friction_dynamic * normal_n).copysign(spring_n), Friction::Slip)
+        };
+        let tangential_n = self.passive_shear(without_mps, wanted_n, h);
+        Forces { normal_n, tangential_n, friction }
     }
 
     /// `normal_n`, or less where it would give the bodies more than the contact may.
@@ -250,6 +254,22 @@ impl Tie {
         }
         let root = libm::sqrt(mean_mps * mean_mps + 2.0 * self.normal * self.may_give_j);
         ((mean_mps + root) * self.force_per_speed).max(0.0)
+    }
+
+    /// `tangential_n`, or less where it would give the bodies more than the shear spring may.
+    ///
+    /// Its work on them is T h (½ T h t·K t + s), with s the mean of V_t before the sub-step and of V_t after
+    /// it were T 0. The midpoint rule alone keeps to the limit; a more implicit spring does not where other
+    /// forces change V_t, and neither does one whose t turns with its body.
+    #[inline]
+    fn passive_shear(&self, without_mps: f64, tangential_n: f64, h: f64) -> f64 {
+        let mean_mps = 0.5 * (self.tangential_before_mps + without_mps);
+        let work_j = tangential_n * h * (0.5 * tangential_n * h * self.tangential + mean_mps);
+        if work_j <= self.may_shear_j {
+            return tangential_n;
+        }
+        let root = libm::sqrt(mean_mps * mean_mps + 2.0 * self.tangential * self.may_shear_j);
+        (root.copysign(tangential_n) - mean_mps) / (h * self.tangential)
     }
 
     /// The shear spring's force at a V_t⁺: −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺ [N].
@@ -347,17 +367,20 @@ impl Tie {
         (more_n * self.normal).abs().max((more_t * self.tangential).abs()) * h
     }
 
-    /// Δs at the end of the sub-step: grown by h V̄ while it sticks, what the sliding force shears while it
-    /// slips [m].
+    /// Δs at the end of the sub-step: grown by h V̄, while it slips at most what the sliding force shears
+    /// [m].
     #[inline]
     pub(crate) fn shear_after_m(&self, after_mps: f64, h: f64) -> f64 {
+        let share = self.implicit;
+        let mean_mps = (1.0 - share) * self.tangential_before_mps + share * after_mps;
+        let grown_m = self.shear_m + h * mean_mps;
         match self.forces.friction {
-            Friction::Stick => {
-                let share = self.implicit;
-                let mean_mps = (1.0 - share) * self.tangential_before_mps + share * after_mps;
-                self.shear_m + h * mean_mps
+            Friction::Stick => grown_m,
+            Friction::Slip => {
+                let most_m =
+                    self.friction_dynamic * self.forces.normal_n / self.shear_stiffness_npm;
+                grown_m.clamp(-most_m, most_m)
             }
-            Friction::Slip => -self.forces.tangential_n / self.shear_stiffness_npm,
         }
     }
 
@@ -372,7 +395,7 @@ impl Tie {
 /// exactly, where backward Euler (1) would damp it by ωh/2 a radian: at the sub-steps that the normal law
 /// needs, a tug that rolls along a ship's side would leave with a yaw rate wrong by a seventh. Where the
 /// sub-step is long beside the spring's own period ϑ rises to 1, so that it does not ring at k_s h²/m ≫ 1.
-/// Any ϑ ≥ ½ is stable and makes no energy, whatever the number of contacts.
+/// Any ϑ ≥ ½ is stable. That it makes no energy holds at ½ alone: see [`Tie::passive_shear`].
 #[inline]
 pub(crate) fn implicit_share(rate_squared: f64, h: f64) -> f64 {
     let turn = libm::sqrt(rate_squared) * h;

@@ -11,7 +11,9 @@ use crate::vec2::{Pose, Vec2};
 
 /// What the last step found, to start from in this one. It decides how fast the answer comes, not
 /// what it is.
+// The words stay words: a tag of one byte would be copied apart from them, and read before it is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
 pub(crate) enum Hint {
     /// Nothing known.
     #[default]
@@ -91,39 +93,43 @@ impl Clip {
 }
 
 /// Overlap of `a` and `b`, the pose of `b` given in `a`'s frame; `None` where they have no area in common.
-/// And the hint for the next time. The overlap's vertices are appended to `outline_m`.
+/// `hint` becomes that for the next time. The overlap's vertices are appended to `outline_m`.
 // Always inlined: what goes to and fro stays in registers.
 #[inline(always)]
 pub(crate) fn clip(
     a: &ConvexPolygon,
     b: &ConvexPolygon,
     b_in_a: Pose,
-    hint: Hint,
+    hint: &mut Hint,
     buffers: &mut ClipBuffers,
     outline_m: &mut Vec<Vec2>,
-) -> (Option<Clip>, Hint) {
+) -> Option<Clip> {
     let placed = Placed { polygon: b, pose: b_in_a };
-    match hint {
+    match *hint {
         Hint::Lens(stretch) => {
             let start = outline_m.len();
             if let Some(found) = warm::find(a, &placed, stretch, outline_m) {
                 let chord_m = found.leaves_m - found.enters_m;
                 let lens = measure(&outline_m[start..], chord_m, false);
-                return (accept(lens, false), Hint::Lens(found.at));
+                *hint = Hint::Lens(found.at);
+                return accept(lens, false);
             }
         }
         Hint::Apart { on_a, edge, support } => {
             if let Some(support) = still_apart(a, &placed, on_a, edge, support) {
-                return (None, Hint::Apart { on_a, edge, support });
+                *hint = Hint::Apart { on_a, edge, support };
+                return None;
             }
         }
         Hint::None => {
             if circles_apart(a, &placed) {
-                return (None, Hint::None);
+                return None;
             }
         }
     }
-    cold(a, &placed, &mut buffers.cold, outline_m)
+    let found;
+    (found, *hint) = cold(a, &placed, &mut buffers.cold, outline_m);
+    found
 }
 
 /// The least-penetration axis of two overlapping polygons: body 1's outward normal in its frame.
@@ -311,9 +317,7 @@ impl PairClip {
     ) -> Option<Clip> {
         self.outline_m.clear();
         let b_in_a = a_pose.to(b_pose);
-        let (found, hint) = clip(a, b, b_in_a, self.hint, &mut self.buffers, &mut self.outline_m);
-        self.hint = hint;
-        found
+        clip(a, b, b_in_a, &mut self.hint, &mut self.buffers, &mut self.outline_m)
     }
 
     /// Vertices of the last overlap, in the first polygon's frame [m].

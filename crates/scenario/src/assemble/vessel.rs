@@ -1,36 +1,38 @@
 //! Kinds of vessels, and the vessels that bodies are.
 
-use std::collections::BTreeMap;
 use std::fmt::Display;
 
 use fenderline_contact::{Vec2, vec2};
-use fenderline_sim::environment::waves::{BoxShip, DriftHull, MotionResponse};
-use fenderline_sim::hydro::Particulars;
+use fenderline_sim::environment::waves::{DriftHull, MotionResponse};
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
 
+use super::response::estimate;
 use super::{Assembly, Checked};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
-use crate::sources::quoted;
+use crate::sources::{Span, quoted};
 use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
 
 /// A kind of vessel, without a body.
 pub(super) struct Kind {
-    setup: VesselSetup,
+    pub(super) setup: VesselSetup,
+    /// What the scenario says of her first: her table, or her name in a body.
+    pub(super) said_at: (Span, String),
     pub(super) mass: MassProperties,
     data: VesselData,
 }
-
-/// Names of thrusters, in their order.
-pub(super) type Thrusters = BTreeMap<String, Vec<String>>;
 
 /// What a body is, where she is a vessel, by the index of the body.
 pub(super) type Decks<'k> = Vec<Option<&'k Kind>>;
 
 impl Kind {
     /// Of a vessel in her water.
-    fn new(data: VesselData, environment: &Environment) -> Result<Kind, Box<dyn Display>> {
+    fn new(
+        data: VesselData,
+        environment: &Environment,
+        said_at: (Span, String),
+    ) -> Result<Kind, Box<dyn Display>> {
         let deep = &data.ship;
         let water = environment.water_density_kgpm3;
         let ship = match environment.depth_m {
@@ -69,10 +71,10 @@ impl Kind {
             ship,
             rudder: data.rudder,
             shaft,
-            thrusters: data.thrusters.iter().map(|thruster| thruster.thruster).collect(),
-            thruster_lags_s: data.thrusters.iter().map(|thruster| thruster.lag_s).collect(),
+            thrusters: data.thrusters.clone(),
+            azimuths: data.azimuths.clone(),
             windage: data.windage,
-            response: float.map(|float| response(&particulars, &float)),
+            response: float.map(|float| estimate(&particulars, &float)),
             float,
             drift: Some(drift),
         };
@@ -83,7 +85,7 @@ impl Kind {
             added_sway_kg: water * ship.added_mass.sway_m3,
             added_yaw_kgm2: water * ship.added_mass.yaw_m5,
         };
-        Ok(Kind { setup, mass, data })
+        Ok(Kind { setup, said_at, mass, data })
     }
 
     /// From midship to the centre of gravity, which is a body's origin.
@@ -108,7 +110,7 @@ impl Assembly<'_, '_> {
     /// Every kind of vessel: the scenario's own, in the order of the file, then those of the library that bodies
     /// name.
     pub(super) fn kinds(
-        &self,
+        &mut self,
         file: &Table,
         library: &VesselLibrary,
         environment: &Environment,
@@ -123,7 +125,12 @@ impl Assembly<'_, '_> {
                 )));
             }
             let data = own_vessel(self.sources, name, table, library)?;
-            let kind = Kind::new(data, environment).map_err(|error| self.wrong(table, &error))?;
+            let said_at = (table.span.clone(), table.path.clone());
+            let mut kind =
+                Kind::new(data, environment, said_at).map_err(|error| self.wrong(table, &error))?;
+            if let Some(table) = self.rao_table(table)? {
+                kind.setup.response = Some(MotionResponse::Table(table));
+            }
             kinds.push((name.clone(), kind));
         }
         for (_, body) in file.given("body").named() {
@@ -137,7 +144,8 @@ impl Assembly<'_, '_> {
                 let known = own.chain(library.vessels().iter().map(|known| known.name.as_str()));
                 return Err(self.unknown("vessel", body, item, name, known));
             };
-            let kind = Kind::new(data.clone(), environment)
+            let said_at = (item.span.clone(), body.path_of(item.name));
+            let kind = Kind::new(data.clone(), environment, said_at)
                 .map_err(|error| self.refused(body, item, &error))?;
             kinds.push((name.to_owned(), kind));
         }
@@ -148,14 +156,14 @@ impl Assembly<'_, '_> {
         self.sources.error(&table.span, &table.path, format!("`{}`: {error}", table.path))
     }
 
-    /// The vessels that bodies name, in the order of the bodies, and their thrusters' names.
+    /// The vessels that bodies name, in the order of the bodies.
     pub(super) fn vessels(
         &self,
         bodies: &[(String, Table)],
         kinds: &[(String, Kind)],
-    ) -> Checked<(Vec<VesselSetup>, Thrusters)> {
-        let (mut vessels, mut thrusters) = (Vec::new(), Thrusters::new());
-        for (index, (name, body)) in bodies.iter().enumerate() {
+    ) -> Checked<Vec<VesselSetup>> {
+        let mut vessels = Vec::new();
+        for (index, (_, body)) in bodies.iter().enumerate() {
             let Some(item) = body.item("vessel") else { continue };
             let kind = kind_named(item, kinds);
             let mut setup = kind.setup.clone();
@@ -168,10 +176,8 @@ impl Assembly<'_, '_> {
                 setup.shaft.value = setup.shaft.stop * running.number();
             }
             vessels.push(setup);
-            let own = kind.data.thrusters.iter().map(|thruster| thruster.name.clone());
-            thrusters.insert(name.clone(), own.collect());
         }
-        Ok((vessels, thrusters))
+        Ok(vessels)
     }
 
     /// A chock, from the centre of gravity, and its height above the water [m].
@@ -256,15 +262,4 @@ pub(super) fn kind_named<'k>(item: &Item, kinds: &'k [(String, Kind)]) -> &'k Ki
 /// What each body is, where she is a vessel.
 pub(super) fn decks<'k>(bodies: &[(String, Table)], kinds: &'k [(String, Kind)]) -> Decks<'k> {
     bodies.iter().map(|(_, body)| body.item("vessel").map(|item| kind_named(item, kinds))).collect()
-}
-
-fn response(ship: &Particulars, float: &Float) -> MotionResponse {
-    MotionResponse::Estimate(BoxShip {
-        length_m: ship.length_m,
-        beam_m: ship.beam_m,
-        draught_m: ship.draught_m,
-        block_coefficient: ship.block_coefficient(),
-        roll_period_s: float.hydrostatics.roll.period_s(),
-        roll_damping: float.hydrostatics.roll.damping,
-    })
 }

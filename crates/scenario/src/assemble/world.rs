@@ -1,25 +1,20 @@
-//! Wind, current, waves and water, wind areas, tugs, lines and orders.
+//! Tugs, lines and orders.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 use std::fmt::Display;
 
-use fenderline_contact::{Rotation, Vec2, vec2};
-use fenderline_sim::environment::current::Current;
-use fenderline_sim::environment::waves::{Jonswap, Realisation, RegularWave, Sea};
-use fenderline_sim::environment::wind::{
-    Blendermann, GustSpectrum, Gusts, MeanWind, ShipWindage, Wind, WindMethod, WindProfile,
-};
-use fenderline_sim::hydro::Particulars;
+use fenderline_contact::Vec2;
 use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::mooring::{
     Fitting, Holding, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch, WinchOrder,
 };
 use fenderline_sim::tug::{TugEnvelope, TugOrder, VectorTug};
 use fenderline_sim::{
-    Action, BodySetup, Environment, LineEnd, MooringSetup, Order, Station, TugSetup, VesselSetup,
+    Action, BodySetup, LineEnd, MooringSetup, Order, Station, TugSetup, VesselSetup,
 };
 
-use super::vessel::{Decks, Thrusters};
+use super::azimuth::Afloat;
+use super::vessel::Decks;
 use super::{Assembly, Checked, Names};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
@@ -27,83 +22,11 @@ use crate::keys::{LINE_ORDERS, TUG_ORDERS, VESSEL_ORDERS};
 use crate::sources::quoted;
 use crate::suggest::nearest;
 
-/// How many harmonics a sea or a gusty wind has.
-const HARMONICS: usize = 200;
-/// Depth that is deep for every wave [m].
-const DEEP_M: f64 = 10_000.0;
-
 impl Assembly<'_, '_> {
     /// An error of a computation about a key.
     pub(super) fn refused(&self, table: &Table, item: &Item, error: &dyn Display) -> ScenarioError {
         let path = table.path_of(item.name);
         self.sources.error(&item.span, &path, format!("`{path}`: {error}"))
-    }
-
-    pub(super) fn environment(&self, table: &Table) -> Checked<Environment> {
-        let depth_m = table.item("depth").map(|item| *item.number());
-        let wind = match table.item("wind") {
-            None => None,
-            Some(item) => {
-                let wind = wind(item.table());
-                Some(wind.map_err(|error| self.refused(table, item, &error))?)
-            }
-        };
-        let current = match table.item("current") {
-            None => None,
-            Some(item) => {
-                let of = item.table();
-                let towards = along(*of.given("towards").number());
-                let current = Current::uniform(towards * *of.given("speed").number());
-                Some(current.map_err(|error| self.refused(table, item, &error))?)
-            }
-        };
-        let sea = match table.item("waves") {
-            None => None,
-            Some(item) => {
-                let sea = sea(item.table(), depth_m.unwrap_or(DEEP_M));
-                Some(sea.map_err(|error| self.refused(table, item, &error))?)
-            }
-        };
-        Ok(Environment {
-            wind,
-            current,
-            sea,
-            depth_m,
-            water_density_kgpm3: *table.given("water_density").number(),
-            ..Environment::default()
-        })
-    }
-
-    pub(super) fn windage(
-        &self,
-        table: &Table,
-        ship: &Particulars,
-    ) -> Checked<Option<ShipWindage>> {
-        let Some(item) = table.item("windage") else { return Ok(None) };
-        let of = item.table();
-        let kind = of.given("type");
-        let Some(method) = Blendermann::of_type(kind.text()) else {
-            let names = fenderline_sim::environment::wind::BLENDERMANN_TYPES.map(|kind| kind.name);
-            let path = of.path_of("type");
-            let message = format!("`{path}`: there is no type {}", quoted(kind.text()));
-            let error = self.sources.error(&kind.span, &path, message);
-            return Err(error.with_help(match nearest(kind.text(), names) {
-                Some(near) => format!("did you mean \"{near}\"?"),
-                None => format!("there are \"{}\"", names.join("\", \"")),
-            }));
-        };
-        let number = |name: &str| *of.given(name).number();
-        let windage = ShipWindage {
-            length_m: ship.length_m,
-            beam_m: ship.beam_m,
-            frontal_m2: number("frontal_area"),
-            lateral_m2: number("lateral_area"),
-            centroid_forward_m: number("centroid_forward"),
-            centroid_height_m: number("centroid_height"),
-            method: WindMethod::Blendermann(method),
-        };
-        windage.check().map_err(|error| self.refused(table, item, &error))?;
-        Ok(Some(windage))
     }
 
     pub(super) fn unknown<'n>(
@@ -346,7 +269,7 @@ impl Assembly<'_, '_> {
         match item.name {
             "vessel" => {
                 let vessel = self.vessel_named(table, item, world.vessels, names)?;
-                let action = self.to_vessel(what, &world.thrusters[item.name()])?;
+                let action = self.to_vessel(table, what, &world.vessels[vessel], world, names)?;
                 Ok(Order { at_s, vessel, action })
             }
             "tug" => {
@@ -359,7 +282,7 @@ impl Assembly<'_, '_> {
                 Ok(Order { at_s, vessel: tug.vessel, action: Action::Tug(index, order) })
             }
             _ => {
-                let known = || world.lines.iter().map(|line| line.line.name.as_str());
+                let known = || world.afloat.lines.iter().map(|line| line.line.name.as_str());
                 let index = known().position(|name| name == item.text());
                 let index =
                     index.ok_or_else(|| self.unknown("line", table, item, item.text(), known()))?;
@@ -368,7 +291,15 @@ impl Assembly<'_, '_> {
         }
     }
 
-    fn to_vessel(&self, what: &Item, thrusters: &[String]) -> Checked<Action> {
+    fn to_vessel(
+        &self,
+        table: &Table,
+        what: &Item,
+        vessel: &VesselSetup,
+        world: &WorldNames<'_>,
+        names: &Names,
+    ) -> Checked<Action> {
+        self.refuse_without_gear(table, what, vessel)?;
         Ok(match what.name {
             "rudder" => Action::Rudder(*what.number()),
             "engine" => Action::Engine(*what.number()),
@@ -376,11 +307,10 @@ impl Assembly<'_, '_> {
             "thruster" => {
                 let of = what.table();
                 let name = of.given("name");
-                let index = thrusters.iter().position(|known| known == name.text());
-                let index = index.ok_or_else(|| {
-                    let known = thrusters.iter().map(String::as_str);
-                    self.unknown("thruster", of, name, name.text(), known)
-                })?;
+                let known = || vessel.thrusters.iter().map(|thruster| thruster.name.as_str());
+                let index = known().position(|known| known == name.text());
+                let index = index
+                    .ok_or_else(|| self.unknown("thruster", of, name, name.text(), known()))?;
                 Action::Thruster(index, *of.given("power").number())
             }
             "course" => Action::Course(*what.number()),
@@ -393,9 +323,33 @@ impl Assembly<'_, '_> {
                     fastest_mps: [*of.given("surge").number(), *of.given("sway").number()],
                 })
             }
+            "azimuth" => self.to_azimuth(what.table(), vessel)?,
+            "push_ship" | "pull_ship" | "follow_ship" => {
+                self.to_tug_vessel(what, vessel, &world.afloat, names)?
+            }
             "hands" => Action::Hands,
             other => unreachable!("{other} is no order to a vessel"),
         })
+    }
+
+    /// What she has nothing to carry out with would ask for nothing.
+    fn refuse_without_gear(&self, table: &Table, what: &Item, vessel: &VesselSetup) -> Checked<()> {
+        let (has_it, needed) = match what.name {
+            "rudder" | "engine" | "telegraph" => {
+                (vessel.ship.propulsion.is_some(), "propeller and rudder")
+            }
+            "course" | "speed" => (
+                vessel.ship.propulsion.is_some() || vessel.steers_with_azimuths(),
+                "propeller and rudder, nor azimuth units",
+            ),
+            _ => return Ok(()),
+        };
+        if has_it {
+            return Ok(());
+        }
+        let path = table.path_of(what.name);
+        let message = format!("`{path}`: the vessel has no {needed}");
+        Err(self.sources.error(&what.key_span, &path, message))
     }
 
     /// `let_go = false` would ask for nothing.
@@ -419,9 +373,8 @@ enum LinePoint<'t> {
 /// What orders refer to.
 pub(super) struct WorldNames<'w> {
     pub(super) vessels: &'w [VesselSetup],
-    pub(super) thrusters: &'w Thrusters,
     pub(super) tugs: &'w [TugSetup],
-    pub(super) lines: &'w [MooringSetup],
+    pub(super) afloat: Afloat<'w>,
 }
 
 fn to_tug(tug: &TugSetup, what: &Item, direction_rad: Option<f64>) -> TugOrder {
@@ -457,41 +410,4 @@ fn rope(table: &Table) -> Rope {
         _ => RopeCurve::nylon(),
     };
     Rope { break_load_n: *table.given("break_load").number(), curve }
-}
-
-fn wind(table: &Table) -> Result<Wind, fenderline_sim::environment::EnvironmentError> {
-    let mean = MeanWind {
-        speed_mps: *table.given("speed").number(),
-        from_rad: *table.given("from").number(),
-        profile: WindProfile::Uniform,
-    };
-    if !table.given("gusts").flag() {
-        return Wind::steady(mean);
-    }
-    let realisation = realisation(table);
-    Wind::gusty(mean, Gusts::new(&mean, &GustSpectrum::Npd, realisation)?)
-}
-
-fn sea(table: &Table, depth_m: f64) -> Result<Sea, fenderline_sim::environment::EnvironmentError> {
-    let (height_m, period_s) = (*table.given("height").number(), *table.given("period").number());
-    let towards_rad = table.given("from").number() + PI;
-    if *table.given("regular").flag() {
-        let wave = RegularWave { height_m, period_s, phase_rad: 0.0 };
-        return Sea::regular(wave, towards_rad, depth_m);
-    }
-    let spectrum = Jonswap {
-        height_m,
-        peak_period_s: period_s,
-        peak_enhancement: *table.given("peakedness").number(),
-    };
-    Sea::jonswap(&spectrum, towards_rad, depth_m, realisation(table))
-}
-
-fn realisation(table: &Table) -> Realisation {
-    Realisation { harmonics: HARMONICS, seed: *table.given("seed").number() as u64 }
-}
-
-/// The unit vector of a compass direction.
-fn along(direction_rad: f64) -> Vec2 {
-    Rotation::from_angle(direction_rad).apply(vec2(1.0, 0.0))
 }

@@ -2,7 +2,10 @@
 
 use serde_json::json;
 
-use super::world::{FORCE, LENGTH, PLACE, WINDAGE, key};
+use super::azimuth::AZIMUTH;
+use super::environment::WAVE_RESPONSE_DOC;
+use super::windage::WINDAGE;
+use super::world::{FORCE, LENGTH, PLACE, key};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
@@ -17,8 +20,8 @@ pub(super) static VESSEL: TableSpec = TableSpec {
             "from",
             Kind::Text,
             Means("she has particulars of her own"),
-            "A vessel of the library or of `vessel_files`: she keeps her hull, propeller and rudder; thrusters, wind \
-             areas and stability given here replace hers.",
+            "A vessel of the library or of `vessel_files`: she keeps her hull, propeller and rudder; thrusters, azimuth \
+             units, wind areas and stability given here replace hers.",
             &["\"kvlcc2\""],
         ),
         key(
@@ -61,11 +64,25 @@ pub(super) static VESSEL: TableSpec = TableSpec {
         key("rudder", Kind::Table(&RUDDER), Means("that of `from`, or none"), "Rudder.", &[]),
         key("thruster", Kind::Named(&THRUSTER), Is("{}"), "Tunnel thrusters, by name.", &[]),
         key(
+            "azimuth",
+            Kind::Named(&AZIMUTH),
+            Is("{}"),
+            "Azimuth units, by name. A vessel without a propeller goes and steers with them.",
+            &[],
+        ),
+        key(
             "windage",
             Kind::Table(&WINDAGE),
             Means("that of `from`, or the wind does not move her"),
             "Wind areas.",
             &[],
+        ),
+        key(
+            "wave_response",
+            Kind::FileName,
+            Means("an estimate of a box-shaped hull, where `stability` is given"),
+            WAVE_RESPONSE_DOC,
+            &["\"response.csv\""],
         ),
         key(
             "stability",
@@ -166,7 +183,7 @@ pub(crate) static THRUSTER: TableSpec = TableSpec {
             Kind::Quantity(PLACE),
             Refused,
             "Its place forward of midship.",
-            &["\"120 m\""],
+            &["\"60 m\""],
         ),
         key(
             "force",

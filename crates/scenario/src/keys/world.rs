@@ -1,4 +1,4 @@
-//! Keys of wind, current, waves and water, wind areas, tugs, lines and orders.
+//! Keys of tugs, lines and orders.
 
 use serde_json::json;
 
@@ -9,8 +9,8 @@ use crate::units::measures as unit;
 
 pub(crate) const LENGTH: Quantity = Quantity { measure: &unit::LENGTH, low: 0.01, high: 5000.0 };
 pub(crate) const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
-const DIRECTION: Quantity = Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 };
-const TIME: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 };
+pub(super) const DIRECTION: Quantity = Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 };
+pub(super) const TIME: Quantity = Quantity { measure: &unit::TIME, low: 0.0, high: 1e9 };
 pub(super) const FORCE: Quantity = Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 };
 const SHARE: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 };
 
@@ -24,182 +24,11 @@ pub(crate) const fn key(
     KeySpec { name, kind, absent, doc, examples }
 }
 
-pub(super) static ENVIRONMENT: TableSpec = TableSpec {
-    what: "an environment",
-    doc: "Wind, current, waves and water; they act on vessels.",
-    keys: &[
-        key(
-            "depth",
-            Kind::Quantity(LENGTH),
-            Means("deep water"),
-            "Depth of the water: shallow water slows and stiffens a vessel; no deeper than her draught, she is aground.",
-            &["\"14 m\""],
-        ),
-        key(
-            "water_density",
-            Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 900.0, high: 1300.0 }),
-            Is("1025"),
-            "Density of the water.",
-            &["\"1025 kg/m^3\""],
-        ),
-        key("wind", Kind::Table(&WIND), Means("no wind"), "Wind.", &[]),
-        key("current", Kind::Table(&CURRENT), Means("no current"), "Current.", &[]),
-        key("waves", Kind::Table(&WAVES), Means("no waves"), "Waves.", &[]),
-    ],
-    rules: None,
-};
-
-static WIND: TableSpec = TableSpec {
-    what: "a wind",
-    doc: "Wind at 10 m height.",
-    keys: &[
-        key(
-            "speed",
-            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 120.0 }),
-            Refused,
-            "Mean speed.",
-            &["\"12 m/s\""],
-        ),
-        key(
-            "from",
-            Kind::Quantity(DIRECTION),
-            Refused,
-            "Where it comes from, clockwise from north.",
-            &["\"270 deg\""],
-        ),
-        key(
-            "gusts",
-            Kind::Flag,
-            Is("false"),
-            "Whether it gusts, by the NPD spectrum of ISO 19901-1.",
-            &["true"],
-        ),
-        key(
-            "seed",
-            Kind::Quantity(SEED),
-            Is("1"),
-            "Seed of the gusts: the same seed gives the same wind.",
-            &["7"],
-        ),
-    ],
-    rules: None,
-};
-
-const SEED: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 4294967295.0 };
-
-static CURRENT: TableSpec = TableSpec {
-    what: "a current",
-    doc: "A current, the same everywhere.",
-    keys: &[
-        key(
-            "speed",
-            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 15.0 }),
-            Refused,
-            "Speed.",
-            &["\"0.5 kn\""],
-        ),
-        key(
-            "towards",
-            Kind::Quantity(DIRECTION),
-            Refused,
-            "Where it runs to, clockwise from north.",
-            &["\"10 deg\""],
-        ),
-    ],
-    rules: None,
-};
-
-static WAVES: TableSpec = TableSpec {
-    what: "a sea",
-    doc: "Waves: JONSWAP, or one regular wave.",
-    keys: &[
-        key(
-            "height",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 30.0 }),
-            Refused,
-            "Significant height, or that of the regular wave.",
-            &["\"1.2 m\""],
-        ),
-        key(
-            "period",
-            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.5, high: 40.0 }),
-            Refused,
-            "Peak period, or that of the regular wave.",
-            &["\"8 s\""],
-        ),
-        key(
-            "from",
-            Kind::Quantity(DIRECTION),
-            Refused,
-            "Where they come from, clockwise from north.",
-            &["\"240 deg\""],
-        ),
-        key(
-            "regular",
-            Kind::Flag,
-            Is("false"),
-            "One regular wave instead of a spectrum.",
-            &["true"],
-        ),
-        key(
-            "peakedness",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
-            Is("3.3"),
-            "JONSWAP's gamma.",
-            &["3.3"],
-        ),
-        key("seed", Kind::Quantity(SEED), Is("1"), "Seed of the phases.", &["7"]),
-    ],
-    rules: None,
-};
-
-pub(crate) static WINDAGE: TableSpec = TableSpec {
-    what: "a windage",
-    doc: "Wind areas; coefficients by Blendermann.",
-    keys: &[
-        key(
-            "frontal_area",
-            Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 }),
-            Refused,
-            "Area above the water seen from ahead.",
-            &["\"1700 m^2\""],
-        ),
-        key(
-            "lateral_area",
-            Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 }),
-            Refused,
-            "Area above the water seen from the side.",
-            &["\"9000 m^2\""],
-        ),
-        key(
-            "centroid_forward",
-            Kind::Quantity(PLACE),
-            Is("0"),
-            "Centroid of the lateral area forward of midship.",
-            &["\"-5 m\""],
-        ),
-        key(
-            "centroid_height",
-            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 200.0 }),
-            Refused,
-            "Height of that centroid above the water.",
-            &["\"16 m\""],
-        ),
-        key(
-            "type",
-            Kind::Text,
-            Refused,
-            "Type of ship in Blendermann's table.",
-            &["\"container ship, loaded\""],
-        ),
-    ],
-    rules: None,
-};
-
 pub(super) static TUG: TableSpec = TableSpec {
     what: "a tug",
     doc: "A tug that is a force at a point of a vessel: what she can give falls with speed (derived, \
-          unvalidated). For one that pushes through her own bow fender use a body.",
+          unvalidated). For one that pushes through her own bow fender use a vessel with azimuth units and the \
+          orders `push_ship`, `pull_ship` and `follow_ship`.",
     keys: &[
         key(
             "vessel",
@@ -429,6 +258,34 @@ pub(super) static ORDER: TableSpec = TableSpec {
             &["\"slow astern\""],
         ),
         key("thruster", Kind::Table(&THRUSTER_ORDER), Means("another order"), "A thruster.", &[]),
+        key(
+            "azimuth",
+            Kind::Table(&super::azimuth::AZIMUTH_ORDER),
+            Means("another order"),
+            "An azimuth unit.",
+            &[],
+        ),
+        key(
+            "push_ship",
+            Kind::Table(&super::assist::PUSH_SHIP),
+            Means("another order"),
+            "A vessel with azimuth units comes to a ship's side and pushes.",
+            &[],
+        ),
+        key(
+            "pull_ship",
+            Kind::Table(&super::assist::PULL_SHIP),
+            Means("another order"),
+            "A vessel with azimuth units pulls on a line between her and a ship.",
+            &[],
+        ),
+        key(
+            "follow_ship",
+            Kind::Table(&super::assist::FOLLOW_SHIP),
+            Means("another order"),
+            "A vessel with azimuth units keeps a place beside a ship.",
+            &[],
+        ),
         key(
             "course",
             Kind::Quantity(DIRECTION),

@@ -4,7 +4,8 @@ use fenderline_contact::Vec2;
 use fenderline_sim::environment::wind::ShipWindage;
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::{Origin, Vessel};
-use fenderline_sim::hydro::{LowSpeedHull, Mmg, Polynomial, SternCoefficients, TunnelThruster};
+use fenderline_sim::hydro::{LowSpeedHull, Mmg, Polynomial, SternCoefficients};
+use fenderline_sim::{AzimuthSetup, ThrusterSetup};
 
 /// A vessel of the data: everything that does not change from one scenario to the next.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +27,9 @@ pub struct VesselData {
     /// Her shaft, where she has a propeller.
     pub shaft: Option<Shaft>,
     /// Tunnel thrusters, in the order of the file.
-    pub thrusters: Vec<Thruster>,
+    pub thrusters: Vec<ThrusterSetup>,
+    /// Azimuth units, in the order of the file.
+    pub azimuths: Vec<AzimuthSetup>,
     /// Wind areas.
     pub windage: Option<ShipWindage>,
     /// What heave, roll and pitch need.
@@ -50,17 +53,6 @@ pub struct Shaft {
     pub full_rps: f64,
     /// Time from full ahead to full astern [s].
     pub reversal_s: f64,
-}
-
-/// A tunnel thruster.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Thruster {
-    /// Unique on the vessel.
-    pub name: String,
-    /// Its force and place.
-    pub thruster: TunnelThruster,
-    /// Time constant [s].
-    pub lag_s: f64,
 }
 
 /// What heave, roll and pitch need.

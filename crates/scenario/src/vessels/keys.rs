@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::keys::{FORWARD_M, LENGTH_M, STABILITY, THRUSTER, WINDAGE, key};
+use crate::keys::{AZIMUTH, FORWARD_M, LENGTH_M, STABILITY, THRUSTER, WINDAGE, key};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Choices, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
@@ -138,6 +138,13 @@ static VESSEL: TableSpec = TableSpec {
         key("propeller", Kind::Table(&PROPELLER), Means("none"), "Propeller and shaft.", &[]),
         key("rudder", Kind::Table(&RUDDER), Means("none"), "Rudder and steering gear.", &[]),
         key("thruster", Kind::Named(&THRUSTER), Is("{}"), "Tunnel thrusters, by name.", &[]),
+        key(
+            "azimuth",
+            Kind::Named(&AZIMUTH),
+            Is("{}"),
+            "Azimuth units, by name. A vessel without a propeller goes and steers with them.",
+            &[],
+        ),
         key(
             "windage",
             Kind::Table(&WINDAGE),

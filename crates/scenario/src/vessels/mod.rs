@@ -8,7 +8,7 @@ mod provenance;
 mod read;
 mod shape;
 
-pub use data::{Belting, DeckPoint, Shaft, Stability, Thruster, VesselData};
+pub use data::{Belting, DeckPoint, Shaft, Stability, VesselData};
 pub(crate) use keys::VESSEL_FILE;
 pub(crate) use read::{hydrostatics, own_vessel};
 

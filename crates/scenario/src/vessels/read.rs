@@ -12,8 +12,10 @@ use fenderline_sim::hydro::{
     Polynomial, Series, SternCoefficients, SternGear, SwayPolynomial, TunnelThruster, estimated,
 };
 
+use fenderline_sim::{AzimuthSetup, ThrusterSetup};
+
 use super::VesselLibrary;
-use super::data::{AddedMassForm, Coefficients, Shaft, Stability, Thruster, VesselData};
+use super::data::{AddedMassForm, Coefficients, Shaft, Stability, VesselData};
 use super::figures::digits;
 use super::provenance;
 use super::shape::{self, Hull};
@@ -165,6 +167,7 @@ impl Reading<'_, '_> {
             rudder,
             shaft,
             thrusters: self.thrusters(&particulars)?,
+            azimuths: self.azimuths(&particulars)?,
             windage: assemble::windage(self.sources, table, &particulars)?,
             stability: self.stability(&particulars)?,
             chocks: points("chock")?,
@@ -201,6 +204,9 @@ impl Reading<'_, '_> {
         let particulars = &base.ship.particulars;
         if !table.given("thruster").is_default {
             vessel.thrusters = self.thrusters(particulars)?;
+        }
+        if !table.given("azimuth").is_default {
+            vessel.azimuths = self.azimuths(particulars)?;
         }
         if table.item("windage").is_some() {
             vessel.windage = assemble::windage(self.sources, table, particulars)?;
@@ -516,7 +522,7 @@ impl Reading<'_, '_> {
         Ok(Some(Shaft { full_rps, reversal_s }))
     }
 
-    fn thrusters(&self, ship: &Particulars) -> Read<Vec<Thruster>> {
+    fn thrusters(&self, ship: &Particulars) -> Read<Vec<ThrusterSetup>> {
         let read = |(name, table): &(String, Table)| {
             let along = table.given("along");
             let along_m = *along.number();
@@ -525,13 +531,28 @@ impl Reading<'_, '_> {
                     format!("{along_m} m from midship is not in a ship of {} m", ship.length_m);
                 return Err(self.at(table, along, &message));
             }
-            Ok(Thruster {
+            Ok(ThrusterSetup {
                 name: name.clone(),
-                thruster: TunnelThruster { bollard_n: *table.given("force").number(), along_m },
+                tunnel: TunnelThruster { bollard_n: *table.given("force").number(), along_m },
                 lag_s: *table.given("lag").number(),
             })
         };
         self.table.given("thruster").named().iter().map(read).collect()
+    }
+
+    fn azimuths(&self, ship: &Particulars) -> Read<Vec<AzimuthSetup>> {
+        let tables = self.table.given("azimuth").named();
+        for (_, table) in tables {
+            for (name, most_m) in [("along", 0.6 * ship.length_m), ("across", 0.5 * ship.beam_m)] {
+                let place = table.given(name);
+                let place_m = *place.number();
+                if place_m.abs() > most_m {
+                    let message = format!("{place_m} m is not under a ship of her size");
+                    return Err(self.at(table, place, &message));
+                }
+            }
+        }
+        Ok(assemble::azimuths(tables))
     }
 
     fn stability(&self, ship: &Particulars) -> Read<Option<Stability>> {

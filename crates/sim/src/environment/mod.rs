@@ -33,6 +33,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bank;
 pub mod current;
 mod error;
 mod harmonics;
@@ -41,5 +42,6 @@ mod water;
 pub mod waves;
 pub mod wind;
 
+pub use bank::{Bank, BankWater, ShipAtBank};
 pub use error::EnvironmentError;
 pub use water::{Tide, TideConstituent, Water};

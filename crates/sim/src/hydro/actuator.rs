@@ -43,26 +43,33 @@ impl RateLimited {
     }
 }
 
-/// An azimuth that turns all the way round, at a constant rate and by the shorter way.
+/// An azimuth that turns at a constant rate: all the way round and by the shorter way, or between stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slewing {
     /// Where it points, in (−π, π] [rad].
     pub angle_rad: f64,
     /// How fast it turns [rad/s].
     pub rate_radps: f64,
+    /// Its stop to either side [rad]; `None`: it turns all the way round.
+    pub stop_rad: Option<f64>,
 }
 
 impl Slewing {
-    /// Turns towards the order for `step_s`; straight behind it, to starboard. An order that is not a
-    /// finite number leaves it where it is.
+    /// Turns towards the order for `step_s`; straight behind it, to starboard. An order beyond the stop
+    /// turns it to the stop, and with stops it never turns over the stern. An order that is not a finite
+    /// number leaves it where it is.
     pub fn step(&mut self, order_rad: f64, step_s: f64) -> Order {
         if !order_rad.is_finite() {
             return Order::Clamped;
         }
-        let way_rad = wrapped(order_rad - self.angle_rad);
+        let ordered_rad = wrapped(order_rad);
+        let stop_rad = self.stop_rad.unwrap_or(PI);
+        let target_rad = ordered_rad.clamp(-stop_rad, stop_rad);
+        let way_rad = target_rad - self.angle_rad;
+        let way_rad = if self.stop_rad.is_none() { wrapped(way_rad) } else { way_rad };
         let reach_rad = self.rate_radps * step_s;
         self.angle_rad = wrapped(self.angle_rad + way_rad.clamp(-reach_rad, reach_rad));
-        Order::Taken
+        if target_rad == ordered_rad { Order::Taken } else { Order::Clamped }
     }
 }
 

@@ -15,7 +15,7 @@
 //! | tunnel and azimuth thrusters | [`TunnelThruster`], [`AzimuthThruster`] |
 //! | rudder machine, shaft, lag, telegraph | [`actuator`] |
 //! | all of it on one ship | [`Mmg`], [`Mmg::forces`] |
-//! | shallow water: derivatives, squat, current | [`shallow`] |
+//! | shallow water: derivatives, squat, current | [`shallow`], [`Squat`] |
 //! | equations of motion, two integrators | [`Model3`] |
 //! | where a ship's numbers come from | [`vessels`] |
 //! | what is not known of a ship, from her main particulars | [`estimated`] |
@@ -40,6 +40,7 @@
 pub mod actuator;
 pub mod manoeuvres;
 pub mod shallow;
+mod squat;
 pub mod vessels;
 
 mod added_mass;
@@ -69,4 +70,5 @@ pub use particulars::Particulars;
 pub use propeller::{Propeller, Series};
 pub use quantities::{Controls, Force, Velocity, Water};
 pub use rudder::{Race, Rudder};
+pub use squat::Squat;
 pub use thruster::{AzimuthThruster, TunnelThruster, tunnel_effect};

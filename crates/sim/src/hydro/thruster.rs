@@ -67,11 +67,45 @@ impl AzimuthThruster {
         water: Water,
     ) -> Force {
         let (sin, cos) = libm::sincos(azimuth_rad);
-        let along_mps = velocity.surge_mps - velocity.yaw_radps * self.across_m;
-        let across_mps = velocity.sway_mps + velocity.yaw_radps * self.along_m;
-        let advance_mps = (1.0 - self.wake) * (along_mps * cos + across_mps * sin);
+        let advance_mps = self.advance_mps(azimuth_rad, velocity);
         let thrust_n =
             (1.0 - self.thrust_deduction) * self.propeller.thrust_n(advance_mps, shaft_rps, water);
         Force::at(thrust_n * cos, thrust_n * sin, self.along_m, self.across_m)
+    }
+
+    fn advance_mps(&self, azimuth_rad: f64, velocity: &Velocity) -> f64 {
+        let (sin, cos) = libm::sincos(azimuth_rad);
+        let along_mps = velocity.surge_mps - velocity.yaw_radps * self.across_m;
+        let across_mps = velocity.sway_mps + velocity.yaw_radps * self.along_m;
+        (1.0 - self.wake) * (along_mps * cos + across_mps * sin)
+    }
+
+    /// Revolutions [1/s], up to `most_rps`, that give a thrust [N] in a direction at a velocity: the most
+    /// where that is not enough, and none where the stream alone gives more.
+    pub fn revolutions_at(
+        &self,
+        thrust_n: f64,
+        azimuth_rad: f64,
+        velocity: &Velocity,
+        water: Water,
+        most_rps: f64,
+    ) -> f64 {
+        let given_n = |shaft_rps: f64| {
+            let advance_mps = self.advance_mps(azimuth_rad, velocity);
+            (1.0 - self.thrust_deduction) * self.propeller.thrust_n(advance_mps, shaft_rps, water)
+        };
+        // Thrust rises with revolutions: by halving.
+        let (mut low, mut high) = (0.0, most_rps);
+        for _ in 0..24 {
+            let middle = 0.5 * (low + high);
+            if given_n(middle) < thrust_n { low = middle } else { high = middle }
+        }
+        0.5 * (low + high)
+    }
+
+    /// Revolutions [1/s] that give a thrust ahead at rest [N]: thrust goes with their square.
+    pub fn revolutions_for(&self, thrust_n: f64, water: Water) -> f64 {
+        let of_one_n = (1.0 - self.thrust_deduction) * self.propeller.thrust_n(0.0, 1.0, water);
+        libm::sqrt(thrust_n.max(0.0) / of_one_n)
     }
 }

@@ -2,10 +2,11 @@
 
 use fenderline_contact::Vec2;
 
+use crate::environment::Bank;
 use crate::environment::current::Current;
 use crate::environment::waves::Sea;
 use crate::environment::wind::Wind;
-use crate::hydro;
+use crate::hydro::{self, Squat};
 
 /// The surroundings of a [`crate::WorldSetup`].
 #[derive(Clone, Debug, PartialEq)]
@@ -22,10 +23,14 @@ pub struct Environment {
     pub air_density_kgpm3: f64,
     /// Depth of the water [m]; `None`: deep.
     pub depth_m: Option<f64>,
+    /// How squat is estimated where the water has a depth; `None`: not at all.
+    pub squat: Option<Squat>,
+    /// Banks that draw ships to them: unvalidated.
+    pub banks: Vec<Bank>,
 }
 
 impl Default for Environment {
-    /// Deep sea water, no wind, no current.
+    /// Deep sea water, no wind, no current, no banks; squat by [`Squat::default`] once there is a depth.
     fn default() -> Environment {
         Environment {
             wind: None,
@@ -34,6 +39,8 @@ impl Default for Environment {
             water_density_kgpm3: 1025.0,
             air_density_kgpm3: 1.225,
             depth_m: None,
+            squat: Some(Squat::default()),
+            banks: Vec::new(),
         }
     }
 }
@@ -47,5 +54,17 @@ impl Environment {
     pub(crate) fn current(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {
         let current = self.current.as_ref();
         current.map_or(Vec2::ZERO, |current| current.velocity(position_m, t_s, draught_m))
+    }
+
+    /// DU/Dt: mean acceleration of the water that a hull lies in, followed for a step [m/s²].
+    pub(crate) fn water_acceleration(
+        &self,
+        position_m: Vec2,
+        (t_s, step_s): (f64, f64),
+        draught_m: f64,
+    ) -> Vec2 {
+        let now = self.current(position_m, t_s, draught_m);
+        let then = self.current(position_m + now * step_s, t_s + step_s, draught_m);
+        (then - now) * (1.0 / step_s)
     }
 }

@@ -5,6 +5,9 @@
 //! rudder, thrusters and wind to each vessel's body. After contact, `World::settle` heels and trims the
 //! vessels by all horizontal forces at the height where they act.
 
+mod assist;
+mod azimuth;
+mod azimuth_pilot;
 mod environment;
 mod event;
 mod line;
@@ -16,9 +19,12 @@ mod vessel;
 
 use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
 
+use self::azimuth_pilot::Stream;
 use self::pilot::Abilities;
 use crate::fender::FenderSetup;
 
+pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
+pub use azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 pub use environment::Environment;
 pub use event::{WorldEvent, WorldEventKind};
 pub use line::{LineEnd, Mooring, MooringSetup};
@@ -82,7 +88,16 @@ impl World {
             let helpers: Vec<_> =
                 setup.tugs.iter().filter(serves).map(|tug| tug.device(vessel)).collect();
             let helpers_n = &mut self.helpers_n;
-            pilot::pilot(own, vessel, abilities, state, &helpers, helpers_n, step_s);
+            let stream = Stream {
+                velocity: vessel.velocity(state, &setup.environment, t_s),
+                water: setup.environment.density(),
+            };
+            let here = (state, &stream);
+            pilot::pilot(own, vessel, abilities, here, &helpers, helpers_n, step_s);
+            let (of, last) = ((vessel, abilities, &stream), &self.forces[index]);
+            azimuth_pilot::under_way(own, of, last, state, step_s);
+            let lines = (&*setup.lines, &*self.lines);
+            azimuth_pilot::assist(own, of, last, states, lines, step_s);
             let tugs = self.tugs.iter_mut().zip(&setup.tugs).filter(|(_, tug)| serves(tug));
             for ((tug, of), &starboard_n) in tugs.zip(&*helpers_n) {
                 tug.push_or_pull(of, t_s, starboard_n);
@@ -92,13 +107,15 @@ impl World {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::OrderClamped });
             }
             self.clamped[index] = clamped;
-            let aground = vessel.is_aground(&setup.environment);
+            own.squat_m = vessel.squat_m(state, &setup.environment, t_s);
+            let aground = vessel.is_aground(own, &setup.environment);
             if aground && !own.aground {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
             }
             own.aground = aground;
             let forces = vessel.forces(own, state, &setup.environment, (t_s, step_s));
-            let wrench = vessel.wrench(&forces, state, &setup.environment, t_s);
+            let times = (t_s, step_s);
+            let wrench = vessel.wrench(&forces, state, &setup.environment, times);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
             self.forces[index] = forces;
@@ -163,6 +180,9 @@ impl World {
             let state = &states[vessel.body];
             self.vessels[index].wave_motion =
                 vessel.wave_motion(state, &setup.environment, t_s + step_s);
+            if let Some(pilot) = &mut self.vessels[index].pilots.assist {
+                pilot.feel(vessel.body, contacts);
+            }
             let Some(float) = &vessel.float else { continue };
             let mut drive = vessel.drive(&self.forces[index], float);
             let attitude = Rotation::from_angle(states[vessel.body].heading_rad);
@@ -177,7 +197,9 @@ impl World {
                 let height_m =
                     contact.fender.map_or(0.0, |id| fenders[id.0 as usize].above_water_m);
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
-                drive.add(own.x, own.y, height_m - float.gravity_above_water_m);
+                // Squat takes her centre of gravity down, the fender stays where it is.
+                let gravity_m = float.gravity_above_water_m - self.vessels[index].squat_m;
+                drive.add(own.x, own.y, height_m - gravity_m);
             }
             let state = &mut self.vessels[index];
             state.attitude = state.attitude.after(&float.hydrostatics, &drive, step_s);

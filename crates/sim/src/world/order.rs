@@ -2,6 +2,7 @@
 
 use fenderline_contact::Vec2;
 
+use super::assist::Assist;
 use crate::mooring::WinchOrder;
 use crate::tug::TugOrder;
 
@@ -25,12 +26,24 @@ pub enum Action {
     Engine(f64),
     /// A thruster by its index, −1 (to port) to 1.
     Thruster(usize, f64),
-    /// Keep a heading with the rudder [rad].
+    /// An azimuth unit by its index; what is not given stays.
+    Azimuth {
+        /// Index into [`crate::VesselSetup::azimuths`].
+        unit: usize,
+        /// Thrust over that at rest and full power, 0 to 1.
+        power: Option<f64>,
+        /// Direction of the thrust from the bow, positive to starboard [rad].
+        direction_rad: Option<f64>,
+    },
+    /// Keep a heading with the rudder, or with the azimuth units where there is none [rad].
     Course(f64),
-    /// Keep a speed ahead through the water with the engine [m/s].
+    /// Keep a speed ahead through the water with the engine, or with the azimuth units where there is
+    /// none [m/s].
     Speed(f64),
     /// Go to a place and stay there with engine, thrusters and tugs.
     Station(Station),
+    /// A tug's work at a ship, with the azimuth units.
+    Assist(Assist),
     /// Pilots off; controls stay where they are.
     Hands,
     /// A tug, by its index.

@@ -1,8 +1,11 @@
 //! A vessel's pilots: what turns standing orders for a course, a speed or a place into rudder, engine and
 //! thruster orders, step by step.
 
-use fenderline_contact::BodyState;
+use fenderline_contact::{BodyState, Rotation};
 
+use super::assist::AssistPilot;
+use super::azimuth::AzimuthSetup;
+use super::azimuth_pilot::{Stream, largest_of_azimuths, share_with_azimuths};
 use super::order::{Action, Station};
 use super::vessel::{VesselSetup, VesselState, mass_matrix};
 use crate::control::{
@@ -19,17 +22,21 @@ pub struct Pilots {
     pub speed: Option<SpeedPilot>,
     /// On everything.
     pub station: Option<StationPilot>,
+    /// On the azimuth units, at work on a ship.
+    pub assist: Option<AssistPilot>,
+    /// Thrust ahead that stood when a course was ordered to azimuth units without a speed [N].
+    pub ahead_n: f64,
 }
 
 /// What the pilots need to know of a ship, found once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Abilities {
     /// Force at rest at full revolutions astern (negative) and ahead [N].
-    bollard_n: [f64; 2],
+    pub(crate) bollard_n: [f64; 2],
     /// Speed at full revolutions ahead [m/s].
     full_speed_mps: f64,
     /// Mass in surge and sway, inertia in yaw, added mass included.
-    inertia: [f64; 3],
+    pub(crate) inertia: [f64; 3],
 }
 
 impl Abilities {
@@ -39,12 +46,20 @@ impl Abilities {
             let controls = Controls { shaft_rps, rudder_rad: 0.0 };
             setup.ship.forces(&velocity, &controls, water).surge_n
         };
+        let azimuths_n = |surge_mps: f64| -> f64 {
+            let velocity = Velocity { surge_mps, ..Velocity::default() };
+            let full = |a: &AzimuthSetup| {
+                let full_rps = a.unit.revolutions_for(a.bollard_n, water);
+                a.unit.force(full_rps, 0.0, &velocity, water).surge_n
+            };
+            setup.azimuths.iter().map(full).sum()
+        };
         let full_rps = setup.shaft.stop;
         // Thrust falls and resistance grows with speed: the balance by halving.
         let (mut low, mut high) = (0.0, 30.0);
         for _ in 0..40 {
             let middle = 0.5 * (low + high);
-            if surge_n(middle, full_rps) > 0.0 {
+            if surge_n(middle, full_rps) + azimuths_n(middle) > 0.0 {
                 low = middle;
             } else {
                 high = middle;
@@ -89,17 +104,33 @@ pub(crate) fn take(
             vessel.orders.shaft = share;
         }
         Action::Thruster(index, power) => {
-            pilots.station = None;
+            (pilots.station, pilots.assist) = (None, None);
             vessel.orders.thrusters[index] = power;
         }
+        Action::Azimuth { unit, power, direction_rad } => {
+            (pilots.station, pilots.assist) = (None, None);
+            if setup.steers_with_azimuths() {
+                (pilots.course, pilots.speed) = (None, None);
+            }
+            let order = &mut vessel.orders.azimuths[unit];
+            order.power = power.unwrap_or(order.power);
+            order.direction_rad = direction_rad.unwrap_or(order.direction_rad);
+        }
+        Action::Assist(order) => {
+            *pilots = Pilots { assist: Some(AssistPilot::new(order)), ..Pilots::default() };
+        }
         Action::Course(heading_rad) => {
-            pilots.station = None;
+            (pilots.station, pilots.assist) = (None, None);
             let length_m = setup.ship.particulars.length_m;
             let stop_rad = setup.rudder.stop;
+            let units = vessel.orders.azimuths.iter().zip(&setup.azimuths);
+            pilots.ahead_n = units
+                .map(|(order, of)| order.power * libm::cos(order.direction_rad) * of.bollard_n)
+                .sum();
             pilots.course = Some(CoursePilot::of_ship(heading_rad, length_m, speed_mps, stop_rad));
         }
         Action::Speed(wanted_mps) => {
-            pilots.station = None;
+            (pilots.station, pilots.assist) = (None, None);
             pilots.speed = Some(SpeedPilot {
                 speed_mps: wanted_mps,
                 full_speed_mps: abilities.full_speed_mps,
@@ -108,7 +139,7 @@ pub(crate) fn take(
             });
         }
         Action::Station(station) => {
-            (pilots.course, pilots.speed) = (None, None);
+            (pilots.course, pilots.speed, pilots.assist) = (None, None, None);
             let steady = pilots.station.map_or([0.0; 3], |before| before.steady);
             pilots.station = Some(station_pilot(&station, abilities, setup, steady));
         }
@@ -147,20 +178,14 @@ pub(crate) fn pilot(
     vessel: &mut VesselState,
     setup: &VesselSetup,
     abilities: &Abilities,
-    state: &BodyState,
+    (state, water): (&BodyState, &Stream),
     helpers: &[LateralDevice],
     helpers_n: &mut Vec<f64>,
     step_s: f64,
 ) {
     helpers_n.clear();
-    let attitude = fenderline_contact::Rotation::from_angle(state.heading_rad);
-    let surge_mps = attitude.apply_inverse(state.velocity_mps).x;
-    if let Some(course) = &vessel.pilots.course {
-        vessel.orders.rudder_rad =
-            course.rudder_rad(state.heading_rad, state.yaw_rate_radps, surge_mps);
-    }
-    if let Some(speed) = &mut vessel.pilots.speed {
-        vessel.orders.shaft = speed.revolutions(surge_mps, step_s);
+    if !setup.steers_with_azimuths() {
+        under_way(vessel, state, step_s);
     }
     let Some(station) = &mut vessel.pilots.station else { return };
     let ahead_m = setup.ship.particulars.centre_of_gravity_m;
@@ -168,26 +193,48 @@ pub(crate) fn pilot(
         .thrusters
         .iter()
         .map(|thruster| LateralDevice {
-            forward_m: thruster.along_m - ahead_m,
-            limits_n: [-thruster.bollard_n, thruster.bollard_n],
+            forward_m: thruster.tunnel.along_m - ahead_m,
+            limits_n: [-thruster.tunnel.bollard_n, thruster.tunnel.bollard_n],
         })
         .collect();
     devices.extend_from_slice(helpers);
-    let [astern_n, ahead_n] = abilities.bollard_n;
+    let [astern_n, forward_n] = abilities.bollard_n;
     let reach = |device: &LateralDevice| device.limits_n[1].max(-device.limits_n[0]);
-    let largest = Demand {
-        surge_n: ahead_n.min(-astern_n),
+    let mut largest = Demand {
+        surge_n: forward_n.min(-astern_n),
         sway_n: devices.iter().map(reach).sum(),
         yaw_nm: devices.iter().map(|d| reach(d) * d.forward_m.abs()).sum(),
     };
+    let units = largest_of_azimuths(setup);
+    largest.surge_n += units.surge_n;
+    largest.sway_n += units.sway_n;
+    largest.yaw_nm += units.yaw_nm;
     let demand = station.demand(state, &largest, step_s);
-    vessel.orders.shaft = abilities.revolutions(demand.surge_n);
     vessel.orders.rudder_rad = 0.0;
     let mut forces_n = vec![0.0; devices.len()];
-    allocate(&devices, demand.sway_n, demand.yaw_nm, &mut forces_n);
+    if setup.azimuths.is_empty() {
+        vessel.orders.shaft = abilities.revolutions(demand.surge_n);
+        allocate(&devices, demand.sway_n, demand.yaw_nm, &mut forces_n);
+    } else {
+        let ships = (setup, abilities, water);
+        let engine_n = share_with_azimuths(vessel, ships, &demand, &devices, &mut forces_n);
+        vessel.orders.shaft = abilities.revolutions(engine_n);
+    }
     let own = setup.thrusters.len();
     for (index, thruster) in setup.thrusters.iter().enumerate() {
-        vessel.orders.thrusters[index] = forces_n[index] / thruster.bollard_n;
+        vessel.orders.thrusters[index] = forces_n[index] / thruster.tunnel.bollard_n;
     }
     helpers_n.extend_from_slice(&forces_n[own..]);
+}
+
+/// Course and speed by rudder and engine.
+fn under_way(vessel: &mut VesselState, state: &BodyState, step_s: f64) {
+    let surge_mps = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps).x;
+    if let Some(course) = &vessel.pilots.course {
+        vessel.orders.rudder_rad =
+            course.rudder_rad(state.heading_rad, state.yaw_rate_radps, surge_mps);
+    }
+    if let Some(speed) = &mut vessel.pilots.speed {
+        vessel.orders.shaft = speed.revolutions(surge_mps, step_s);
+    }
 }

@@ -2,6 +2,7 @@
 
 use fenderline_contact::{BodyState, Rotation, Wrench, vec2};
 
+use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::environment::Environment;
 use super::pilot::Pilots;
 use crate::attitude::{Attitude, Drive, Hydrostatics};
@@ -9,9 +10,13 @@ use crate::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
 use crate::environment::wind::{RelativeWind, ShipWindage};
+use crate::environment::{BankWater, ShipAtBank};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
 use crate::hydro::vessels::Origin;
-use crate::hydro::{Controls, Force, Mmg, TunnelThruster, Velocity};
+use crate::hydro::{Controls, Force, Mmg, Velocity};
+
+/// How much water a ship that was aground needs under her keel to be afloat again [m]; our choice.
+const REFLOATED_M: f64 = 0.02;
 
 /// A ship of a set-up: what turns a body into a vessel.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,9 +32,9 @@ pub struct VesselSetup {
     /// Shaft where it starts, with its rate and its full revolutions as the stop [1/s].
     pub shaft: RateLimited,
     /// Tunnel thrusters.
-    pub thrusters: Vec<TunnelThruster>,
-    /// Time constant of each thruster [s].
-    pub thruster_lags_s: Vec<f64>,
+    pub thrusters: Vec<ThrusterSetup>,
+    /// Azimuth units.
+    pub azimuths: Vec<AzimuthSetup>,
     /// Wind areas.
     pub windage: Option<ShipWindage>,
     /// Heave, roll and pitch.
@@ -60,6 +65,8 @@ pub struct VesselOrders {
     pub shaft: f64,
     /// Each thruster, −1 (to port) to 1.
     pub thrusters: Vec<f64>,
+    /// Each azimuth unit.
+    pub azimuths: Vec<AzimuthOrder>,
 }
 
 /// What changes of a vessel besides her state in the plane: plain data.
@@ -73,12 +80,16 @@ pub struct VesselState {
     pub shaft: RateLimited,
     /// Thrusters now.
     pub thrusters: Vec<Lag>,
+    /// Azimuth units now.
+    pub azimuths: Vec<AzimuthState>,
     /// Pilots that are on.
     pub pilots: Pilots,
     /// Heave, roll and pitch, without first-order wave motion.
     pub attitude: Attitude,
     /// First-order wave motion, to be superposed.
     pub wave_motion: FirstOrderMotion,
+    /// How much deeper her keel is because she is under way in shallow water [m].
+    pub squat_m: f64,
     /// She is on the bottom.
     pub aground: bool,
 }
@@ -92,17 +103,24 @@ pub struct VesselForces {
     pub propeller: Force,
     /// Rudder.
     pub rudder: Force,
-    /// Thrusters.
+    /// Thrusters, azimuth units among them.
     pub thrusters: Force,
     /// Wind.
     pub wind: Force,
     /// Mean wave drift.
     pub waves: Force,
+    /// Banks: unvalidated.
+    pub banks: Force,
     /// The bottom, where she is aground.
     pub bottom: Force,
 }
 
 impl VesselForces {
+    /// What she feels besides what she orders: hull, wind and waves.
+    pub(crate) fn felt(&self) -> Force {
+        self.hull + self.wind + self.waves
+    }
+
     fn sum(&self) -> Force {
         self.hull
             + self.propeller
@@ -110,6 +128,7 @@ impl VesselForces {
             + self.thrusters
             + self.wind
             + self.waves
+            + self.banks
             + self.bottom
     }
 }
@@ -122,17 +141,20 @@ impl VesselState {
                 rudder_rad: setup.rudder.value,
                 shaft: setup.shaft.value / setup.shaft.stop,
                 thrusters: vec![0.0; setup.thrusters.len()],
+                azimuths: vec![AzimuthOrder::default(); setup.azimuths.len()],
             },
             rudder: setup.rudder,
             shaft: setup.shaft,
             thrusters: setup
-                .thruster_lags_s
+                .thrusters
                 .iter()
-                .map(|&time_constant_s| Lag { value: 0.0, time_constant_s })
+                .map(|thruster| Lag { value: 0.0, time_constant_s: thruster.lag_s })
                 .collect(),
+            azimuths: setup.azimuths.iter().map(AzimuthState::new).collect(),
             pilots: Pilots::default(),
             attitude: Attitude::default(),
             wave_motion: FirstOrderMotion::default(),
+            squat_m: 0.0,
             aground: false,
         }
     }
@@ -147,15 +169,24 @@ impl VesselState {
             clamped |= within != order;
             lag.step(within, step_s);
         }
+        for (unit, order) in self.azimuths.iter_mut().zip(&self.orders.azimuths) {
+            clamped |= unit.act(order, step_s);
+        }
         clamped
     }
 }
 
 impl VesselSetup {
-    /// The forces of a step that begins at a state.
+    /// Whether she goes and steers with her azimuth units, for want of a propeller and a rudder.
+    #[must_use]
+    pub fn steers_with_azimuths(&self) -> bool {
+        self.ship.propulsion.is_none() && !self.azimuths.is_empty()
+    }
+
+    /// The forces of a step that begins at a state; each azimuth unit keeps its own.
     pub(crate) fn forces(
         &self,
-        vessel: &VesselState,
+        vessel: &mut VesselState,
         state: &BodyState,
         environment: &Environment,
         (t_s, step_s): (f64, f64),
@@ -164,13 +195,13 @@ impl VesselSetup {
         let water = environment.density();
         let controls = Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
         let parts = self.ship.parts(&velocity, &controls, water);
-        let thrusters = self
-            .thrusters
-            .iter()
-            .zip(&vessel.thrusters)
-            .fold(Force::default(), |sum, (thruster, lag)| {
-                sum + thruster.force(lag.value, &velocity)
-            });
+        let mut thrusters = Force::default();
+        for (thruster, lag) in self.thrusters.iter().zip(&vessel.thrusters) {
+            thrusters = thrusters + thruster.tunnel.force(lag.value, &velocity);
+        }
+        for (azimuth, now) in self.azimuths.iter().zip(&mut vessel.azimuths) {
+            thrusters = thrusters + now.push(azimuth, &velocity, water);
+        }
         VesselForces {
             hull: parts.hull,
             propeller: parts.propeller,
@@ -178,7 +209,8 @@ impl VesselSetup {
             thrusters,
             wind: self.wind(state, environment, t_s),
             waves: self.drift(state, environment),
-            bottom: self.bottom(state, environment, step_s),
+            banks: self.banks(state, &velocity, environment),
+            bottom: self.bottom(vessel, state, environment, step_s),
         }
     }
 
@@ -203,19 +235,66 @@ impl VesselSetup {
         Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// Is the water no deeper than her draught?
-    pub(crate) fn is_aground(&self, environment: &Environment) -> bool {
-        environment.depth_m.is_some_and(|depth_m| depth_m <= self.ship.particulars.draught_m)
+    /// Pull and moment of all banks.
+    fn banks(&self, state: &BodyState, velocity: &Velocity, environment: &Environment) -> Force {
+        let hull = &self.ship.particulars;
+        let ship = ShipAtBank {
+            length_m: hull.length_m,
+            beam_m: hull.beam_m,
+            draught_m: hull.draught_m,
+            position_m: state.pose().apply(vec2(-hull.centre_of_gravity_m, 0.0)),
+            heading_rad: state.heading_rad,
+            surge_mps: velocity.surge_mps,
+        };
+        let water = BankWater {
+            density_kgpm3: environment.water_density_kgpm3,
+            depth_m: environment.depth_m,
+        };
+        environment.banks.iter().fold(Force::default(), |sum, bank| {
+            let [surge_n, sway_n, yaw_nm] = bank.force(&ship, &water);
+            sum + Force { surge_n, sway_n, yaw_nm }
+        })
+    }
+
+    /// Her squat in this state [m]; none in deep water.
+    pub(crate) fn squat_m(&self, state: &BodyState, environment: &Environment, t_s: f64) -> f64 {
+        let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_m) else {
+            return 0.0;
+        };
+        let surge_mps = self.velocity(state, environment, t_s).surge_mps;
+        squat.sinkage_m(&self.ship.particulars, depth_m, surge_mps)
+    }
+
+    /// Water under her keel, squat taken off [m]; `None` where the water is deep. Negative: how much too deep
+    /// she sits.
+    #[must_use]
+    pub fn under_keel_m(&self, vessel: &VesselState, environment: &Environment) -> Option<f64> {
+        let draught_m = self.ship.particulars.draught_m;
+        environment.depth_m.map(|depth_m| depth_m - draught_m - vessel.squat_m)
+    }
+
+    /// Is there no water under her keel? Who was aground has to come free by [`REFLOATED_M`]: a ship whose squat
+    /// takes her to the bottom would else be on it and off it again with every step.
+    pub(crate) fn is_aground(&self, vessel: &VesselState, environment: &Environment) -> bool {
+        let least_m = if vessel.aground { REFLOATED_M } else { 0.0 };
+        self.under_keel_m(vessel, environment).is_some_and(|clearance_m| clearance_m <= least_m)
     }
 
     /// The drag of a bottom that bears what she sits too deep, with Coulomb's friction of 0.4 (recalled, of
     /// sand): against her motion, and fading out below a centimetre a second so that it never drives her.
-    fn bottom(&self, state: &BodyState, environment: &Environment, step_s: f64) -> Force {
-        if !self.is_aground(environment) {
+    fn bottom(
+        &self,
+        vessel: &VesselState,
+        state: &BodyState,
+        environment: &Environment,
+        step_s: f64,
+    ) -> Force {
+        let Some(clearance_m) = self.under_keel_m(vessel, environment).filter(|_| vessel.aground)
+        else {
             return Force::default();
-        }
+        };
         let ship = &self.ship.particulars;
-        let sunk_m = ship.draught_m - environment.depth_m.unwrap_or(f64::INFINITY);
+        let sunk_m = -clearance_m;
         let specific_npm3 = environment.water_density_kgpm3 * 9.806_65;
         let waterplane_m2 = ship.block_coefficient() * ship.length_m * ship.beam_m;
         let weight_n = specific_npm3 * waterplane_m2 * sunk_m.max(0.01);
@@ -268,12 +347,16 @@ impl VesselSetup {
     /// The forces X, Y, N about midship have the added mass' Coriolis terms in them, and the engine's mass
     /// matrix is that about the centre of gravity. With v_g the sway of the centre of gravity and
     /// x_G its place forward of midship, that leaves (X − m_x v_g r, Y + m_y u r, N − x_G (Y + m_y u r)).
+    ///
+    /// Water that speeds up takes her along: M (v̇ − DU/Dt) = W, the pressure gradient on the displaced water and
+    /// the added mass by the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a body that is
+    /// small beside the stream's changes). So M·DU/Dt is added; in a steady uniform current it is zero.
     pub(crate) fn wrench(
         &self,
         forces: &VesselForces,
         state: &BodyState,
         environment: &Environment,
-        t_s: f64,
+        (t_s, step_s): (f64, f64),
     ) -> Wrench {
         let Force { surge_n, sway_n, yaw_nm } = forces.sum();
         let velocity = self.velocity(state, environment, t_s);
@@ -283,10 +366,16 @@ impl VesselSetup {
         let sway_of_gravity_mps = velocity.sway_mps + ahead_m * r;
         let surge_n = surge_n - density * self.ship.added_mass.surge_m3 * sway_of_gravity_mps * r;
         let sway_n = sway_n + density * self.ship.added_mass.sway_m3 * velocity.surge_mps * r;
-        let own = vec2(surge_n, sway_n);
+        let draught_m = self.ship.particulars.draught_m;
+        let water = environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
+        let attitude = Rotation::from_angle(state.heading_rad);
+        let water = attitude.apply_inverse(water);
+        let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] =
+            mass_matrix(&self.ship, density);
+        let own = vec2(surge_n + surge_kg * water.x, sway_n + sway_kg * water.y);
         Wrench {
-            force_n: Rotation::from_angle(state.heading_rad).apply(own),
-            moment_nm: yaw_nm - ahead_m * sway_n,
+            force_n: attitude.apply(own),
+            moment_nm: yaw_nm - ahead_m * sway_n + coupling_kgm * water.y,
         }
     }
 
@@ -296,7 +385,15 @@ impl VesselSetup {
         let mut drive = Drive::default();
         let gravity_m = float.gravity_above_water_m;
         let water_m = -0.5 * float.draught_m - gravity_m;
-        for part in [forces.hull, forces.propeller, forces.rudder, forces.thrusters, forces.waves] {
+        let below = [
+            forces.hull,
+            forces.propeller,
+            forces.rudder,
+            forces.thrusters,
+            forces.waves,
+            forces.banks,
+        ];
+        for part in below {
             drive.add(part.surge_n, part.sway_n, water_m);
         }
         let air_m = self.windage.map_or(0.0, |w| w.centroid_height_m) - gravity_m;

@@ -1,6 +1,7 @@
 //! The columns of the result tables: name, unit, meaning and value of each, stated once. The csv
 //! header, the parquet schema and its metadata all come from here.
 
+mod azimuths;
 mod bodies;
 mod contacts;
 mod energy;
@@ -12,6 +13,7 @@ mod vessels;
 
 use fenderline_sim::Setup;
 
+pub(super) use azimuths::{AzimuthRow, azimuths_columns};
 pub(super) use bodies::{BodyRow, bodies_columns};
 pub(super) use contacts::{ContactRow, ContactWorks, contacts_columns};
 pub(super) use energy::{EnergyRow, energy_columns};
@@ -55,6 +57,10 @@ pub(super) enum List {
     Vessels,
     Tugs,
     Lines,
+    /// All vessels' thrusters, one after the other.
+    Thrusters,
+    /// All vessels' azimuth units, one after the other.
+    Azimuths,
 }
 
 /// Names that rows hold by index.
@@ -66,6 +72,8 @@ pub(super) struct Names {
     vessels: Vec<String>,
     tugs: Vec<String>,
     lines: Vec<String>,
+    thrusters: Vec<String>,
+    azimuths: Vec<String>,
 }
 
 impl Names {
@@ -79,6 +87,16 @@ impl Names {
             vessels: world.vessels.iter().map(|vessel| body(vessel.body)).collect(),
             tugs: world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
             lines: world.lines.iter().map(|line| line.line.name.clone()).collect(),
+            thrusters: world
+                .vessels
+                .iter()
+                .flat_map(|vessel| vessel.thrusters.iter().map(|thruster| thruster.name.clone()))
+                .collect(),
+            azimuths: world
+                .vessels
+                .iter()
+                .flat_map(|vessel| vessel.azimuths.iter().map(|azimuth| azimuth.name.clone()))
+                .collect(),
         }
     }
 
@@ -90,6 +108,8 @@ impl Names {
             List::Vessels => &self.vessels,
             List::Tugs => &self.tugs,
             List::Lines => &self.lines,
+            List::Thrusters => &self.thrusters,
+            List::Azimuths => &self.azimuths,
         };
         index.map_or("", |index| &names[index])
     }

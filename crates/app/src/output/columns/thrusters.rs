@@ -1,13 +1,13 @@
 //! The table of thrusters: one row a thruster, so that its columns are the same for any number of them.
 
-use super::{Column, List, Value, float, name};
+use super::{Column, List, float, name};
 
 /// One thruster of a vessel in one step.
 pub(in crate::output) struct ThrusterRow {
     pub(in crate::output) t_s: f64,
     pub(in crate::output) vessel: usize,
-    /// Number on the vessel, from 0.
-    pub(in crate::output) thruster: u32,
+    /// Number among all vessels' thrusters.
+    pub(in crate::output) thruster: usize,
     pub(in crate::output) order: f64,
     pub(in crate::output) power: f64,
 }
@@ -17,12 +17,7 @@ pub(in crate::output) fn thrusters_columns() -> Vec<Column<ThrusterRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("vessel", "name of the vessel's body", List::Vessels, |r| Some(r.vessel)),
-        Column {
-            name: "thruster",
-            unit: "1",
-            meaning: "number of the thruster on the vessel, from 0 in the scenario's order",
-            value: Value::Count(|r| r.thruster),
-        },
+        name("thruster", "name of the thruster", List::Thrusters, |r| Some(r.thruster)),
         float("order", "1", "thrust ordered, −1 (full to port) to 1 (full to starboard)", |r| {
             r.order
         }),

@@ -19,6 +19,7 @@ pub(in crate::output) struct VesselRow {
     forces: VesselForces,
     attitude: Attitude,
     wave_motion: [f64; 6],
+    squat_m: f64,
     aground: bool,
 }
 
@@ -43,6 +44,7 @@ impl VesselRow {
             forces: *forces,
             attitude: now.attitude,
             wave_motion: now.wave_motion.motion,
+            squat_m: now.squat_m,
             aground: now.aground,
         }
     }
@@ -88,13 +90,21 @@ pub(in crate::output) fn vessels_columns() -> Vec<Column<VesselRow>> {
         float("rudder_n_nm", "N·m", "moment of rudder: about midship, to starboard", |r| {
             r.forces.rudder.yaw_nm
         }),
-        float("thrusters_x_n", "N", "force of thrusters: forward", |r| r.forces.thrusters.surge_n),
-        float("thrusters_y_n", "N", "force of thrusters: to starboard", |r| {
-            r.forces.thrusters.sway_n
+        float("thrusters_x_n", "N", "force of thrusters, azimuth units among them: forward", |r| {
+            r.forces.thrusters.surge_n
         }),
-        float("thrusters_n_nm", "N·m", "moment of thrusters: about midship, to starboard", |r| {
-            r.forces.thrusters.yaw_nm
-        }),
+        float(
+            "thrusters_y_n",
+            "N",
+            "force of thrusters, azimuth units among them: to starboard",
+            |r| r.forces.thrusters.sway_n,
+        ),
+        float(
+            "thrusters_n_nm",
+            "N·m",
+            "moment of thrusters, azimuth units among them: about midship, to starboard",
+            |r| r.forces.thrusters.yaw_nm,
+        ),
         float("wind_x_n", "N", "force of wind: forward", |r| r.forces.wind.surge_n),
         float("wind_y_n", "N", "force of wind: to starboard", |r| r.forces.wind.sway_n),
         float("wind_n_nm", "N·m", "moment of wind: about midship, to starboard", |r| {
@@ -109,6 +119,16 @@ pub(in crate::output) fn vessels_columns() -> Vec<Column<VesselRow>> {
             "N·m",
             "moment of mean wave drift: about midship, to starboard",
             |r| r.forces.waves.yaw_nm,
+        ),
+        float("banks_x_n", "N", "force of banks, unvalidated: forward", |r| r.forces.banks.surge_n),
+        float("banks_y_n", "N", "force of banks, unvalidated: to starboard", |r| {
+            r.forces.banks.sway_n
+        }),
+        float(
+            "banks_n_nm",
+            "N·m",
+            "moment of banks, unvalidated: about midship, to starboard",
+            |r| r.forces.banks.yaw_nm,
         ),
         float("bottom_x_n", "N", "force of the bottom, where she is aground: forward", |r| {
             r.forces.bottom.surge_n
@@ -167,6 +187,7 @@ pub(in crate::output) fn vessels_columns() -> Vec<Column<VesselRow>> {
         float("pitch_rad", "rad", "pitch at the end of the step, bow up, without waves", |r| {
             r.attitude.pitch.value
         }),
+        float("squat_m", "m", "how much deeper she sits because she is under way", |r| r.squat_m),
         flag("aground", "whether the bottom holds her", |r| r.aground),
     ]
 }

@@ -35,8 +35,9 @@ pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
     put_events(whole, outcome);
 }
 
+/// Water under the keel is left out where the water is deep.
 fn vessel_json(name: &str, totals: &VesselTotals) -> Value {
-    json!({
+    let mut object = json!({
         "name": name,
         "peak_speed_over_ground_mps": totals.over_ground_mps.value,
         "peak_speed_over_ground_at_s": totals.over_ground_mps.at_s,
@@ -51,8 +52,15 @@ fn vessel_json(name: &str, totals: &VesselTotals) -> Value {
         "peak_heel_at_s": totals.heel_rad.at_s,
         "peak_pitch_rad": totals.pitch_rad.value,
         "peak_pitch_at_s": totals.pitch_rad.at_s,
+        "peak_squat_m": totals.squat_m.value,
+        "peak_squat_at_s": totals.squat_m.at_s,
         "aground_s": totals.aground.s(),
-    })
+    });
+    if let Some(least) = totals.under_keel_m {
+        object["least_under_keel_m"] = json!(least.value);
+        object["least_under_keel_at_s"] = json!(least.at_s);
+    }
+    object
 }
 
 fn tug_json(name: &str, bollard_pull_n: f64, totals: &TugTotals) -> Value {

@@ -12,6 +12,8 @@ pub(crate) struct Harbour {
     pub(crate) lines: Vec<LineDrawn>,
     /// Tugs that are forces.
     pub(crate) tugs: Vec<TugDrawn>,
+    /// Banks, from end to end [m].
+    pub(crate) banks: Vec<[Vec2; 2]>,
     /// Wind, current and waves, in a corner.
     pub(crate) weather: Vec<Weather>,
 }
@@ -72,6 +74,15 @@ pub(super) fn line(line: &LineDrawn, map: &Map) -> Markup {
         path d=(format!("M{x0:.1},{y0:.1}L{x1:.1},{y1:.1}")) fill="none" stroke=(stroke)
             stroke-width=(width) stroke-dasharray=(dashes) {}
         circle cx=(format!("{x1:.1}")) cy=(format!("{y1:.1}")) r="2.4" fill="#222" {}
+    }
+}
+
+/// A bank: a broad dashed line.
+pub(super) fn bank(ends_m: [Vec2; 2], map: &Map) -> Markup {
+    let [(x0, y0), (x1, y1)] = ends_m.map(|end| map.px(end));
+    html! {
+        path d=(format!("M{x0:.1},{y0:.1}L{x1:.1},{y1:.1}")) fill="none" stroke="#8a6d3b"
+            stroke-width="5" stroke-dasharray="2 4" {}
     }
 }
 
@@ -144,8 +155,8 @@ pub(super) fn corner(weather: &[Weather]) -> Markup {
     }
 }
 
-/// The key to lines and tugs.
-pub(crate) fn harbour_legend(has_lines: bool, has_tugs: bool) -> Markup {
+/// The key to lines, tugs and banks.
+pub(crate) fn harbour_legend(has_lines: bool, has_tugs: bool, has_banks: bool) -> Markup {
     let entries = [
         (0.1, false, "peak to 25 % of break load"),
         (0.3, false, "to 50 %"),
@@ -173,6 +184,15 @@ pub(crate) fn harbour_legend(has_lines: bool, has_tugs: bool) -> Markup {
                         path d="M28,6L21,11H4V1H21Z" fill="#f6d34a" stroke="#222" {}
                     }
                     "tug, her bow where she pushes (not to scale; white: standing by)"
+                }
+            }
+            @if has_banks {
+                li {
+                    svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
+                        path d="M1,6H29" fill="none" stroke="#8a6d3b" stroke-width="5"
+                            stroke-dasharray="2 4" {}
+                    }
+                    "bank (its pull is unvalidated)"
                 }
             }
         }

@@ -32,12 +32,24 @@ pub(in crate::report) struct VesselTrace {
     pub(in crate::report) shaft_rps: [Decimator; 2],
     /// The same of each thruster, −1 to 1.
     pub(in crate::report) thrusters: Vec<[Decimator; 2]>,
+    pub(in crate::report) azimuths: Vec<AzimuthTrace>,
     /// Roll and pitch with waves [rad], heave [m].
     pub(in crate::report) roll_rad: Decimator,
     pub(in crate::report) pitch_rad: Decimator,
     pub(in crate::report) heave_m: Decimator,
+    /// Squat [m].
+    pub(in crate::report) squat_m: Decimator,
     /// Distance of her ends to a row of fenders, where there is one.
     pub(in crate::report) docking: Option<DockingTrace>,
+}
+
+/// Order and what it became, of one azimuth unit.
+#[derive(Default)]
+pub(in crate::report) struct AzimuthTrace {
+    /// Over the thrust at rest and full power.
+    pub(in crate::report) power: [Decimator; 2],
+    /// From the bow, positive to starboard, −π to π.
+    pub(in crate::report) direction_rad: [Decimator; 2],
 }
 
 /// Order and force of one tug [N].
@@ -97,9 +109,11 @@ impl WorldTrace {
                 rudder_rad: Default::default(),
                 shaft_rps: Default::default(),
                 thrusters: vessel.thrusters.iter().map(|_| Default::default()).collect(),
+                azimuths: vessel.azimuths.iter().map(|_| Default::default()).collect(),
                 roll_rad: Decimator::new(),
                 pitch_rad: Decimator::new(),
                 heave_m: Decimator::new(),
+                squat_m: Decimator::new(),
                 docking: docking.map(|berth| DockingTrace::new(berth, hull)),
             }
         });
@@ -147,9 +161,16 @@ impl VesselTrace {
         for (trace, (order, lag)) in self.thrusters.iter_mut().zip(thrusters) {
             push(trace, *order, lag.value);
         }
+        let azimuths = now.orders.azimuths.iter().zip(&now.azimuths);
+        for (trace, (order, unit)) in self.azimuths.iter_mut().zip(azimuths) {
+            push(&mut trace.power, order.power, unit.power.value);
+            let ordered_rad = libm::remainder(order.direction_rad, core::f64::consts::TAU);
+            push(&mut trace.direction_rad, ordered_rad, unit.direction.angle_rad);
+        }
         // Attitude is that of the end of the step.
         let end_s = t_s + step_s;
         let [_, _, heave_m, roll_rad, pitch_rad, _] = now.wave_motion.motion;
+        self.squat_m.push(t_s, now.squat_m);
         self.heave_m.push(end_s, now.attitude.heave.value + heave_m);
         self.roll_rad.push(end_s, now.attitude.roll.value + roll_rad);
         self.pitch_rad.push(end_s, now.attitude.pitch.value + pitch_rad);

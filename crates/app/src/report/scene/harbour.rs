@@ -1,6 +1,8 @@
 //! Lines, tugs, wind, current and waves of a plan view, and the view of the moored ship.
 
 use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_sim::environment::Bank;
+use fenderline_sim::environment::current::Current;
 use fenderline_sim::{Environment, LineEnd, Setup};
 use maud::{Markup, html};
 
@@ -61,29 +63,40 @@ pub(super) fn around(setup: &Setup, recorder: &Recorder) -> Harbour {
     Harbour {
         lines: Vec::new(),
         tugs: tugs(setup, marks),
+        banks: banks(&setup.world.environment),
         weather: weather(&setup.world.environment),
     }
+}
+
+fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
+    environment.banks.iter().map(Bank::ends_m).collect()
 }
 
 /// Wind, current and waves at the start: the wind and the waves by where they come from, the current by
 /// where it goes, as at sea.
 fn weather(environment: &Environment) -> Vec<Weather> {
-    let wind = environment.wind.as_ref().filter(|wind| wind.mean().speed_mps > 0.0).map(|wind| {
-        let mean = wind.mean();
-        Weather {
-            towards: direction(mean.from_rad) * -1.0,
-            text: format!("wind {} from {}", both(mean.speed_mps), compass(mean.from_rad)),
+    let wind = environment.wind.as_ref().and_then(|wind| {
+        let (speed_mps, from_rad) = wind.mean_at(0.0);
+        let when = if wind.is_series() { ", at the start" } else { "" };
+        (speed_mps > 0.0).then(|| Weather {
+            towards: direction(from_rad) * -1.0,
+            text: format!("wind {} from {}{when}", both(speed_mps), compass(from_rad)),
             colour: "#0072B2",
-        }
+        })
     });
     let current = environment.current.as_ref().and_then(|current| {
         // Of a current that varies: that in the origin, at the surface, at the start.
+        let which = match current {
+            Current::Uniform(_) => "",
+            Current::Layered(_) => " (at the surface)",
+            Current::Grid(_) => " (in the origin, at the start)",
+        };
         let velocity = current.velocity(Vec2::ZERO, 0.0, 0.0);
         let speed_mps = velocity.length();
         let towards_rad = libm::atan2(velocity.y, velocity.x);
         (speed_mps > 0.0).then(|| Weather {
             towards: velocity * (1.0 / speed_mps),
-            text: format!("current {} towards {}", both(speed_mps), compass(towards_rad)),
+            text: format!("current {} towards {}{which}", both(speed_mps), compass(towards_rad)),
             colour: "#009E73",
         })
     });
@@ -165,6 +178,7 @@ pub(in crate::report) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) -> M
         harbour: Harbour {
             lines: lines.clone(),
             tugs: tugs(setup, &marks),
+            banks: banks(&setup.world.environment),
             weather: weather(&setup.world.environment),
         },
         tracks: Vec::new(),

@@ -1,5 +1,6 @@
 //! Charts of vessels, tugs and lines over time.
 
+use fenderline_sim::VesselSetup;
 use maud::{Markup, html};
 
 use crate::plot::{Axis, Decimator, Reference, STYLES, Series};
@@ -12,6 +13,8 @@ use crate::report::tables::KNOT_MPS;
 const VESSELS: usize = 3;
 /// Below this a motion is none [m, rad].
 const STILL: f64 = 1e-9;
+/// Below this nobody asks for squat [m].
+const SEEN_M: f64 = 0.01;
 
 /// The charts of each vessel.
 pub(super) fn vessels(page: &Charts<'_>, recorder: &Recorder) -> Markup {
@@ -19,7 +22,7 @@ pub(super) fn vessels(page: &Charts<'_>, recorder: &Recorder) -> Markup {
     let all = setup.world.vessels.iter().zip(&recorder.world.vessels);
     html! {
         @for (vessel, trace) in all.take(VESSELS) {
-            (of_vessel(page, &setup.bodies[vessel.body].name, trace))
+            (of_vessel(page, &setup.bodies[vessel.body].name, vessel, trace))
         }
         @if setup.world.vessels.len() > VESSELS {
             p class="note" {
@@ -39,7 +42,7 @@ fn both([order, actual]: &[Decimator; 2], factor: f64) -> Vec<Series> {
     vec![line("ordered", order, factor).styled(1), line("actual", actual, factor).styled(0)]
 }
 
-fn of_vessel(page: &Charts<'_>, name: &str, trace: &VesselTrace) -> Markup {
+fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselTrace) -> Markup {
     let degrees = 1.0_f64.to_degrees();
     let zero = |label: &str, unit: &str| Axis::new(label, unit).including(0.0);
     let chart = |title: &str, axis: Axis, series: Vec<Series>| {
@@ -66,15 +69,24 @@ fn of_vessel(page: &Charts<'_>, name: &str, trace: &VesselTrace) -> Markup {
             (chart("Revolutions, positive ahead", zero("revolutions", "rpm"),
                 both(&trace.shaft_rps, 60.0)))
         }
-        @for (index, thruster) in trace.thrusters.iter().take(STYLES / 2).enumerate() {
-            (chart(&format!("Thruster {}, positive to starboard", index + 1), zero("thrust", "%"),
+        @for (of, thruster) in setup.thrusters.iter().zip(&trace.thrusters).take(STYLES / 2) {
+            (chart(&format!("Thruster {}, positive to starboard", of.name), zero("thrust", "%"),
                 both(thruster, 100.0)))
+        }
+        @for (of, unit) in setup.azimuths.iter().zip(&trace.azimuths).take(STYLES / 2) {
+            (chart(&format!("Azimuth unit {}, power", of.name), zero("thrust at rest", "%"),
+                both(&unit.power, 100.0)))
+            (chart(&format!("Azimuth unit {}, direction of its thrust from the bow", of.name),
+                zero("direction", "deg"), both(&unit.direction_rad, degrees)))
         }
         @if moves(&trace.roll_rad) || moves(&trace.pitch_rad) {
             (chart("Roll (to starboard) and pitch (bow up)", zero("angle", "deg"), vec![
                 line("roll", &trace.roll_rad, degrees),
                 line("pitch", &trace.pitch_rad, degrees),
             ]))
+        }
+        @if Series::line("", trace.squat_m.points()).largest() > SEEN_M {
+            (chart("Squat", zero("squat", "m"), vec![line("squat", &trace.squat_m, 1.0)]))
         }
         @if moves(&trace.heave_m) {
             (chart("Heave, positive down", zero("heave", "m"), vec![

@@ -2,7 +2,7 @@
 
 use fenderline_sim::mooring::WinchOrder;
 use fenderline_sim::tug::TugOrder;
-use fenderline_sim::{Action, Order, Setup};
+use fenderline_sim::{Action, Assist, Job, Order, Setup};
 use maud::{Markup, html};
 
 use crate::output::Outcome;
@@ -27,7 +27,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
                         tr {
                             (number(&plain(order.at_s, 6)))
                             td class="name" { (addressee(order, setup)) }
-                            td class="name" { (text(&order.action)) }
+                            td class="name" { (text(order, setup)) }
                         }
                     }
                 }
@@ -49,8 +49,9 @@ fn addressee(order: &Order, setup: &Setup) -> String {
 }
 
 /// As a bridge would say it.
-fn text(action: &Action) -> String {
-    match action {
+fn text(order: &Order, setup: &Setup) -> String {
+    let world = &setup.world;
+    match &order.action {
         Action::Rudder(angle_rad) if *angle_rad == 0.0 => "rudder midships".to_owned(),
         Action::Rudder(angle_rad) => format!("rudder {}", sided(angle_rad.to_degrees(), "°")),
         Action::Engine(share) if *share == 0.0 => "engine stop".to_owned(),
@@ -58,10 +59,24 @@ fn text(action: &Action) -> String {
             let way = if *share > 0.0 { "ahead" } else { "astern" };
             format!("engine {way}, {} % of full revolutions", fixed(100.0 * share.abs(), 0))
         }
-        Action::Thruster(index, power) if *power == 0.0 => format!("thruster {} stop", index + 1),
         Action::Thruster(index, power) => {
-            format!("thruster {} {}", index + 1, sided(100.0 * power, " %"))
+            let name = &world.vessels[order.vessel].thrusters[*index].name;
+            if *power == 0.0 {
+                return format!("thruster {name} stop");
+            }
+            format!("thruster {name} {}", sided(100.0 * power, " %"))
         }
+        Action::Azimuth { unit, power, direction_rad } => {
+            let name = &world.vessels[order.vessel].azimuths[*unit].name;
+            let power = power.map(|power| format!(" {} %", fixed(100.0 * power, 0)));
+            let direction = direction_rad.map(|angle_rad| {
+                let from_bow = libm::remainder(angle_rad.to_degrees(), 360.0);
+                format!(" thrust {} of the bow", sided(from_bow, "°"))
+            });
+            let both = [power, direction].into_iter().flatten().collect::<Vec<_>>();
+            format!("azimuth unit {name}{}", both.join(","))
+        }
+        Action::Assist(Assist { job, .. }) => assist(job, setup),
         Action::Course(heading_rad) => format!("steer {}", compass(*heading_rad)),
         Action::Speed(speed_mps) => {
             format!("make {} kn through the water", plain(speed_mps / KNOT_MPS, 3))
@@ -88,6 +103,30 @@ fn text(action: &Action) -> String {
         Action::Winch(_, WinchOrder::Heave(rate)) => format!("heave in {} m/s", plain(*rate, 3)),
         Action::Winch(_, WinchOrder::PayOut(rate)) => format!("pay out {} m/s", plain(*rate, 3)),
         Action::LetGo(_) => "let go".to_owned(),
+    }
+}
+
+/// What a tug that is a vessel is told to do at a ship.
+fn assist(job: &Job, setup: &Setup) -> String {
+    let name = |body: usize| &setup.bodies[body].name;
+    match job {
+        Job::Follow { ship, at_m, .. } => format!(
+            "keep {} m forward, {} m to starboard of {}",
+            plain(at_m.x, 4),
+            plain(at_m.y, 4),
+            name(*ship)
+        ),
+        Job::Push(push) => format!(
+            "push {} with {} kN at {} m forward of her origin",
+            name(push.ship),
+            plain(push.force_n / 1e3, 3),
+            plain(push.at_m.x, 4)
+        ),
+        Job::Pull { line, direction_rad, force_n } => format!(
+            "pull on line {} with {}",
+            setup.world.lines[*line].line.name,
+            towards(*force_n, *direction_rad)
+        ),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Tables of vessels, tugs and lines.
 
-use fenderline_sim::VesselSetup;
 use fenderline_sim::environment::waves::MotionResponse;
 use fenderline_sim::hydro::vessels::{Origin, Source, Standing};
+use fenderline_sim::{Environment, VesselSetup};
 use maud::{Markup, html};
 
 use super::headline::class;
@@ -23,7 +23,7 @@ pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
                     (heading("Block coefficient", "–"))
                     (heading("Full revolutions", "rpm"))
                     (heading("Rudder", "stop deg, deg/s"))
-                    (heading("Thrusters", "kN each"))
+                    (heading("Thrusters and azimuth units", "kN each"))
                     (heading("Largest speed", "over ground, kn"))
                     (heading("Largest rate of turn", "deg/min"))
                     (heading("Largest roll", "deg"))
@@ -37,15 +37,21 @@ pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
         }
         (more(world.vessels.len()))
         @for vessel in setup.world.vessels.iter().take(ROWS) {
-            (source(&setup.bodies[vessel.body].name, vessel, setup.world.environment.sea.is_some()))
+            (source(&setup.bodies[vessel.body].name, vessel, &setup.world.environment))
         }
+        @for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
+            (under_keel(&setup.bodies[vessel.body].name, totals, &setup.world.environment))
+        }
+        @if !setup.world.environment.banks.is_empty() { (banks()) }
     }
 }
 
 fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Markup {
     let ship = &vessel.ship.particulars;
-    let thrusters = vessel.thrusters.iter().map(|t| plain(t.bollard_n / 1e3, 3));
-    let thrusters: Vec<String> = thrusters.collect();
+    let named = |name: &str, bollard_n: f64| format!("{name} {}", plain(bollard_n / 1e3, 3));
+    let tunnels = vessel.thrusters.iter().map(|t| named(&t.name, t.tunnel.bollard_n));
+    let azimuths = vessel.azimuths.iter().map(|a| named(&a.name, a.bollard_n));
+    let thrusters: Vec<String> = tunnels.chain(azimuths).collect();
     let has_gear = vessel.ship.propulsion.is_some();
     let gear = |text: String| if has_gear { text } else { "none".to_owned() };
     let rudder = &vessel.rudder;
@@ -69,7 +75,7 @@ fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Mark
 }
 
 /// Where a vessel's numbers come from; what is no more than an estimate is said loudly.
-fn source(name: &str, vessel: &VesselSetup, has_waves: bool) -> Markup {
+fn source(name: &str, vessel: &VesselSetup, environment: &Environment) -> Markup {
     let origin = &vessel.origin;
     let has_estimates = origin.estimates().next().is_some();
     html! {
@@ -87,8 +93,48 @@ fn source(name: &str, vessel: &VesselSetup, has_waves: bool) -> Markup {
             }
             (estimates(origin))
         }
-        @if has_waves && matches!(vessel.response, Some(MotionResponse::Estimate(_))) {
-            p class="note" { (name) ": motion in waves is an " strong { "estimate" } " of a box-shaped hull." }
+        @if let (Some(windage), true) = (&vessel.windage, environment.wind.is_some()) {
+            @let (method, standing) = windage.method.standing();
+            p class="note" { (name) ": wind coefficients by " (method) ": " (standing) "." }
+        }
+        @if environment.sea.is_some() {
+            @match &vessel.response {
+                Some(MotionResponse::Estimate(_)) => p class="note" {
+                    (name) ": motion in waves is an " strong { "estimate" } " of a box-shaped hull."
+                }
+                Some(MotionResponse::Table(_)) => p class="note" {
+                    (name) ": motion in waves is by the scenario's table of response amplitude operators."
+                }
+                None => {}
+            }
+        }
+    }
+}
+
+/// Squat and the water under the keel, where the water has a depth.
+fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> Markup {
+    html! {
+        @if let Some(least) = totals.under_keel_m {
+            p class="note" {
+                (name) ": least water under the keel " (fixed(least.value, 2)) " m at "
+                (plain(least.at_s, 6)) " s"
+                @if let Some(squat) = environment.squat {
+                    "; largest squat " (fixed(totals.squat_m.value, 2)) " m at "
+                    (plain(totals.squat_m.at_s, 6)) " s, by " (squat.name())
+                    ", a formula that is recalled and " strong { "not validated" }
+                }
+                "."
+            }
+        }
+    }
+}
+
+fn banks() -> Markup {
+    html! {
+        p {
+            span class="verdict over_rated" { "UNVALIDATED" } " "
+            "The banks' pull on vessels is by Norrbin's formulas for a vertical wall, which are recalled: no source "
+            "of them could be read, and nothing was found to hold them against."
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use fenderline_sim::environment::wind::{
-    Blendermann, Isherwood, RelativeWind, ShipWindage, WindMethod,
+    Blendermann, Fujiwara, Isherwood, RelativeWind, ShipWindage, WindMethod,
 };
 
 use super::Values;
@@ -25,9 +25,27 @@ pub(super) fn compute(values: &mut Values) {
         values.put(format!("{name}/sway_60"), windage.coefficients(FRAC_PI_3).sway, "");
         values.put(format!("{name}/surge_0"), windage.coefficients(0.0).surge, "");
     }
+    values.put("fujiwara/surge_0", esso_osaka_model().coefficients(0.0).surge, "");
     let abeam = RelativeWind { speed_mps: 20.0, angle_rad: FRAC_PI_2 };
     let [_, side_n, _] = blendermann.force(&abeam, AIR_KGPM3);
     values.put("blendermann/side", side_n / 1e6, "MN");
+}
+
+/// The free-running model of the Esso Osaka, with the particulars that go with the found coefficients.
+fn esso_osaka_model() -> ShipWindage {
+    ShipWindage {
+        length_m: 3.0,
+        beam_m: 0.5,
+        frontal_m2: 0.1524,
+        lateral_m2: 0.2917,
+        centroid_forward_m: 0.03339,
+        centroid_height_m: 0.04936,
+        method: WindMethod::Fujiwara(Fujiwara {
+            on_deck_m2: 0.1531,
+            on_deck_forward_m: -1.23339,
+            top_height_m: 0.3321,
+        }),
+    }
 }
 
 /// 298 × 46 m, A_L 9000 m², A_F 1700 m², centroid amidships.

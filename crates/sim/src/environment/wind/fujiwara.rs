@@ -21,9 +21,11 @@ pub struct Fujiwara {
 }
 
 impl Fujiwara {
-    pub(super) fn check(&self) -> Result<(), OutOfRange> {
-        within("lateral area on deck [m²]", self.on_deck_m2, 1e-4, 1e6)?;
-        within("centroid of the area on deck [m]", self.on_deck_forward_m, -1000.0, 1000.0)?;
+    /// What stands on deck is a part of the lateral area and stands between the ends of the ship.
+    pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
+        within("lateral area on deck [m²]", self.on_deck_m2, 1e-4, ship.lateral_m2)?;
+        let half_m = 0.5 * ship.length_m;
+        within("centroid of the area on deck [m]", self.on_deck_forward_m, -half_m, half_m)?;
         within("height of the superstructure [m]", self.top_height_m, 1e-3, 300.0)?;
         Ok(())
     }

@@ -21,9 +21,13 @@ pub struct Isherwood {
 }
 
 impl Isherwood {
-    pub(super) fn check(&self) -> Result<(), OutOfRange> {
-        within("perimeter of the lateral projection [m]", self.perimeter_m, 0.1, 10_000.0)?;
-        within("lateral area of the superstructure [m²]", self.superstructure_m2, 0.0, 1e6)?;
+    /// The outline of the side view is no shorter than the ship, and the superstructure a part of the
+    /// lateral area.
+    pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
+        let perimeter = "perimeter of the lateral projection [m]";
+        within(perimeter, self.perimeter_m, ship.length_m, 10.0 * ship.length_m)?;
+        let superstructure = "lateral area of the superstructure [m²]";
+        within(superstructure, self.superstructure_m2, 0.0, ship.lateral_m2)?;
         within("number of mast groups", self.mast_groups, 0.0, 50.0)?;
         Ok(())
     }

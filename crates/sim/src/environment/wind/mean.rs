@@ -3,6 +3,7 @@
 use fenderline_contact::{Vec2, vec2};
 
 use super::gust::Gusts;
+use super::series::WindSeries;
 use crate::environment::error::EnvironmentError;
 use crate::range::{OutOfRange, within};
 
@@ -72,18 +73,21 @@ impl MeanWind {
         };
         self.speed_mps * factor
     }
-
-    /// Direction that the wind blows towards, north and east.
-    fn towards(&self) -> Vec2 {
-        vec2(-libm::cos(self.from_rad), -libm::sin(self.from_rad))
-    }
 }
 
-/// A mean wind with or without gusts.
+/// Direction that a wind blows towards, north and east.
+fn towards(from_rad: f64) -> Vec2 {
+    vec2(-libm::cos(from_rad), -libm::sin(from_rad))
+}
+
+/// A wind: a mean with or without gusts, or a series in time.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wind {
-    mean: MeanWind,
-    gusts: Option<Gusts>,
+pub struct Wind(Course);
+
+#[derive(Clone, Debug, PartialEq)]
+enum Course {
+    Mean(MeanWind, Option<Gusts>),
+    Series(WindSeries),
 }
 
 impl Wind {
@@ -93,7 +97,7 @@ impl Wind {
     /// As [`MeanWind::check`].
     pub fn steady(mean: MeanWind) -> Result<Wind, EnvironmentError> {
         mean.check()?;
-        Ok(Wind { mean, gusts: None })
+        Ok(Wind(Course::Mean(mean, None)))
     }
 
     /// A wind with gusts about its mean. The gusts keep the direction and are the same all over the ship.
@@ -102,19 +106,43 @@ impl Wind {
     /// As [`MeanWind::check`].
     pub fn gusty(mean: MeanWind, gusts: Gusts) -> Result<Wind, EnvironmentError> {
         mean.check()?;
-        Ok(Wind { mean, gusts: Some(gusts) })
+        Ok(Wind(Course::Mean(mean, Some(gusts))))
     }
 
-    /// The mean wind.
+    /// A wind by a series in time, the same at every height.
     #[must_use]
-    pub fn mean(&self) -> &MeanWind {
-        &self.mean
+    pub fn series(series: WindSeries) -> Wind {
+        Wind(Course::Series(series))
+    }
+
+    /// Speed 10 m above the water, without gusts [m/s], and direction that it comes from, clockwise from
+    /// north [rad], at a time.
+    #[must_use]
+    pub fn mean_at(&self, t_s: f64) -> (f64, f64) {
+        match &self.0 {
+            Course::Mean(mean, _) => (mean.speed_mps, mean.from_rad),
+            Course::Series(series) => series.at(t_s),
+        }
+    }
+
+    /// Does its mean change in time?
+    #[must_use]
+    pub fn is_series(&self) -> bool {
+        matches!(self.0, Course::Series(_))
     }
 
     /// Velocity of the air at a height above the water and a time, north and east [m/s].
     #[must_use]
     pub fn velocity(&self, height_m: f64, t_s: f64) -> Vec2 {
-        let gust_mps = self.gusts.as_ref().map_or(0.0, |gusts| gusts.speed_mps(t_s));
-        self.mean.towards() * (self.mean.speed_at(height_m) + gust_mps)
+        match &self.0 {
+            Course::Mean(mean, gusts) => {
+                let gust_mps = gusts.as_ref().map_or(0.0, |gusts| gusts.speed_mps(t_s));
+                towards(mean.from_rad) * (mean.speed_at(height_m) + gust_mps)
+            }
+            Course::Series(series) => {
+                let (speed_mps, from_rad) = series.at(t_s);
+                towards(from_rad) * speed_mps
+            }
+        }
     }
 }

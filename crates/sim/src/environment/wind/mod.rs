@@ -12,6 +12,7 @@ mod gust;
 mod isherwood;
 mod mean;
 mod relative;
+mod series;
 mod spectrum;
 mod windage;
 
@@ -22,5 +23,6 @@ pub use gust::Gusts;
 pub use isherwood::Isherwood;
 pub use mean::{MeanWind, Wind, WindProfile};
 pub use relative::RelativeWind;
+pub use series::WindSeries;
 pub use spectrum::{GustSpectrum, surface_drag};
 pub use windage::{ShipWindage, WindCoefficients, WindMethod};

@@ -38,6 +38,27 @@ pub enum WindMethod {
     Fujiwara(Fujiwara),
 }
 
+impl WindMethod {
+    /// Its name, and how well it is known, for a reader of a report.
+    #[must_use]
+    pub fn standing(&self) -> (&'static str, &'static str) {
+        match self {
+            WindMethod::Isherwood(_) => {
+                ("Isherwood 1972", "tables read in a public toolbox; the paper was not read")
+            }
+            WindMethod::Blendermann(_) => (
+                "Blendermann 1994",
+                "formulas and table of types read in a public toolbox; the paper was not read",
+            ),
+            WindMethod::Fujiwara(_) => (
+                "Fujiwara et al. 1998",
+                "coefficients read in a public code; the paper was not read, and no printed number was found to \
+                 hold them against",
+            ),
+        }
+    }
+}
+
 /// Coefficients for one angle: X = ½ρV²·CX·A_F, Y = ½ρV²·CY·A_L, N = ½ρV²·CN·A_L·L.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WindCoefficients {
@@ -53,7 +74,8 @@ impl ShipWindage {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first that no ship has, by its name.
+    /// The first that no ship has, by its name; a coefficient that none has, where a regression is taken far
+    /// beyond the ships that it was made from.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length overall [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
@@ -64,10 +86,32 @@ impl ShipWindage {
         within("centroid of the lateral area forward of midship [m]", forward_m, -half_m, half_m)?;
         within("height of the lateral area's centroid [m]", self.centroid_height_m, 1e-3, 200.0)?;
         match &self.method {
-            WindMethod::Isherwood(method) => method.check(),
+            WindMethod::Isherwood(method) => method.check(self),
             WindMethod::Blendermann(method) => method.check(),
-            WindMethod::Fujiwara(method) => method.check(),
+            WindMethod::Fujiwara(method) => method.check(self),
+        }?;
+        for ten in 0..=18 {
+            let c = self.coefficients(f64::from(ten) * PI / 18.0);
+            within(
+                "coefficient of the wind's force ahead by these particulars",
+                c.surge,
+                -3.0,
+                3.0,
+            )?;
+            within(
+                "coefficient of the wind's force across by these particulars",
+                c.sway,
+                -3.0,
+                3.0,
+            )?;
+            within(
+                "coefficient of the wind's turning moment by these particulars",
+                c.yaw,
+                -1.0,
+                1.0,
+            )?;
         }
+        Ok(())
     }
 
     /// Coefficients at an angle γ [rad]. They are computed for |γ| from 0 to π and mirrored, so that port

@@ -1,0 +1,199 @@
+//! Wind, waves, water and banks.
+
+use std::f64::consts::PI;
+
+use fenderline_contact::{Rotation, Vec2, vec2};
+use fenderline_sim::Environment;
+use fenderline_sim::environment::waves::{Jonswap, Realisation, RegularWave, Sea};
+use fenderline_sim::environment::wind::{
+    GustSpectrum, Gusts, MeanWind, Wind, WindProfile, WindSeries,
+};
+use fenderline_sim::environment::{Bank, EnvironmentError};
+use fenderline_sim::hydro::Squat;
+
+use super::vessel::Kind;
+use super::{Assembly, Checked};
+use crate::checked::{Item, Table};
+use crate::csv::Csv;
+use crate::error::{Notice, ScenarioError};
+
+/// How many harmonics a sea or a gusty wind has.
+const HARMONICS: usize = 200;
+/// Depth that is deep for every wave [m].
+const DEEP_M: f64 = 10_000.0;
+/// Times that a file may have [s], and directions [deg].
+pub(super) const TIMES_S: [f64; 2] = [-1e9, 1e9];
+pub(super) const DIRECTIONS_DEG: [f64; 2] = [-720.0, 720.0];
+
+impl Assembly<'_, '_> {
+    pub(super) fn environment(&self, table: &Table) -> Checked<Environment> {
+        let depth_m = table.item("depth").map(|item| *item.number());
+        let wind = match table.item("wind") {
+            None => None,
+            Some(item) => Some(self.wind(table, item)?),
+        };
+        let current = match table.item("current") {
+            None => None,
+            Some(item) => Some(self.current(table, item)?),
+        };
+        let sea = match table.item("waves") {
+            None => None,
+            Some(item) => {
+                let sea = sea(item.table(), depth_m.unwrap_or(DEEP_M));
+                Some(sea.map_err(|error| self.refused(table, item, &error))?)
+            }
+        };
+        Ok(Environment {
+            wind,
+            current,
+            sea,
+            depth_m,
+            squat: self.squat(table)?,
+            banks: self.banks(table)?,
+            water_density_kgpm3: *table.given("water_density").number(),
+            ..Environment::default()
+        })
+    }
+
+    fn wind(&self, table: &Table, item: &Item) -> Checked<Wind> {
+        let of = item.table();
+        let Some(file) = of.item("file") else {
+            self.all_of(of, &["speed", "from"], "a wind has a `speed` and a `from`, or a `file`")?;
+            return wind(of).map_err(|error| self.refused(table, item, &error));
+        };
+        self.none_of(of, &["speed", "from", "gusts", "seed"], "file")?;
+        let key = of.path_of("file");
+        let known = ["t_s", "speed_mps", "from_deg"];
+        let csv = Csv::parse(self.files.text(file.text()), file.text(), &key, &known)?;
+        let [time, speed, from] =
+            [csv.column(known[0])?, csv.column(known[1])?, csv.column(known[2])?];
+        let points = csv.grid(&[time])?.rows.into_iter().map(|row| {
+            Ok([
+                csv.number(row, time, TIMES_S)?,
+                csv.number(row, speed, [0.0, 120.0])?,
+                csv.number(row, from, DIRECTIONS_DEG)?.to_radians(),
+            ])
+        });
+        let series = WindSeries::new(points.collect::<Checked<_>>()?);
+        Ok(Wind::series(series.map_err(|error| self.refused(of, file, &error))?))
+    }
+
+    fn squat(&self, table: &Table) -> Checked<Option<Squat>> {
+        let Some(item) = table.item("squat") else { return Ok(Some(Squat::default())) };
+        if table.item("depth").is_none() {
+            let path = table.path_of("squat");
+            let message = format!("`{path}` needs a `depth` beside it: deep water has no squat");
+            return Err(self.sources.error(&item.key_span, &path, message));
+        }
+        Ok(match item.choice() {
+            0 => None,
+            1 => Some(Squat::Icorels),
+            2 => Some(Squat::Barrass),
+            3 => Some(Squat::Eryuzlu),
+            other => unreachable!("the key table has no squat {other}"),
+        })
+    }
+
+    fn banks(&self, table: &Table) -> Checked<Vec<Bank>> {
+        let banks = table.given("bank").list().iter();
+        let bank = |of: &Table| {
+            let bank = Bank::new(*of.given("from").vector(), *of.given("to").vector());
+            bank.map_err(|error| self.refused(of, of.given("to"), &error))
+        };
+        banks.map(bank).collect()
+    }
+
+    /// Says what of the environment is not validated, or used beyond what it was made for.
+    pub(super) fn note_unvalidated(
+        &mut self,
+        file: &Table,
+        environment: &Environment,
+        kinds: &[(String, Kind)],
+    ) {
+        let surroundings = file.given("environment").table();
+        if let Some(first) = surroundings.given("bank").list().first() {
+            self.note(
+                first,
+                "bank suction is UNVALIDATED: Norrbin's formulas are recalled, no source was read",
+            );
+        }
+        let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_m) else { return };
+        let Some([low, high]) = squat.depth_ratios() else { return };
+        for (name, kind) in kinds {
+            let ratio = depth_m / kind.setup.ship.particulars.draught_m;
+            if ratio > 1.0 && !(low..=high).contains(&ratio) {
+                let message = format!(
+                    "squat of {name} by {}: made for depths of {low} to {high} draughts, but here it is {ratio:.2}",
+                    squat.name()
+                );
+                let (span, key) = &kind.said_at;
+                let place = self.sources.place(span);
+                self.notices.push(Notice { place, key: key.clone(), message });
+            }
+        }
+    }
+
+    /// Keys that belong together, all of them.
+    pub(super) fn all_of(&self, of: &Table, keys: &[&str], help: &str) -> Checked<()> {
+        match keys.iter().find(|key| of.item(key).is_none()) {
+            None => Ok(()),
+            Some(key) => {
+                let path = of.path_of(key);
+                let error = self.sources.error(&of.span, &path, format!("`{path}` is missing"));
+                Err(error.with_help(help))
+            }
+        }
+    }
+
+    /// Keys that would do nothing beside another one.
+    pub(super) fn none_of(&self, of: &Table, keys: &[&str], beside: &str) -> Checked<()> {
+        match keys.iter().find_map(|key| of.item(key)) {
+            None => Ok(()),
+            Some(item) => Err(self.not_together(of, item, beside)),
+        }
+    }
+
+    fn not_together(&self, of: &Table, item: &Item, beside: &str) -> ScenarioError {
+        let path = of.path_of(item.name);
+        let message = format!("`{path}` does not go together with `{beside}`");
+        self.sources.error(&item.key_span, &path, message)
+    }
+}
+
+fn wind(table: &Table) -> Result<Wind, EnvironmentError> {
+    let mean = MeanWind {
+        speed_mps: *table.given("speed").number(),
+        from_rad: *table.given("from").number(),
+        profile: WindProfile::Uniform,
+    };
+    if !table.item("gusts").is_some_and(|item| *item.flag()) {
+        return Wind::steady(mean);
+    }
+    let gusts = Gusts::new(&mean, &GustSpectrum::Npd, realisation(table))?;
+    Wind::gusty(mean, gusts)
+}
+
+fn sea(table: &Table, depth_m: f64) -> Result<Sea, EnvironmentError> {
+    let (height_m, period_s) = (*table.given("height").number(), *table.given("period").number());
+    let towards_rad = table.given("from").number() + PI;
+    if *table.given("regular").flag() {
+        let wave = RegularWave { height_m, period_s, phase_rad: 0.0 };
+        return Sea::regular(wave, towards_rad, depth_m);
+    }
+    let spectrum = Jonswap {
+        height_m,
+        peak_period_s: period_s,
+        peak_enhancement: *table.given("peakedness").number(),
+    };
+    Sea::jonswap(&spectrum, towards_rad, depth_m, realisation(table))
+}
+
+fn realisation(table: &Table) -> Realisation {
+    let seed = table.item("seed").map_or(1.0, |item| *item.number());
+    Realisation { harmonics: HARMONICS, seed: seed as u64 }
+}
+
+/// The unit vector of a compass direction.
+pub(super) fn along(direction_rad: f64) -> Vec2 {
+    Rotation::from_angle(direction_rad).apply(vec2(1.0, 0.0))
+}

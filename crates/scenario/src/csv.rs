@@ -1,0 +1,278 @@
+//! Numbers in columns: text files with one header line of column names, commas between, one row a line.
+//! Empty lines and lines that begin with `#` are left out. Every mistake is an error at its line.
+
+use crate::error::ScenarioError;
+use crate::sources::{Sources, Span, quoted};
+use crate::suggest::nearest;
+
+type Read<T> = Result<T, ScenarioError>;
+
+/// A file of numbers in columns.
+pub(crate) struct Csv<'a> {
+    sources: Sources<'a>,
+    /// The scenario's key that names the file.
+    key: &'a str,
+    header: Span,
+    columns: Vec<&'a str>,
+    rows: Vec<Row>,
+}
+
+/// One row.
+struct Row {
+    numbers: Vec<f64>,
+    cells: Vec<Span>,
+}
+
+/// Numbers on a full grid.
+#[derive(Debug)]
+pub(crate) struct Grid {
+    /// The values on each axis, rising.
+    pub(crate) axes: Vec<Vec<f64>>,
+    /// The file's rows in the order of the grid, the last axis fastest.
+    pub(crate) rows: Vec<usize>,
+}
+
+impl<'a> Csv<'a> {
+    /// Reads a file's text. Columns are some of `known`.
+    ///
+    /// # Errors
+    /// No header, a column that is not known or stands twice, no rows, a row with too many or too few
+    /// numbers, a cell that is no finite number.
+    pub(crate) fn parse(
+        text: &'a str,
+        file_name: &'a str,
+        key: &'a str,
+        known: &[&str],
+    ) -> Read<Csv<'a>> {
+        let sources = Sources { file_name, text, overrides: &[] };
+        let mut lines = lines(text);
+        let Some((header, cells)) = lines.next() else {
+            let error = sources.file_error("the file has no header line");
+            return Err(error.with_help(format!("its columns are some of {}", known.join(", "))));
+        };
+        let mut columns: Vec<&str> = Vec::new();
+        for (name, span) in cells {
+            if !known.contains(&name) {
+                let message = format!("{} is not a column of this kind of file", quoted(name));
+                return Err(sources.error(&span, key, message).with_help(
+                    match nearest(name, known.iter().copied()) {
+                        Some(near) => format!("did you mean `{near}`?"),
+                        None => format!("there are {}", known.join(", ")),
+                    },
+                ));
+            }
+            if columns.contains(&name) {
+                return Err(sources.error(&span, key, format!("the column `{name}` stands twice")));
+            }
+            columns.push(name);
+        }
+        let mut rows = Vec::new();
+        for (line, cells) in lines {
+            if cells.len() != columns.len() {
+                let message = format!(
+                    "the row has {} numbers, but the header has {} columns",
+                    cells.len(),
+                    columns.len()
+                );
+                return Err(sources.error(&line, key, message));
+            }
+            let mut row = Row { numbers: Vec::new(), cells: Vec::new() };
+            for ((text, span), column) in cells.into_iter().zip(&columns) {
+                let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
+                let Some(number) = number else {
+                    let message = if text.is_empty() {
+                        format!("`{column}` is empty here")
+                    } else {
+                        format!("`{column}` is not a finite number here, but {}", quoted(text))
+                    };
+                    return Err(sources.error(&span, key, message));
+                };
+                // No minus zero, which would be another place than zero.
+                row.numbers.push(number + 0.0);
+                row.cells.push(span);
+            }
+            rows.push(row);
+        }
+        if rows.is_empty() {
+            return Err(sources.error(&header, key, "the file has no rows below its header"));
+        }
+        Ok(Csv { sources, key, header, columns, rows })
+    }
+
+    /// Number of rows.
+    pub(crate) fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Has it this column?
+    pub(crate) fn has(&self, column: &str) -> bool {
+        self.columns.contains(&column)
+    }
+
+    /// An error about the header.
+    pub(crate) fn header_error(&self, message: impl Into<String>) -> ScenarioError {
+        self.sources.error(&self.header, self.key, message)
+    }
+
+    /// The place of a column that has to be there.
+    ///
+    /// # Errors
+    /// It is not.
+    pub(crate) fn column(&self, column: &str) -> Read<usize> {
+        self.columns
+            .iter()
+            .position(|known| *known == column)
+            .ok_or_else(|| self.header_error(format!("the column `{column}` is missing")))
+    }
+
+    /// A number that lies within bounds, both included.
+    ///
+    /// # Errors
+    /// It does not.
+    pub(crate) fn number(&self, row: usize, column: usize, [low, high]: [f64; 2]) -> Read<f64> {
+        let number = self.rows[row].numbers[column];
+        if number >= low && number <= high {
+            return Ok(number);
+        }
+        let name = self.columns[column];
+        Err(self.cell_error(
+            row,
+            column,
+            format!("`{name}` must be between {low} and {high}, but is {number}"),
+        ))
+    }
+
+    /// An error about one cell.
+    pub(crate) fn cell_error(&self, row: usize, column: usize, message: String) -> ScenarioError {
+        self.sources.error(&self.rows[row].cells[column], self.key, message)
+    }
+
+    /// The rows as a full grid over some columns: each combination of their values once, in any order in the
+    /// file.
+    ///
+    /// # Errors
+    /// A combination that stands twice, or that is missing.
+    pub(crate) fn grid(&self, columns: &[usize]) -> Read<Grid> {
+        let at = |row: usize, axis: usize| self.rows[row].numbers[columns[axis]];
+        let axes: Vec<Vec<f64>> = (0..columns.len())
+            .map(|axis| {
+                let mut values: Vec<f64> = (0..self.rows.len()).map(|row| at(row, axis)).collect();
+                values.sort_by(f64::total_cmp);
+                values.dedup();
+                values
+            })
+            .collect();
+        let mut rows: Vec<usize> = (0..self.rows.len()).collect();
+        let compare = |one: usize, other: usize| {
+            let each = (0..columns.len()).map(|axis| at(one, axis).total_cmp(&at(other, axis)));
+            each.fold(core::cmp::Ordering::Equal, core::cmp::Ordering::then)
+        };
+        // Stable, so that of two equal rows the later one in the file is the second.
+        rows.sort_by(|one, other| compare(*one, *other));
+        if let Some(two) = rows.windows(2).find(|two| compare(two[0], two[1]).is_eq()) {
+            let place = self.place(columns, |axis| at(two[1], axis));
+            return Err(self.cell_error(
+                two[1],
+                columns.first().copied().unwrap_or(0),
+                format!("a second row for {place}"),
+            ));
+        }
+        // The values of the axes count up like digits; where a row has others, one is missing.
+        let mut digits = vec![0; columns.len()];
+        let mut rest = rows.iter();
+        loop {
+            let row = rest.next();
+            let fits = row.is_some_and(|row| {
+                (0..columns.len()).all(|axis| at(*row, axis) == axes[axis][digits[axis]])
+            });
+            if !fits {
+                let place = self.place(columns, |axis| axes[axis][digits[axis]]);
+                let error = self.header_error(format!("the file has no row for {place}"));
+                return Err(error.with_help("a grid has no holes: one row for each combination"));
+            }
+            let turns = (0..columns.len()).rev().find(|axis| digits[*axis] + 1 < axes[*axis].len());
+            let Some(axis) = turns else { break };
+            digits[axis] += 1;
+            digits[axis + 1..].fill(0);
+        }
+        Ok(Grid { axes, rows })
+    }
+
+    fn place(&self, columns: &[usize], value: impl Fn(usize) -> f64) -> String {
+        let named = columns.iter().enumerate();
+        let named: Vec<String> = named
+            .map(|(axis, column)| format!("{} = {}", self.columns[*column], value(axis)))
+            .collect();
+        match named.is_empty() {
+            true => "all of it".to_owned(),
+            false => named.join(", "),
+        }
+    }
+}
+
+/// The lines that say something, each with its cells.
+fn lines(text: &str) -> impl Iterator<Item = (Span, Vec<(&str, Span)>)> {
+    let mut start = 0;
+    let all = text.split_inclusive('\n').map(move |line| {
+        let from = start;
+        start += line.len();
+        (from, line.trim_end_matches(['\n', '\r']))
+    });
+    // Some programs put a byte order mark in front.
+    let all = all.map(|(from, line)| match line.strip_prefix('\u{feff}') {
+        Some(rest) => (from + '\u{feff}'.len_utf8(), rest),
+        None => (from, line),
+    });
+    let telling = all.filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+    telling.map(|(from, line)| {
+        let mut at = from;
+        let cells = line.split(',').map(|cell| {
+            let inner = at + (cell.len() - cell.trim_start().len());
+            at += cell.len() + 1;
+            let cell = cell.trim();
+            (cell, inner..inner + cell.len())
+        });
+        let cells: Vec<_> = cells.collect();
+        (from..from + line.len(), cells)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Csv;
+
+    fn refused(text: &str) -> String {
+        let read = Csv::parse(text, "f.csv", "key", &["a", "b", "c"]);
+        read.and_then(|csv| csv.grid(&[0, 1]).map(|_| ())).expect_err(text).to_string()
+    }
+
+    #[test]
+    fn rows_come_in_the_order_of_the_grid_whatever_theirs_is() {
+        let text = "\u{feff}# place\na, b ,c\r\n1,10,5\n\n0,20,2\n1,20,6\n# more\n0,10,1\n";
+        let csv = Csv::parse(text, "f.csv", "key", &["a", "b", "c"]).unwrap();
+        let grid = csv.grid(&[0, 1]).unwrap();
+        assert_eq!(grid.axes, [vec![0.0, 1.0], vec![10.0, 20.0]]);
+        assert_eq!(grid.rows, [3, 1, 0, 2]);
+        assert_eq!(csv.grid(&[]).unwrap_err().line(), Some(5), "all rows are one place");
+    }
+
+    #[test]
+    fn each_mistake_is_told_at_its_line() {
+        for (text, fragments) in [
+            ("", ["no header line", "f.csv", "f.csv"]),
+            ("a,b,d\n", ["\"d\" is not a column", "f.csv:1:5", "^"]),
+            ("a,a,b\n", ["`a` stands twice", "f.csv:1:3", "^"]),
+            ("a,b,c\n", ["no rows", "f.csv:1:1", "^"]),
+            ("a,b,c\n1,2\n", ["2 numbers", "f.csv:2:1", "^"]),
+            ("a,b,c\n1,,3\n", ["`b` is empty", "f.csv:2:3", "^"]),
+            ("a,b,c\n1,nan,3\n", ["`b` is not a finite number", "f.csv:2:3", "\"nan\""]),
+            ("a,b,c\n1,2,1e999\n", ["`c` is not a finite number", "f.csv:2:5", "^"]),
+            ("a,b,c\n1,2,3\n1,2,4\n", ["second row for a = 1, b = 2", "f.csv:3:1", "^"]),
+            ("a,b,c\n1,2,3\n2,3,4\n2,2,4\n", ["no row for a = 1, b = 3", "holes", "f.csv:1"]),
+            ("a,b,c\n0,0,1\n-0,1,1\n1,0,1\n", ["no row for a = 1, b = 1", "holes", "f.csv:1"]),
+        ] {
+            let said = refused(text);
+            assert!(fragments.iter().all(|fragment| said.contains(fragment)), "{said}");
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The files that a scenario names besides fender files, read once, before anything is assembled.
+
+use std::collections::BTreeMap;
+
+use crate::checked::{Table, Value};
+use crate::error::ScenarioError;
+use crate::sources::Sources;
+use crate::spec::Kind;
+
+/// Texts by the names that stand in the scenario.
+#[derive(Debug, Default)]
+pub(crate) struct Files(BTreeMap<String, String>);
+
+impl Files {
+    /// Reads every file that the scenario's tables name.
+    pub(crate) fn read(
+        sources: &Sources<'_>,
+        file: &Table,
+        read: &mut dyn FnMut(&str) -> Result<String, String>,
+    ) -> Result<Files, ScenarioError> {
+        let mut files = Files::default();
+        files.read_of(sources, file, read)?;
+        Ok(files)
+    }
+
+    /// The text of a file that a key of the kind [`Kind::FileName`] names.
+    pub(crate) fn text(&self, name: &str) -> &str {
+        self.0.get(name).unwrap_or_else(|| unreachable!("{name} was read with the scenario"))
+    }
+
+    fn read_of(
+        &mut self,
+        sources: &Sources<'_>,
+        table: &Table,
+        read: &mut dyn FnMut(&str) -> Result<String, String>,
+    ) -> Result<(), ScenarioError> {
+        for item in &table.items {
+            match &item.value {
+                Value::Table(inner) => self.read_of(sources, inner, read)?,
+                Value::Named(named) => {
+                    for (_, inner) in named {
+                        self.read_of(sources, inner, read)?;
+                    }
+                }
+                Value::List(list) => {
+                    for inner in list {
+                        self.read_of(sources, inner, read)?;
+                    }
+                }
+                Value::Text(name)
+                    if is_file_name(table, item.name) && !self.0.contains_key(name) =>
+                {
+                    let text = read(name).map_err(|why| {
+                        let path = table.path_of(item.name);
+                        let message = format!("`{path}`: cannot read {why}");
+                        sources.error(&item.span, &path, message)
+                    })?;
+                    self.0.insert(name.clone(), text);
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+fn is_file_name(table: &Table, name: &str) -> bool {
+    table.spec.key(name).is_some_and(|key| matches!(key.kind, Kind::FileName))
+}

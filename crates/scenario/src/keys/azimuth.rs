@@ -1,0 +1,91 @@
+//! Keys of azimuth units and of orders to them.
+
+use serde_json::json;
+
+use super::world::key;
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{Kind, Quantity, TableSpec};
+use crate::units::measures as unit;
+
+const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
+
+pub(crate) static AZIMUTH: TableSpec = TableSpec {
+    what: "an azimuth unit",
+    doc: "A propeller that turns about the vertical. At speed it loses thrust as an open Wageningen B4-70 of \
+          pitch 1.0 does; one in a nozzle loses more.",
+    keys: &[
+        key(
+            "along",
+            Kind::Quantity(PLACE),
+            Refused,
+            "Its place forward of midship.",
+            &["\"-12 m\""],
+        ),
+        key(
+            "across",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Its place to starboard of the centre line.",
+            &["\"2.6 m\""],
+        ),
+        key(
+            "force",
+            Kind::Quantity(Quantity { measure: &unit::FORCE, low: 1.0, high: 1e8 }),
+            Refused,
+            "Thrust at rest and full power: its part of the bollard pull.",
+            &["\"30 tf\""],
+        ),
+        key(
+            "diameter",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.01, high: 50.0 }),
+            Refused,
+            "Diameter of the propeller: the smaller, the less it loses with speed.",
+            &["\"2.4 m\""],
+        ),
+        key(
+            "rate",
+            Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
+            Is("\"12 deg/s\""),
+            "How fast it turns about the vertical.",
+            &["\"18 deg/s\""],
+        ),
+        key(
+            "lag",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.0, high: 600.0 }),
+            Is("3"),
+            "Time constant of the thrust.",
+            &["\"4 s\""],
+        ),
+        key(
+            "stop",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 3.1 }),
+            Means("it turns all the way round"),
+            "How far it turns to either side of ahead.",
+            &["\"120 deg\""],
+        ),
+    ],
+    rules: None,
+};
+
+pub(super) static AZIMUTH_ORDER: TableSpec = TableSpec {
+    what: "an order to an azimuth unit",
+    doc: "Which unit, and its thrust, its direction, or both; what is not given stays.",
+    keys: &[
+        key("name", Kind::Text, Refused, "The unit.", &["\"port\""]),
+        key(
+            "power",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 }),
+            Means("as before"),
+            "Thrust over that at rest and full power, 0 to 1.",
+            &["0.5"],
+        ),
+        key(
+            "direction",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 }),
+            Means("as before"),
+            "Direction of the thrust from the bow, positive to starboard: 0 drives her ahead.",
+            &["\"90 deg\""],
+        ),
+    ],
+    rules: Some(|| json!({ "anyOf": [{ "required": ["power"] }, { "required": ["direction"] }] })),
+};

@@ -1,0 +1,271 @@
+//! Keys of wind, current, waves, water and banks.
+
+use serde_json::json;
+
+use super::POSITION_M;
+use super::world::{DIRECTION, LENGTH, key};
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{Choices, Kind, Quantity, TableSpec};
+use crate::units::measures as unit;
+
+pub(super) static ENVIRONMENT: TableSpec = TableSpec {
+    what: "an environment",
+    doc: "Wind, current, waves and water; they act on vessels.",
+    keys: &[
+        key(
+            "depth",
+            Kind::Quantity(LENGTH),
+            Means("deep water"),
+            "Depth of the water: shallow water slows and stiffens a vessel and makes her squat; no deeper than her \
+             draught and her squat, she is aground.",
+            &["\"14 m\""],
+        ),
+        key(
+            "water_density",
+            Kind::Quantity(Quantity { measure: &unit::DENSITY, low: 900.0, high: 1300.0 }),
+            Is("1025"),
+            "Density of the water.",
+            &["\"1025 kg/m^3\""],
+        ),
+        key(
+            "squat",
+            Kind::Choice(&SQUATS),
+            Means("\"icorels\" where `depth` is given"),
+            "How much deeper a vessel under way sits in shallow water. The formulas are recalled, not read in their \
+             sources. They are for the deepest point of the hull; it is taken for the whole: she does not trim.",
+            &["\"icorels\""],
+        ),
+        key("wind", Kind::Table(&WIND), Means("no wind"), "Wind.", &[]),
+        key("current", Kind::Table(&CURRENT), Means("no current"), "Current.", &[]),
+        key("waves", Kind::Table(&WAVES), Means("no waves"), "Waves.", &[]),
+        key(
+            "bank",
+            Kind::List(&BANK),
+            Is("[]"),
+            "UNVALIDATED: banks that draw a vessel under way to them and turn her bow away, by Norrbin's formulas for \
+             a vertical wall, which are recalled; no source of them could be read. A bank is no obstacle: give it a \
+             fixed body too.",
+            &["[{ from = [-500, 40], to = [500, 40] }]"],
+        ),
+    ],
+    rules: Some(|| json!({ "dependentRequired": { "squat": ["depth"] } })),
+};
+
+static WIND: TableSpec = TableSpec {
+    what: "a wind",
+    doc: "Wind at 10 m height: `speed` and `from`, or a `file`.",
+    keys: &[
+        key(
+            "speed",
+            Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 120.0 }),
+            Means("`file` is given"),
+            "Mean speed.",
+            &["\"12 m/s\""],
+        ),
+        key(
+            "from",
+            Kind::Quantity(DIRECTION),
+            Means("`file` is given"),
+            "Where it comes from, clockwise from north.",
+            &["\"270 deg\""],
+        ),
+        key(
+            "file",
+            Kind::FileName,
+            Means("`speed` and `from` are given"),
+            "A wind that changes in time: a CSV file beside this one with the columns t_s, speed_mps and from_deg. \
+             Straight lines between the rows, the shorter way round for the direction; held before the first and \
+             after the last.",
+            &["\"wind.csv\""],
+        ),
+        key(
+            "gusts",
+            Kind::Flag,
+            Means("no gusts"),
+            "Whether it gusts, by the NPD spectrum of ISO 19901-1.",
+            &["true"],
+        ),
+        key(
+            "seed",
+            Kind::Quantity(SEED),
+            Means("1"),
+            "Seed of the gusts: the same seed gives the same wind.",
+            &["7"],
+        ),
+    ],
+    rules: Some(|| {
+        json!({ "oneOf": [
+            { "required": ["speed", "from"], "properties": { "file": false } },
+            {
+                "required": ["file"],
+                "properties": { "speed": false, "from": false, "gusts": false, "seed": false }
+            }
+        ] })
+    }),
+};
+
+const SEED: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 4294967295.0 };
+
+static CURRENT: TableSpec = TableSpec {
+    what: "a current",
+    doc: "A current: the same everywhere and always (`speed`, `towards`), by depth (`profile`), or by place and \
+          time (`file`). A vessel meets that of her centre of gravity, by depth the mean over her draught.",
+    keys: &[
+        key(
+            "speed",
+            Kind::Quantity(CURRENT_SPEED),
+            Means("`profile` or `file` is given"),
+            "Speed, the same everywhere and always.",
+            &["\"0.5 kn\""],
+        ),
+        key(
+            "towards",
+            Kind::Quantity(DIRECTION),
+            Means("`profile` or `file` is given"),
+            "Where it runs to, clockwise from north.",
+            &["\"10 deg\""],
+        ),
+        key(
+            "profile",
+            Kind::List(&LAYER),
+            Means("the same at every depth"),
+            "The current by depth, downwards: straight lines between the depths, held above the first and below the \
+             last.",
+            &[
+                "[{ depth = 0, speed = 0.6, towards = 0 }, { depth = 15, speed = 0.1, towards = 0 }]",
+            ],
+        ),
+        key(
+            "file",
+            Kind::FileName,
+            Means("`speed` and `towards`, or `profile`, are given"),
+            "A current by place and time: a CSV file beside this one. Columns: the velocity as north_mps and \
+             east_mps, or as speed_mps and towards_deg; north_m and east_m, without which it is the same \
+             everywhere; t_s, without which it is the same always. One row for each combination of the places' \
+             northings, their eastings and the times, in any order, and no holes. Linear in time, bilinear in \
+             place; beyond the edges the edge is held.",
+            &["\"current.csv\""],
+        ),
+    ],
+    rules: Some(|| {
+        json!({ "oneOf": [
+            { "required": ["speed", "towards"], "properties": { "profile": false, "file": false } },
+            {
+                "required": ["profile"],
+                "properties": {
+                    "profile": { "minItems": 1 }, "speed": false, "towards": false, "file": false
+                }
+            },
+            {
+                "required": ["file"],
+                "properties": { "speed": false, "towards": false, "profile": false }
+            }
+        ] })
+    }),
+};
+
+const CURRENT_SPEED: Quantity = Quantity { measure: &unit::SPEED, low: 0.0, high: 15.0 };
+
+static LAYER: TableSpec = TableSpec {
+    what: "a layer of a current",
+    doc: "The current at a depth.",
+    keys: &[
+        key(
+            "depth",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 12_000.0 }),
+            Refused,
+            "Depth below the surface; deeper from layer to layer.",
+            &["\"5 m\""],
+        ),
+        key("speed", Kind::Quantity(CURRENT_SPEED), Refused, "Speed.", &["\"0.5 kn\""]),
+        key(
+            "towards",
+            Kind::Quantity(DIRECTION),
+            Refused,
+            "Where it runs to, clockwise from north.",
+            &["\"10 deg\""],
+        ),
+    ],
+    rules: None,
+};
+
+static WAVES: TableSpec = TableSpec {
+    what: "a sea",
+    doc: "Waves: JONSWAP, or one regular wave.",
+    keys: &[
+        key(
+            "height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 30.0 }),
+            Refused,
+            "Significant height, or that of the regular wave.",
+            &["\"1.2 m\""],
+        ),
+        key(
+            "period",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.5, high: 40.0 }),
+            Refused,
+            "Peak period, or that of the regular wave.",
+            &["\"8 s\""],
+        ),
+        key(
+            "from",
+            Kind::Quantity(DIRECTION),
+            Refused,
+            "Where they come from, clockwise from north.",
+            &["\"240 deg\""],
+        ),
+        key(
+            "regular",
+            Kind::Flag,
+            Is("false"),
+            "One regular wave instead of a spectrum.",
+            &["true"],
+        ),
+        key(
+            "peakedness",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 10.0 }),
+            Is("3.3"),
+            "JONSWAP's gamma.",
+            &["3.3"],
+        ),
+        key("seed", Kind::Quantity(SEED), Is("1"), "Seed of the phases.", &["7"]),
+    ],
+    rules: None,
+};
+
+/// In the order that [`crate::assemble`] relies on.
+static SQUATS: Choices = Choices {
+    words: &[
+        ("none", "she does not squat"),
+        (
+            "icorels",
+            "ICORELS: 2.4 V/L^2 Fh^2 / sqrt(1 - Fh^2) with the displaced volume V and the Froude number of depth Fh; \
+             fades out in deep water",
+        ),
+        (
+            "barrass",
+            "Barrass in open water: block coefficient x knots^2 / 100, the same at every depth; for 1.1 to 1.4 draughts",
+        ),
+        ("eryuzlu", "Eryuzlu et al. 1994, in open water; for 1.1 to 2.5 draughts"),
+    ],
+};
+
+static BANK: TableSpec = TableSpec {
+    what: "a bank",
+    doc: "A straight vertical bank. Its effect is UNVALIDATED.",
+    keys: &[
+        key("from", Kind::Vector(POSITION_M), Refused, "One end: north, east.", &["[-500, 40]"]),
+        key("to", Kind::Vector(POSITION_M), Refused, "The other end: north, east.", &["[500, 40]"]),
+    ],
+    rules: None,
+};
+
+/// What the file of a vessel's response in waves is.
+pub(super) const WAVE_RESPONSE_DOC: &str = "Her first-order motion in waves by a table of response amplitude \
+    operators: a CSV file beside this one. Columns: omega_radps, the waves' own frequency; heading_deg, where they run \
+    to from the bow: 0 from astern, 90 from port, 180 from ahead, from 0 to 180 (from starboard is the mirror); \
+    heave_mpm, roll_degpm and pitch_degpm, and if there are any surge_mpm, sway_mpm and yaw_degpm: amplitude for a \
+    wave of 1 m amplitude; and to each its phase, heave_phase_deg and so on: by how much the motion's greatest value \
+    is ahead of the crest's passage amidships. Motions of midship: surge forward, sway to starboard, heave DOWN, roll \
+    to starboard, pitch bow up, yaw to starboard. One row for each combination of frequency and heading, and no holes. \
+    Linear between the rows, held at the edges.";

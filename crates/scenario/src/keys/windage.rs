@@ -1,0 +1,154 @@
+//! Keys of a vessel's wind areas and of the method that makes forces of them.
+
+use serde_json::{Value as Json, json};
+
+use super::world::{LENGTH, PLACE, key};
+use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::{Choices, Kind, Quantity, TableSpec};
+use crate::units::measures as unit;
+
+const AREA: Quantity = Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 };
+
+pub(crate) static WINDAGE: TableSpec = TableSpec {
+    what: "a windage",
+    doc: "Wind areas, and the method that makes forces of them.",
+    keys: &[
+        key(
+            "method",
+            Kind::Choice(&METHODS),
+            Is("\"blendermann\""),
+            "How the coefficients are found; each method has particulars of its own.",
+            &["\"blendermann\""],
+        ),
+        key(
+            "frontal_area",
+            Kind::Quantity(AREA),
+            Refused,
+            "Area above the water seen from ahead.",
+            &["\"1700 m^2\""],
+        ),
+        key(
+            "lateral_area",
+            Kind::Quantity(AREA),
+            Refused,
+            "Area above the water seen from the side.",
+            &["\"9000 m^2\""],
+        ),
+        key(
+            "length_overall",
+            Kind::Quantity(LENGTH),
+            Means("the length between perpendiculars"),
+            "Length overall, which the coefficients are made for.",
+            &["\"298 m\""],
+        ),
+        key(
+            "centroid_forward",
+            Kind::Quantity(PLACE),
+            Is("0"),
+            "Centroid of the lateral area forward of midship.",
+            &["\"-5 m\""],
+        ),
+        key(
+            "centroid_height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 200.0 }),
+            Refused,
+            "Height of that centroid above the water.",
+            &["\"16 m\""],
+        ),
+        key(
+            "type",
+            Kind::Text,
+            Means("`method` is another one"),
+            "Blendermann: type of ship in his table.",
+            &["\"container ship, loaded\""],
+        ),
+        key(
+            "perimeter",
+            Kind::Quantity(LENGTH),
+            Means("`method` is another one"),
+            "Isherwood: length of the side view's outline, from the waterline at the bow over everything to the \
+             waterline at the stern, without masts and ventilators.",
+            &["\"700 m\""],
+        ),
+        key(
+            "superstructure_area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 0.0, high: 1e6 }),
+            Means("`method` is another one"),
+            "Isherwood: area of the superstructure seen from the side; a part of `lateral_area`.",
+            &["\"1500 m^2\""],
+        ),
+        key(
+            "mast_groups",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 50.0 }),
+            Means("`method` is another one"),
+            "Isherwood: groups of masts or king posts seen from the side.",
+            &["1"],
+        ),
+        key(
+            "deck_area",
+            Kind::Quantity(AREA),
+            Means("`method` is another one"),
+            "Fujiwara: area of superstructures, tanks and containers on deck seen from the side; a part of \
+             `lateral_area`.",
+            &["\"1500 m^2\""],
+        ),
+        key(
+            "deck_centroid_forward",
+            Kind::Quantity(PLACE),
+            Means("`method` is another one"),
+            "Fujiwara: centroid of that area forward of midship.",
+            &["\"0 m\""],
+        ),
+        key(
+            "top_height",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 300.0 }),
+            Means("`method` is another one"),
+            "Fujiwara: top of the superstructure above the water.",
+            &["\"45 m\""],
+        ),
+    ],
+    rules: Some(|| {
+        let with = |own: &[&str]| {
+            let foreign = METHOD_KEYS.iter().flat_map(|(_, keys)| keys.iter());
+            let refused: serde_json::Map<String, Json> = foreign
+                .filter(|key| !own.contains(key))
+                .map(|key| ((*key).to_owned(), json!(false)))
+                .collect();
+            json!({ "required": own, "properties": refused })
+        };
+        let [(_, blendermann), (isherwood, of_isherwood), (fujiwara, of_fujiwara)] = METHOD_KEYS;
+        let is = |method| json!({ "properties": { "method": { "const": method } }, "required": ["method"] });
+        json!({
+            "if": is(isherwood),
+            "then": with(of_isherwood),
+            "else": { "if": is(fujiwara), "then": with(of_fujiwara), "else": with(blendermann) }
+        })
+    }),
+};
+
+/// In the order that [`crate::assemble`] relies on.
+static METHODS: Choices = Choices {
+    words: &[
+        (
+            "blendermann",
+            "Blendermann 1994: four parameters of a type of ship; formulas and table read in a public toolbox, not \
+             in the paper",
+        ),
+        (
+            "isherwood",
+            "Isherwood 1972: a regression over merchant ships; its tables read in a public toolbox, not in the paper",
+        ),
+        (
+            "fujiwara",
+            "Fujiwara, Ueno & Nimura 1998: a regression over ships with a superstructure; coefficients read in a \
+             public code, not in the paper; no printed number was found to hold them against",
+        ),
+    ],
+};
+
+/// Each method's own particulars, in the order of the methods.
+pub(crate) const METHOD_KEYS: [(&str, &[&str]); 3] = [
+    ("blendermann", &["type"]),
+    ("isherwood", &["perimeter", "superstructure_area", "mast_groups"]),
+    ("fujiwara", &["deck_area", "deck_centroid_forward", "top_height"]),
+];

@@ -1,0 +1,93 @@
+//! Banks: what a wall beside a ship under way does to her. Unvalidated.
+
+use fenderline_contact::{Rotation, Vec2, vec2};
+
+use super::error::EnvironmentError;
+use crate::range::within;
+
+/// A straight vertical bank from one point to another, north and east [m].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bank {
+    from_m: Vec2,
+    to_m: Vec2,
+}
+
+/// A ship beside a bank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShipAtBank {
+    /// Length [m].
+    pub length_m: f64,
+    /// Beam [m].
+    pub beam_m: f64,
+    /// Draught [m].
+    pub draught_m: f64,
+    /// Midship, north and east [m].
+    pub position_m: Vec2,
+    /// Heading [rad].
+    pub heading_rad: f64,
+    /// Speed ahead through the water [m/s].
+    pub surge_mps: f64,
+}
+
+/// The water between a ship and a bank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BankWater {
+    /// Density [kg/m³].
+    pub density_kgpm3: f64,
+    /// Depth [m]; `None`: deep.
+    pub depth_m: Option<f64>,
+}
+
+impl Bank {
+    /// Between two points [m].
+    ///
+    /// # Errors
+    /// Points that are none, or less than a metre apart.
+    pub fn new(from_m: Vec2, to_m: Vec2) -> Result<Bank, EnvironmentError> {
+        for value in [from_m.x, from_m.y, to_m.x, to_m.y] {
+            within("place of a bank [m]", value, -1e8, 1e8)?;
+        }
+        within("length of a bank [m]", (to_m - from_m).length(), 1.0, 1e9)?;
+        Ok(Bank { from_m, to_m })
+    }
+
+    /// Its two ends [m].
+    #[must_use]
+    pub fn ends_m(&self) -> [Vec2; 2] {
+        [self.from_m, self.to_m]
+    }
+
+    /// Force and moment about midship [X, Y, N] in [N, N, N·m]: suction towards the bank and, going ahead, a
+    /// moment that turns the bow away from it. UNVALIDATED.
+    ///
+    /// Y = ½ρu²BT·(B/y)(0.0925 + 0.372(T/h)²), N = −½ρu²BTL·(B/y)(0.0025 + 0.0755(T/h)²) for a bank to
+    /// starboard: Norrbin's for a vertical wall (1974), recalled; no source could be read. y is here the
+    /// distance of midship from the bank's line, at least half a beam. Ours besides: u is the part of her speed
+    /// that goes along the bank, going astern N has the other sign, and both fade with the share of her length
+    /// that is abreast of the bank.
+    #[must_use]
+    pub fn force(&self, ship: &ShipAtBank, water: &BankWater) -> [f64; 3] {
+        let length_m = (self.to_m - self.from_m).length();
+        let along = (self.to_m - self.from_m) * (1.0 / length_m);
+        let ahead = Rotation::from_angle(ship.heading_rad).apply(vec2(1.0, 0.0));
+        let offset_m = ship.position_m - self.from_m;
+        let cos = along.dot(ahead);
+        let (at_m, half_m) = (along.dot(offset_m), 0.5 * ship.length_m * cos.abs());
+        let abreast_m = (at_m + half_m).min(length_m) - (at_m - half_m).max(0.0);
+        let share = (abreast_m / ship.length_m).max(0.0);
+        // Positive where the bank's line is to starboard of her: x north, y east, so that the vector to the
+        // line is minus the offset across it.
+        let across_m = -along.cross(offset_m);
+        // Through the line itself, where no ship is, the side changes without a jump.
+        let half_beam_m = 0.5 * ship.beam_m;
+        let side = (across_m * cos.signum() / half_beam_m).clamp(-1.0, 1.0);
+        let distance_m = across_m.abs().max(half_beam_m);
+        let along_mps = ship.surge_mps * cos.abs();
+        let ratio = water.depth_m.map_or(0.0, |depth_m| (ship.draught_m / depth_m).clamp(0.0, 1.0));
+        let section_m2 = ship.beam_m * ship.draught_m;
+        let unit_n = 0.5 * water.density_kgpm3 * section_m2 * (ship.beam_m / distance_m) * share;
+        let suction_n = unit_n * along_mps * along_mps * (0.0925 + 0.372 * ratio * ratio);
+        let turning_n = unit_n * along_mps * along_mps.abs() * (0.0025 + 0.0755 * ratio * ratio);
+        [0.0, side * suction_n, -side * turning_n * ship.length_m]
+    }
+}

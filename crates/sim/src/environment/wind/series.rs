@@ -1,0 +1,46 @@
+//! A wind that was measured, or told beforehand.
+
+use core::f64::consts::TAU;
+
+use crate::environment::error::EnvironmentError;
+use crate::environment::table::{check_axis, place};
+use crate::range::within;
+
+/// Speed and direction 10 m above the water at points in time, with straight lines between them; held before
+/// the first and after the last. From one point to the next the wind turns the shorter way round.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WindSeries {
+    /// Time [s], speed [m/s], direction that it comes from, without jumps by a full turn [rad].
+    points: Vec<[f64; 3]>,
+}
+
+impl WindSeries {
+    /// From points: time [s], speed [m/s], direction that it comes from, clockwise from north [rad].
+    ///
+    /// # Errors
+    /// No point, times that do not increase, a wind that is none ([`super::MeanWind::check`] has the same
+    /// bounds).
+    pub fn new(points: Vec<[f64; 3]>) -> Result<WindSeries, EnvironmentError> {
+        check_axis("times of the wind [s]", points.iter().map(|p| p[0]), 1)?;
+        let mut points = points;
+        for index in 0..points.len() {
+            let [_, speed_mps, from_rad] = points[index];
+            within("wind speed [m/s]", speed_mps, 0.0, 120.0)?;
+            within("wind direction [rad]", from_rad, -100.0, 100.0)?;
+            if index > 0 {
+                let before_rad = points[index - 1][2];
+                points[index][2] = before_rad + libm::remainder(from_rad - before_rad, TAU);
+            }
+        }
+        Ok(WindSeries { points })
+    }
+
+    /// Speed [m/s] and direction that it comes from [rad] at a time.
+    #[must_use]
+    pub fn at(&self, t_s: f64) -> (f64, f64) {
+        let at = place(self.points.len(), |i| self.points[i][0], t_s);
+        let (low, high) = (self.points[at.low], self.points[at.high]);
+        let mix = |k: usize| low[k] + at.share * (high[k] - low[k]);
+        (mix(1), mix(2))
+    }
+}

@@ -1,0 +1,59 @@
+//! Squat: how much deeper a ship under way sits in shallow water.
+
+use super::particulars::Particulars;
+use super::shallow::{barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
+
+/// Acceleration of gravity [m/s²].
+const GRAVITY_MPS2: f64 = 9.806_65;
+/// Froude number of depth up to which a displacement ship goes in shallow water, and from which on squat is held.
+const FASTEST_FROUDE: f64 = 0.9;
+
+/// A formula for squat; all are recalled, and held against the design sheet's numbers only.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Squat {
+    /// Barrass in open water, [`barrass_squat_m`]: the same at every depth, made for 1.1 to 1.4 draughts.
+    Barrass,
+    /// ICORELS, [`icorels_squat_m`].
+    #[default]
+    Icorels,
+    /// Eryuzlu et al. 1994, [`eryuzlu_squat_m`]: made for 1.1 to 2.5 draughts.
+    Eryuzlu,
+}
+
+impl Squat {
+    /// Its name, for a reader.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Squat::Barrass => "Barrass",
+            Squat::Icorels => "ICORELS",
+            Squat::Eryuzlu => "Eryuzlu et al. 1994",
+        }
+    }
+
+    /// Depths over the draught that it was made for; recalled. `None`: any in shallow water.
+    #[must_use]
+    pub fn depth_ratios(self) -> Option<[f64; 2]> {
+        match self {
+            Squat::Barrass => Some([1.1, 1.4]),
+            Squat::Icorels => None,
+            Squat::Eryuzlu => Some([1.1, 2.5]),
+        }
+    }
+
+    /// Largest sinkage of her keel [m] at a speed along her own axis through the water [m/s], ahead or astern.
+    /// From a Froude number of depth of 0.9 on it is held: no displacement ship goes faster there, and
+    /// ICORELS ends at 1. In water no deeper than her draught she sits on the bottom: 0.
+    #[must_use]
+    pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
+        let fastest_mps = FASTEST_FROUDE * (GRAVITY_MPS2 * depth_m.max(0.0)).sqrt();
+        let speed_mps = surge_mps.abs().min(fastest_mps);
+        let formula = match self {
+            Squat::Barrass => barrass_squat_m,
+            Squat::Icorels => icorels_squat_m,
+            Squat::Eryuzlu => eryuzlu_squat_m,
+        };
+        // What is left to refuse is water no deeper than the draught.
+        formula(ship, depth_m, speed_mps).unwrap_or(0.0)
+    }
+}

@@ -1,0 +1,210 @@
+//! Tugs that are vessels, at work on a ship: from bodies, contact and lines to a task for her pilot.
+
+use core::fmt;
+
+use fenderline_contact::{BodyState, Contact, Outline, Vec2, vec2};
+
+use super::line::{LineEnd, Mooring, MooringSetup};
+use crate::control::Task;
+use crate::fender::FenderSetup;
+use crate::setup::BodySetup;
+
+/// What a vessel is told to do at a ship.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Assist {
+    /// What.
+    pub job: Job,
+    /// Her fastest beside the ship [m/s].
+    pub fastest_mps: f64,
+}
+
+/// The kinds of [`Assist`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Job {
+    /// Keep a place beside the ship.
+    Follow {
+        /// Index of the ship's body.
+        ship: usize,
+        /// The place of her own centre of gravity in the ship's frame [m].
+        at_m: Vec2,
+        /// Her heading from that of the ship [rad].
+        heading_rad: f64,
+    },
+    /// Push with the bow.
+    Push(PushJob),
+    /// Pull on a line.
+    Pull {
+        /// Index of the line.
+        line: usize,
+        /// Direction of the pull from the ship's bow, positive to starboard [rad].
+        direction_rad: f64,
+        /// Force [N].
+        force_n: f64,
+    },
+}
+
+/// Where a tug pushes, and how hard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PushJob {
+    /// Index of the ship's body.
+    pub ship: usize,
+    /// Point of the ship's side in her frame [m].
+    pub at_m: Vec2,
+    /// Unit vector into the ship there, in her frame.
+    pub inward: Vec2,
+    /// From the tug's centre of gravity to the tip of her bow, fender included [m].
+    pub bow_m: f64,
+    /// Force [N].
+    pub force_n: f64,
+}
+
+/// Farthest from the ship's outline that a point to push at may be named [m].
+const FARTHEST_OFF_M: f64 = 2.0;
+
+/// A point that is not at a ship's side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NotAtTheSide {
+    /// How far it is off [m].
+    pub off_m: f64,
+}
+
+impl fmt::Display for NotAtTheSide {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let off_m = self.off_m;
+        write!(
+            f,
+            "the point is {off_m:.1} m from the ship's outline, but must be within {FARTHEST_OFF_M} m"
+        )
+    }
+}
+
+impl std::error::Error for NotAtTheSide {}
+
+impl PushJob {
+    /// For a tug and a ship among the bodies of a set-up, at the point of the ship's side that is nearest to
+    /// the one named.
+    ///
+    /// # Errors
+    /// [`NotAtTheSide`] where that is farther than 2 m.
+    pub fn new(
+        bodies: &[BodySetup],
+        fenders: &[FenderSetup],
+        tug: usize,
+        (ship, at_m): (usize, Vec2),
+        force_n: f64,
+    ) -> Result<PushJob, NotAtTheSide> {
+        let (place_m, inward) = nearest_side(&bodies[ship].outline, at_m);
+        let off_m = (place_m - at_m).length();
+        if off_m > FARTHEST_OFF_M {
+            return Err(NotAtTheSide { off_m });
+        }
+        let bow_m = reach_ahead(&bodies[tug].outline, fenders.iter().filter(|f| f.body == tug));
+        Ok(PushJob { ship, at_m: place_m, inward, bow_m, force_n })
+    }
+}
+
+/// The nearest point of an outline, and the unit vector into the body there. Outlines run so that the body is
+/// on the left of the way from vertex to vertex, as the engine keeps them.
+fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
+    let vertices = outline.vertices();
+    let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
+    let mut best = (f64::INFINITY, Vec2::ZERO, Vec2::ZERO);
+    for (&from, &to) in edges {
+        let along = to - from;
+        let share = ((at_m - from).dot(along) / along.dot(along)).clamp(0.0, 1.0);
+        let place = from + along * share;
+        let off = (place - at_m).length();
+        if off < best.0 {
+            best = (off, place, along.quarter_turn() * (1.0 / along.length()));
+        }
+    }
+    (best.1, best.2)
+}
+
+/// How far a body and the fenders on its fore side reach ahead of its origin [m].
+fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSetup>) -> f64 {
+    let (_, most) = outline.bounds();
+    fenders
+        .filter(|fender| libm::cos(fender.facing_rad) > 0.7)
+        .map(|fender| fender.position_m.x + fender.projection_m)
+        .fold(most.x, f64::max)
+}
+
+/// A job under way: plain data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AssistPilot {
+    /// What was ordered.
+    pub order: Assist,
+    /// The normal force between her and the ship that she pushes, in the last step [N].
+    pub touch_n: f64,
+    /// A moment learnt against what leans on her bow [N·m].
+    pub steady_nm: f64,
+}
+
+impl AssistPilot {
+    pub(crate) fn new(order: Assist) -> AssistPilot {
+        AssistPilot { order, touch_n: 0.0, steady_nm: 0.0 }
+    }
+
+    /// Takes note of the contact between her and the ship in a step.
+    pub(crate) fn feel(&mut self, own: usize, contacts: &[Contact]) {
+        let Job::Push(push) = self.order.job else { return };
+        let both = |contact: &&Contact| {
+            let pair = [contact.body_1.0 as usize, contact.body_2.0 as usize];
+            pair == [own, push.ship] || pair == [push.ship, own]
+        };
+        self.touch_n = contacts.iter().filter(both).map(|contact| contact.normal_force_n).sum();
+    }
+
+    /// Her task in a step.
+    pub(crate) fn task(
+        &self,
+        own: usize,
+        states: &[BodyState],
+        lines: (&[MooringSetup], &[Mooring]),
+    ) -> Task {
+        let velocity_at = |body: usize, at_m: Vec2| {
+            let state = &states[body];
+            let arm_m = state.pose().rotation.apply(at_m);
+            state.velocity_mps + arm_m.spun_by(state.yaw_rate_radps)
+        };
+        match self.order.job {
+            Job::Follow { ship, at_m, heading_rad } => Task::Follow {
+                place_m: states[ship].pose().apply(at_m),
+                velocity_mps: velocity_at(ship, at_m),
+                heading_rad: states[ship].heading_rad + heading_rad,
+            },
+            Job::Push(PushJob { ship, at_m, inward, bow_m, force_n }) => Task::Push {
+                place_m: states[ship].pose().apply(at_m),
+                velocity_mps: velocity_at(ship, at_m),
+                inward: states[ship].pose().rotation.apply(inward),
+                bow_m,
+                force_n,
+                touch_n: self.touch_n,
+            },
+            Job::Pull { line, direction_rad, force_n } => {
+                let setup = &lines.0[line];
+                let [(ship, at_m), (_, own_at_m)] = ends_for(setup, own);
+                let direction = vec2(libm::cos(direction_rad), libm::sin(direction_rad));
+                Task::Pull {
+                    place_m: states[ship].pose().apply(at_m),
+                    velocity_mps: velocity_at(ship, at_m),
+                    outward: states[ship].pose().rotation.apply(direction),
+                    over_bow: own_at_m.x >= 0.0,
+                    force_n,
+                    tension_n: lines.1[line].load.tension_n,
+                }
+            }
+        }
+    }
+}
+
+/// The other body's end of a line and a body's own: body and place in its frame.
+fn ends_for(line: &MooringSetup, own: usize) -> [(usize, Vec2); 2] {
+    let near = (line.ship, line.fairlead_m);
+    match line.end {
+        LineEnd::OnBody { body, at_m, .. } if body == own => [near, (body, at_m)],
+        LineEnd::OnBody { body, at_m, .. } => [(body, at_m), near],
+        LineEnd::Fixed(_) => unreachable!("a set-up with such an order is refused"),
+    }
+}

@@ -1,0 +1,184 @@
+//! What pilots do with azimuth units: under way, on a station, at work on a ship.
+
+use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
+
+use super::azimuth::{AzimuthOrder, AzimuthSetup};
+use super::line::{Mooring, MooringSetup};
+use super::pilot::Abilities;
+use super::vessel::{VesselForces, VesselSetup, VesselState};
+use crate::control::{
+    Asked, Demand, Handling, LateralDevice, Reach, Sway, ThrustDevice, allocate_thrust,
+    assist as work, bias_pairs,
+};
+use crate::hydro::{Force, Velocity, Water};
+
+/// Time in which a moment is learnt against what leans on a tug's bow [s].
+const LEARNING_S: f64 = 15.0;
+/// Below this share of its thrust a unit is not turned for it: its direction means nothing.
+const IDLE: f64 = 0.01;
+
+/// How a vessel goes through what water.
+pub(crate) struct Stream {
+    pub(crate) velocity: Velocity,
+    pub(crate) water: Water,
+}
+
+/// The most that the units give together on each axis.
+pub(crate) fn largest_of_azimuths(setup: &VesselSetup) -> Demand {
+    let mut largest = Demand::default();
+    for azimuth in &setup.azimuths {
+        largest.surge_n += azimuth.bollard_n;
+        largest.sway_n += azimuth.bollard_n;
+        largest.yaw_nm += azimuth.bollard_n * azimuth_place(setup, azimuth).length();
+    }
+    largest
+}
+
+/// What hull, wind and waves put on her in the last step, about her centre of gravity.
+fn felt(setup: &VesselSetup, forces: &VesselForces) -> Demand {
+    let Force { surge_n, sway_n, yaw_nm } = forces.felt();
+    let ahead_m = setup.ship.particulars.centre_of_gravity_m;
+    Demand { surge_n, sway_n, yaw_nm: yaw_nm - ahead_m * sway_n }
+}
+
+/// Course and speed of a vessel that goes and steers with her units.
+pub(crate) fn under_way(
+    vessel: &mut VesselState,
+    (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
+    forces: &VesselForces,
+    state: &BodyState,
+    step_s: f64,
+) {
+    let VesselState { pilots, .. } = vessel;
+    if !setup.steers_with_azimuths() || (pilots.course.is_none() && pilots.speed.is_none()) {
+        return;
+    }
+    let surge_mps = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps).x;
+    let surge_n = match &mut pilots.speed {
+        // Thrust goes with the square of revolutions.
+        Some(speed) => {
+            let share = speed.revolutions(surge_mps, step_s);
+            share * share.abs() * largest_of_azimuths(setup).surge_n
+        }
+        None => pilots.ahead_n,
+    };
+    let handling = Handling::of(abilities.inertia, setup.ship.particulars.length_m);
+    let yaw_nm = pilots.course.map_or(0.0, |course| {
+        let felt = felt(setup, forces);
+        handling.turning_moment(state, course.heading_rad, felt.yaw_nm)
+    });
+    let demand = Demand { surge_n, sway_n: 0.0, yaw_nm };
+    let devices = azimuth_devices(setup);
+    let mut forces_n = vec![Vec2::ZERO; devices.len()];
+    allocate_thrust(&devices, &demand, Sway::Free, &mut forces_n);
+    order_azimuths(vessel, setup, &forces_n, stream);
+}
+
+/// The work of a tug: sets the orders to her azimuth units.
+pub(crate) fn assist(
+    vessel: &mut VesselState,
+    (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
+    forces: &VesselForces,
+    states: &[BodyState],
+    lines: (&[MooringSetup], &[Mooring]),
+    step_s: f64,
+) {
+    let Some(pilot) = &mut vessel.pilots.assist else { return };
+    let ship = &setup.ship.particulars;
+    let state = &states[setup.body];
+    let felt = felt(setup, forces);
+    let handling = Handling::of(abilities.inertia, ship.length_m);
+    let task = pilot.task(setup.body, states, lines);
+    let Asked { demand, sway } =
+        work(&task, &handling, state, &felt, pilot.order.fastest_mps, pilot.steady_nm);
+    // While she leans on the ship she learns what moment that takes; else she forgets it.
+    let leans = sway == Sway::Free;
+    let most_nm: f64 =
+        setup.azimuths.iter().map(|a| a.bollard_n * azimuth_place(setup, a).length()).sum();
+    let learnt = demand.yaw_nm - pilot.steady_nm;
+    let rate = if leans { learnt } else { -pilot.steady_nm };
+    let towards =
+        (pilot.steady_nm + rate * (step_s / LEARNING_S).min(1.0)).clamp(-most_nm, most_nm);
+    pilot.steady_nm = towards;
+    let mut devices = azimuth_devices(setup);
+    let own = setup.thrusters.iter().map(|thruster| ThrustDevice {
+        at_m: vec2(thruster.tunnel.along_m - ship.centre_of_gravity_m, 0.0),
+        reach: Reach::Across([-thruster.tunnel.bollard_n, thruster.tunnel.bollard_n]),
+    });
+    devices.extend(own);
+    let mut forces_n = vec![Vec2::ZERO; devices.len()];
+    allocate_thrust(&devices, &demand, sway, &mut forces_n);
+    if sway == Sway::Held {
+        bias_pairs(&devices, &mut forces_n);
+    }
+    let (units_n, thrusters_n) = forces_n.split_at(setup.azimuths.len());
+    order_azimuths(vessel, setup, units_n, stream);
+    for (index, (thruster, force_n)) in setup.thrusters.iter().zip(thrusters_n).enumerate() {
+        vessel.orders.thrusters[index] = force_n.y / thruster.tunnel.bollard_n;
+    }
+}
+
+/// Shares a demand among the engine (whose part it returns), what pushes sideways and the azimuth units.
+pub(crate) fn share_with_azimuths(
+    vessel: &mut VesselState,
+    (setup, abilities, stream): (&VesselSetup, &Abilities, &Stream),
+    demand: &Demand,
+    across: &[LateralDevice],
+    across_n: &mut [f64],
+) -> f64 {
+    let mut devices = azimuth_devices(setup);
+    devices.extend(across.iter().map(|device| ThrustDevice {
+        at_m: vec2(device.forward_m, 0.0),
+        reach: Reach::Across(device.limits_n),
+    }));
+    if setup.ship.propulsion.is_some() {
+        devices.push(ThrustDevice { at_m: Vec2::ZERO, reach: Reach::Ahead(abilities.bollard_n) });
+    }
+    let mut forces_n = vec![Vec2::ZERO; devices.len()];
+    allocate_thrust(&devices, demand, Sway::Held, &mut forces_n);
+    bias_pairs(&devices, &mut forces_n);
+    let own = setup.azimuths.len();
+    order_azimuths(vessel, setup, &forces_n[..own], stream);
+    for (given_n, force_n) in across_n.iter_mut().zip(&forces_n[own..]) {
+        *given_n = force_n.y;
+    }
+    forces_n.get(own + across.len()).map_or(0.0, |force_n| force_n.x)
+}
+
+fn azimuth_devices(setup: &VesselSetup) -> Vec<ThrustDevice> {
+    let device = |azimuth| ThrustDevice {
+        at_m: azimuth_place(setup, azimuth),
+        reach: Reach::Round(azimuth.bollard_n),
+    };
+    setup.azimuths.iter().map(device).collect()
+}
+
+/// From the centre of gravity [m].
+fn azimuth_place(setup: &VesselSetup, azimuth: &AzimuthSetup) -> Vec2 {
+    let ahead_m = setup.ship.particulars.centre_of_gravity_m;
+    vec2(azimuth.unit.along_m - ahead_m, azimuth.unit.across_m)
+}
+
+/// Orders each unit a force, with the power that it takes in the stream. While it still points elsewhere it gives only as much as points the right way.
+fn order_azimuths(
+    vessel: &mut VesselState,
+    setup: &VesselSetup,
+    forces_n: &[Vec2],
+    stream: &Stream,
+) {
+    let VesselState { orders, azimuths, .. } = vessel;
+    for (index, (azimuth, force_n)) in setup.azimuths.iter().zip(forces_n).enumerate() {
+        let before = orders.azimuths[index];
+        let idle = force_n.length() < IDLE * azimuth.bollard_n;
+        let direction_rad =
+            if idle { before.direction_rad } else { libm::atan2(force_n.y, force_n.x) };
+        let now_rad = azimuths[index].direction.angle_rad;
+        let (sin, cos) = libm::sincos(now_rad);
+        let useful_n = force_n.dot(vec2(cos, sin)).max(0.0);
+        let Stream { velocity, water } = *stream;
+        let full_rps = azimuth.unit.revolutions_for(azimuth.bollard_n, water);
+        let rps = azimuth.unit.revolutions_at(useful_n, now_rad, &velocity, water, full_rps);
+        let power = (rps / full_rps) * (rps / full_rps);
+        orders.azimuths[index] = AzimuthOrder { power, direction_rad };
+    }
+}
