@@ -3,7 +3,7 @@
 
 use std::hint::black_box;
 
-use fenderline_sim::hydro::vessels::{kcs, kvlcc2};
+use fenderline_scenario::VesselLibrary;
 use fenderline_sim::hydro::{Controls, Force, Model3, Motion, Velocity, Water};
 
 use crate::rounds::{Contender, median, nanoseconds_a_call};
@@ -23,8 +23,10 @@ struct Case {
 }
 
 fn cases() -> [Case; 4] {
-    let tanker = Model3::new(kvlcc2().ship, Water::SEA);
-    let container = Model3::new(kcs().ship, Water::SEA);
+    let library = VesselLibrary::built_in();
+    let model =
+        |name| Model3::new(library.vessel(name).expect("the vessel is built in").ship, Water::SEA);
+    let (tanker, container) = (model("kvlcc2"), model("kcs"));
     let ahead = Velocity { surge_mps: 7.9, ..Velocity::default() };
     let turning = Controls { shaft_rps: 1.78, rudder_rad: 0.6 };
     let slow_astern = Velocity { surge_mps: -1.0, sway_mps: 0.1, yaw_radps: 0.0 };

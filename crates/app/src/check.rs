@@ -1,5 +1,6 @@
 //! `fenderline check` and `fenderline schema`.
 
+use clap::ValueEnum;
 use fenderline_sim::Simulation;
 
 use crate::cli::CheckArgs;
@@ -7,6 +8,7 @@ use crate::failure::Failure;
 use crate::load::load;
 use crate::run::error;
 use crate::terminal::{say, tell};
+use crate::vessels::estimates;
 
 /// Checks a scenario as `run` would, and writes nothing.
 ///
@@ -26,13 +28,33 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         setup.pairs.len(),
         simulation.steps_total(),
         setup.step_s
-    ))
+    ))?;
+    for vessel in &setup.world.vessels {
+        say(&estimates(&setup.bodies[vessel.body].name, &vessel.origin))?;
+    }
+    Ok(())
 }
 
-/// Prints the JSON Schema of scenario files.
+/// A kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SchemaOf {
+    /// Scenarios
+    Scenario,
+    /// Fender data
+    Fenders,
+    /// Vessel data
+    Vessels,
+}
+
+/// Prints the JSON Schema of a kind of file.
 ///
 /// # Errors
 /// Standard output that cannot be written.
-pub(crate) fn schema() -> Result<(), Failure> {
-    say(&format!("{:#}\n", fenderline_scenario::schema()))
+pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
+    let schema = match of {
+        SchemaOf::Scenario => fenderline_scenario::schema(),
+        SchemaOf::Fenders => fenderline_scenario::fender_schema(),
+        SchemaOf::Vessels => fenderline_scenario::vessel_schema(),
+    };
+    say(&format!("{schema:#}\n"))
 }

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 use fenderline_scenario::{Override, ScenarioError};
 
-use crate::manoeuvre::{ManoeuvreName, VesselName};
+use crate::check::SchemaOf;
+use crate::manoeuvre::ManoeuvreName;
 use crate::output::Format;
 
 /// Ship, fender, quay and tug contact: run, check and validate scenarios.
@@ -25,10 +26,12 @@ pub(crate) enum Command {
     /// Reproduce published cases: a table of ours beside theirs; exit code 1 where one is out of
     /// tolerance
     Validate(ValidateArgs),
-    /// Standard manoeuvres of a built-in vessel, with the measures of ITTC and IMO
+    /// Standard manoeuvres of a vessel, with the measures of ITTC and IMO
     Manoeuvre(ManoeuvreArgs),
-    /// Print the JSON Schema of scenario files
-    Schema,
+    /// The vessels of the library; of one of them every number with its source, and what is estimated
+    Vessels(VesselsArgs),
+    /// Print the JSON Schema of scenario files, of fender files or of vessel files
+    Schema(SchemaArgs),
     /// Parse and check a scenario without running it
     Check(CheckArgs),
 }
@@ -57,12 +60,15 @@ pub(crate) struct ValidateArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ManoeuvreArgs {
-    /// Vessel
-    #[arg(value_enum, value_name = "VESSEL")]
-    pub(crate) vessel: VesselName,
+    /// Vessel, one of those that `fenderline vessels` lists
+    #[arg(value_name = "VESSEL")]
+    pub(crate) vessel: String,
     /// Manoeuvre
     #[arg(value_enum, value_name = "MANOEUVRE", default_value_t = ManoeuvreName::All)]
     pub(crate) manoeuvre: ManoeuvreName,
+    /// File with vessels of your own; repeatable
+    #[arg(long, value_name = "VESSELS.toml")]
+    pub(crate) file: Vec<PathBuf>,
     /// Rudder angle of turning circle and zig-zag in degrees [default: hard over; 10 and 20]
     #[arg(long, value_name = "DEG", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) rudder: Option<f64>,
@@ -78,6 +84,26 @@ pub(crate) struct ManoeuvreArgs {
     /// Folder for the tracks, one csv a run [default: none is written]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct VesselsArgs {
+    /// Vessel; without it all are listed
+    #[arg(value_name = "VESSEL")]
+    pub(crate) vessel: Option<String>,
+    /// File with vessels of your own; repeatable
+    #[arg(long, value_name = "VESSELS.toml")]
+    pub(crate) file: Vec<PathBuf>,
+    /// Print JSON instead of text
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SchemaArgs {
+    /// Of which files
+    #[arg(value_enum, value_name = "FILES", default_value_t = SchemaOf::Scenario)]
+    pub(crate) of: SchemaOf,
 }
 
 /// A number above zero and below a million: no rudder, ship or tug has more.

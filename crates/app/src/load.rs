@@ -29,7 +29,7 @@ pub(crate) fn load(path: &Path, changes: &Changes) -> Result<Scenario, Failure> 
 }
 
 /// The text of a file, or its name and why there is none.
-fn read(path: &Path) -> Result<String, String> {
+pub(crate) fn read(path: &Path) -> Result<String, String> {
     let name = path.display();
     let cannot = |e: &dyn core::fmt::Display| format!("{name}: {e}");
     let mut bytes = Vec::new();

@@ -1,6 +1,6 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
-//! `cli` is the command line; `run`, `check`, `validate` and `manoeuvre` are the commands; `load` reads a scenario;
+//! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre` and `vessels` are the commands; `load` reads a scenario;
 //! `output` writes the result files, `report` the page, with the charts of `plot`; `touched` and
 //! `verdict` are what both say of a fender, `world` of vessels, tugs and lines; `provider` speaks with other
 //! programs that put forces on bodies.
@@ -20,6 +20,7 @@ mod terminal;
 mod touched;
 mod validate;
 mod verdict;
+mod vessels;
 mod world;
 
 use std::process::ExitCode;
@@ -42,7 +43,8 @@ fn main() -> ExitCode {
         Command::Check(args) => check::check(args),
         Command::Validate(args) => validate::validate(args),
         Command::Manoeuvre(args) => manoeuvre::manoeuvre(args),
-        Command::Schema => check::schema(),
+        Command::Vessels(args) => vessels::vessels(args),
+        Command::Schema(args) => check::schema(args.of),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

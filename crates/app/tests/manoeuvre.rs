@@ -72,8 +72,8 @@ fn the_table_has_every_measure_limit_and_source() {
         "track reach",
         "Crabbing",
         "Bollard pull",
-        "[published] hull polynomial",
-        "[estimated] low-speed hull",
+        "[found] length_bp, beam",
+        "[estimated, derived] hull at low speed",
     ] {
         assert!(run.stdout.contains(text), "{text} is missing:\n{}", run.stdout);
     }
@@ -128,7 +128,7 @@ fn tracks_are_written_whole() {
 fn what_cannot_be_done_is_refused_by_name() {
     let place = Workplace::new("manoeuvre_refusals");
     for (args, code, said) in [
-        (&["kvlc2"][..], 2, "a similar value exists: 'kvlcc2'"),
+        (&["kvlc2"][..], 2, "did you mean \"kvlcc2\"?"),
         (&["kcs", "turnign"], 2, "a similar value exists: 'turning'"),
         (&["esso-osaka", "turning"], 2, "crabbing is what she can do"),
         (&["kcs", "turning", "--rudder", "36"], 2, "stops at 35°"),

@@ -177,7 +177,10 @@ fn a_line_that_parts_and_a_tug_that_pushes_are_said_plainly() {
     let told = summary["events"]["world"].as_array().expect("events");
     let parted = told.iter().find(|event| event["kind"] == "line_parted").expect("told");
     assert_eq!(parted["line"], "weak");
-    assert_eq!(summary["vessels"][0]["model"], "estimated from main particulars");
+    assert_eq!(summary["vessels"][0]["vessel"], "coaster");
+    let estimated = summary["vessels"][0]["estimated"].as_array().expect("a list");
+    let wake = estimated.iter().find(|estimate| estimate["group"] == "wake").expect("the wake");
+    assert_eq!((&wake["figures"]["w"], &wake["standing"]), (&"0.3000".into(), &"recalled".into()));
 }
 
 #[test]

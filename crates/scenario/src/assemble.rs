@@ -7,12 +7,15 @@ mod environment;
 mod fenders;
 mod providers;
 mod response;
+mod vessel;
 mod windage;
 mod world;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_contact::{Material, Outline, Vec2};
+use fenderline_sim::environment::wind::ShipWindage;
+use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{
     BodySetup, BodyVelocity, FenderSetup, Integrator, Load, MassProperties, Method, NamedMaterial,
     PairSetup, Setup, WorldSetup,
@@ -24,8 +27,11 @@ use crate::files::Files;
 use crate::library::FenderLibrary;
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
+use crate::vessels::VesselLibrary;
 
 use self::azimuth::Afloat;
+pub(crate) use self::azimuth::azimuths;
+use self::vessel::Decks;
 use self::world::WorldNames;
 
 type Checked<T> = Result<T, ScenarioError>;
@@ -33,28 +39,46 @@ type Checked<T> = Result<T, ScenarioError>;
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
 
+/// The data that a scenario may name.
+pub(crate) struct Libraries {
+    pub(crate) fenders: FenderLibrary,
+    pub(crate) vessels: VesselLibrary,
+}
+
+/// Wind areas of a vessel, whose table is of these sources.
+pub(crate) fn windage(
+    sources: &Sources<'_>,
+    table: &Table,
+    ship: &Particulars,
+) -> Checked<Option<ShipWindage>> {
+    let files = Files::default();
+    Assembly { sources, files: &files, notices: &mut Vec::new() }.windage(table, ship)
+}
+
 /// Builds the set-up from the checked file; notices are added to `notices` in the order of the file.
 pub(crate) fn setup(
     sources: &Sources<'_>,
     file: &Table,
     files: &Files,
-    library: &FenderLibrary,
+    libraries: &Libraries,
     notices: &mut Vec<Notice>,
 ) -> Checked<Setup> {
     let mut assembly = Assembly { sources, files, notices };
     let (step_s, duration_s, integrator) = assembly.time(file.given("time").table())?;
     let materials = assembly.materials(file.given("material").named())?;
     let environment = assembly.environment(file.given("environment").table())?;
-    let kinds = assembly.kinds(file.given("vessel").named(), &environment)?;
+    let kinds = assembly.kinds(file, &libraries.vessels, &environment)?;
     assembly.note_unvalidated(file, &environment, &kinds);
     let bodies = assembly.bodies(file.given("body"), &kinds)?;
     let names = Names::new(&bodies, &materials);
+    let decks = vessel::decks(file.given("body").named(), &kinds);
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
     let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
-    let fenders = assembly.fenders(file.given("fender").named(), library, &materials, &names)?;
+    let parts = FenderParts { library: &libraries.fenders, materials: &materials, decks: &decks };
+    let fenders = assembly.fenders(file.given("fender").named(), &parts, &names)?;
     let vessels = assembly.vessels(file.given("body").named(), &kinds)?;
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
-    let lines = assembly.lines(file.given("line").named(), &bodies, &names)?;
+    let lines = assembly.lines(file.given("line").named(), &bodies, &decks, &names)?;
     let afloat = Afloat { bodies: &bodies, fenders: &fenders, pairs: &pairs, lines: &lines };
     let known = WorldNames { vessels: &vessels, tugs: &tugs, afloat };
     let orders = assembly.orders(file.given("order").list(), &known, &names)?;
@@ -102,6 +126,13 @@ impl Names {
             materials: numbered(&mut materials.iter().map(|material| &material.name)),
         }
     }
+}
+
+/// What fenders refer to.
+struct FenderParts<'p> {
+    library: &'p FenderLibrary,
+    materials: &'p [NamedMaterial],
+    decks: &'p Decks<'p>,
 }
 
 struct Pairs {
@@ -165,7 +196,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    fn bodies(&mut self, item: &Item, kinds: &[(String, world::Kind)]) -> Checked<Vec<BodySetup>> {
+    fn bodies(&mut self, item: &Item, kinds: &[(String, vessel::Kind)]) -> Checked<Vec<BodySetup>> {
         let bodies = item.named();
         if bodies.is_empty() {
             let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
@@ -178,16 +209,18 @@ impl Assembly<'_, '_> {
         &mut self,
         name: &str,
         table: &Table,
-        kinds: &[(String, world::Kind)],
+        kinds: &[(String, vessel::Kind)],
     ) -> Checked<BodySetup> {
-        let outline = self.outline(table)?;
+        let kind = table.item("vessel").map(|item| vessel::kind_named(item, kinds));
+        let outline = self.outline(table, kind)?;
         let mass = if *table.given("fixed").flag() {
             self.refuse_keys_of_floating_bodies(table)?;
             None
-        } else if let Some(item) = table.item("vessel") {
+        } else if let Some(kind) = kind {
             self.refuse_keys_of_plain_bodies(table)?;
-            Some(kinds[self.kind_named(table, item, kinds)?].1.mass)
+            Some(kind.mass)
         } else {
+            self.refuse_keys_of_vessels(table)?;
             Some(self.mass(table)?)
         };
         Ok(BodySetup {
@@ -200,22 +233,48 @@ impl Assembly<'_, '_> {
         })
     }
 
-    fn outline(&mut self, table: &Table) -> Checked<Outline> {
-        let item = table.given("outline");
+    /// A body's own outline, or that of her vessel.
+    fn outline(&mut self, table: &Table, kind: Option<&vessel::Kind>) -> Checked<Outline> {
         let path = table.path_of("outline");
-        let (outline, outline_notices) = Outline::new(item.outline())
-            .map_err(|error| self.sources.error(&item.span, &path, format!("`{path}`: {error}")))?;
+        let own = table.item("outline");
+        let (points, span) = match (own, kind.and_then(vessel::Kind::outline_m)) {
+            (Some(item), _) => (item.outline().to_vec(), &item.span),
+            (None, Some(points)) => (points, &table.given("vessel").span),
+            (None, None) => {
+                let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
+                return Err(error.with_help(match kind {
+                    Some(_) => "her vessel has none: give it here",
+                    None => "write outline = [[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]",
+                }));
+            }
+        };
+        let (outline, outline_notices) = Outline::new(&points)
+            .map_err(|error| self.sources.error(span, &path, format!("`{path}`: {error}")))?;
+        let place = self.sources.place(span);
         self.notices.extend(outline_notices.iter().map(|notice| Notice {
-            place: self.sources.place(&item.span),
+            place: place.clone(),
             key: path.clone(),
             message: notice.to_string(),
         }));
+        if let (Some(_), Some([length_m, beam_m])) = (own, kind.map(vessel::Kind::size_m)) {
+            let (low, high) = outline.bounds();
+            let size = high - low;
+            // An outline may leave out a bulb or a flare, but is hardly of another ship.
+            let fits = |of: f64, is: f64| (0.8..=1.25).contains(&(is / of));
+            if !(fits(length_m, size.x) && fits(beam_m, size.y)) {
+                let message = format!(
+                    "it is {} m by {} m, but her vessel is {length_m} m by {beam_m} m",
+                    size.x, size.y
+                );
+                self.notices.push(Notice { place, key: path, message });
+            }
+        }
         Ok(outline)
     }
 
     fn refuse_keys_of_floating_bodies(&self, table: &Table) -> Checked<()> {
-        const FLOATING: [&str; 6] =
-            ["vessel", "mass", "gyradius", "yaw_inertia", "added_mass", "velocity"];
+        const FLOATING: [&str; 7] =
+            ["vessel", "running", "mass", "gyradius", "yaw_inertia", "added_mass", "velocity"];
         match table.items.iter().find(|item| FLOATING.contains(&item.name)) {
             None => Ok(()),
             Some(item) => {
@@ -225,6 +284,13 @@ impl Assembly<'_, '_> {
                 Err(error.with_help(format!("remove `{}` or `fixed`", item.name)))
             }
         }
+    }
+
+    fn refuse_keys_of_vessels(&self, table: &Table) -> Checked<()> {
+        let Some(item) = table.item("running") else { return Ok(()) };
+        let path = table.path_of(item.name);
+        let message = format!("`{path}` is for a body with a `vessel`");
+        Err(self.sources.error(&item.key_span, &path, message))
     }
 
     fn refuse_keys_of_plain_bodies(&self, table: &Table) -> Checked<()> {

@@ -27,6 +27,8 @@ pub(crate) struct Item {
     pub(crate) key_span: Span,
     /// Where the value stands; the table's span for a default.
     pub(crate) span: Span,
+    /// The file does not give it.
+    pub(crate) is_default: bool,
     pub(crate) value: Value,
 }
 
@@ -62,6 +64,16 @@ impl Table {
     /// The key, where the file gives it or it has a default.
     pub(crate) fn item(&self, name: &str) -> Option<&Item> {
         debug_assert!(self.spec.key(name).is_some(), "{} has no key {name}", self.spec.what);
+        self.items.iter().find(|item| item.name == name)
+    }
+
+    /// The number of a key that this kind of table may lack.
+    pub(crate) fn number_if_any(&self, name: &str) -> Option<f64> {
+        self.item_if_any(name).map(|item| *item.number())
+    }
+
+    /// The key, where this kind of table has it and the file gives it or it has a default.
+    pub(crate) fn item_if_any(&self, name: &str) -> Option<&Item> {
         self.items.iter().find(|item| item.name == name)
     }
 

@@ -8,6 +8,7 @@ mod azimuth;
 mod environment;
 mod fender;
 mod provider;
+mod vessel;
 pub(crate) mod windage;
 mod world;
 
@@ -16,6 +17,12 @@ use serde_json::json;
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
+
+// What vessel files share with scenarios.
+pub(crate) use azimuth::AZIMUTH;
+pub(crate) use vessel::{STABILITY, THRUSTER};
+pub(crate) use windage::WINDAGE;
+pub(crate) use world::{LENGTH as LENGTH_M, PLACE as FORWARD_M, key};
 
 /// What an order may ask of a vessel, a tug or a line: one of them.
 pub(crate) const VESSEL_ORDERS: &[&str] = &[
@@ -115,10 +122,17 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
         },
         KeySpec {
             name: "vessel",
-            kind: Kind::Named(&world::VESSEL),
+            kind: Kind::Named(&vessel::VESSEL),
             absent: Is("{}"),
-            doc: "Kinds of vessels, by name.",
+            doc: "Kinds of vessels of the scenario's own, by name; those of the library need no table here.",
             examples: &[],
+        },
+        KeySpec {
+            name: "vessel_files",
+            kind: Kind::Texts,
+            absent: Is("[]"),
+            doc: "Files with vessels of your own (vessels/README.md shows their form), relative to this file.",
+            examples: &["[\"our_vessels.toml\"]"],
         },
         KeySpec {
             name: "tug",
@@ -290,7 +304,7 @@ static BODY: TableSpec = TableSpec {
         KeySpec {
             name: "outline",
             kind: Kind::Outline(Quantity { measure: &unit::LENGTH, low: -1e8, high: 1e8 }),
-            absent: Refused,
+            absent: Means("that of her vessel"),
             doc: "Vertices, forward and to starboard of the centre of gravity, in either direction \
                   round; need not be convex.",
             examples: &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
@@ -299,8 +313,16 @@ static BODY: TableSpec = TableSpec {
             name: "vessel",
             kind: Kind::Text,
             absent: Means("a plain body"),
-            doc: "The kind of vessel that she is: it gives mass, added mass and everything that acts on her.",
-            examples: &["\"container ship\""],
+            doc: "The kind of vessel that she is, of this scenario, of the library (`fenderline vessels`) or of \
+                  `vessel_files`: it gives mass, added mass, outline and everything that acts on her.",
+            examples: &["\"container-ship\""],
+        },
+        KeySpec {
+            name: "running",
+            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
+            absent: Means("engine stopped"),
+            doc: "A vessel's revolutions over full ones at the start.",
+            examples: &["0.3"],
         },
         KeySpec {
             name: "mass",
@@ -362,8 +384,9 @@ static BODY: TableSpec = TableSpec {
             "then": {
                 "properties": {
                     "mass": false, "gyradius": false, "yaw_inertia": false,
-                    "added_mass": false, "velocity": false, "vessel": false
-                }
+                    "added_mass": false, "velocity": false, "vessel": false, "running": false
+                },
+                "required": ["outline"]
             },
             "else": {
                 "if": { "required": ["vessel"] },
@@ -373,7 +396,8 @@ static BODY: TableSpec = TableSpec {
                     }
                 },
                 "else": {
-                    "required": ["mass"],
+                    "properties": { "running": false },
+                    "required": ["mass", "outline"],
                     "oneOf": [{ "required": ["gyradius"] }, { "required": ["yaw_inertia"] }]
                 }
             }

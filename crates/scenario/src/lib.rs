@@ -9,7 +9,8 @@
 //! builds the set-up and checks what holds between keys. `schema` makes a JSON Schema of the same
 //! key table.
 //!
-//! `library` reads fender data by the same way and hands out fenders of a catalogue.
+//! `library` reads fender data by the same way and hands out fenders of a catalogue; `vessels` does the same
+//! with vessels.
 //!
 //! ```
 //! use fenderline_scenario::{Override, Scenario};
@@ -70,12 +71,15 @@ mod spec;
 mod suggest;
 mod syntax;
 mod units;
+mod vessels;
 
 pub use error::{Notice, Place, ScenarioError};
+pub use fenderline_sim::hydro::vessels::Standing;
 pub use library::{
     CatalogueFender, FactorTable, Family, FenderLibrary, FenderSize, HullPressureLimit,
-    LookUpError, Standing, Tolerance,
+    LookUpError, Tolerance,
 };
 pub use overrides::Override;
 pub use scenario::Scenario;
-pub use schema::{fender_schema, schema};
+pub use schema::{fender_schema, schema, vessel_schema};
+pub use vessels::{Belting, DeckPoint, Shaft, Stability, VesselData, VesselLibrary};

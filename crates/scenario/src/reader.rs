@@ -38,6 +38,7 @@ pub(crate) fn table(
             name: key_spec.name,
             key_span: key.span(),
             span: value.span(),
+            is_default: false,
             value: read_value(sources, key_spec, &path, value)?,
         };
         items.push(item);
@@ -65,7 +66,8 @@ fn absent_key(
             let default = DeValue::parse(text).expect("defaults in the key table are TOML");
             let default = respan(&default, span);
             let value = read_value(sources, key, &key_path::join(path, key.name), &default)?;
-            Ok(Some(Item { name: key.name, key_span: span.clone(), span: span.clone(), value }))
+            let (key_span, span) = (span.clone(), span.clone());
+            Ok(Some(Item { name: key.name, key_span, span, is_default: true, value }))
         }
     }
 }

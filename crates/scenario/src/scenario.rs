@@ -2,7 +2,7 @@
 
 use fenderline_sim::Setup;
 
-use crate::assemble;
+use crate::assemble::{self, Libraries};
 use crate::checked::Table;
 use crate::error::{Notice, ScenarioError};
 use crate::files::Files;
@@ -12,6 +12,7 @@ use crate::overrides::{self, Override};
 use crate::reader;
 use crate::sources::Sources;
 use crate::syntax;
+use crate::vessels::VesselLibrary;
 
 /// A scenario file after all checks.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,29 +68,39 @@ impl Scenario {
         let end = text.trim_end().len();
         let file = reader::table(&sources, &SCENARIO, "", end..end, &document)?;
         let mut notices = Vec::new();
-        let library = library(&sources, &file, read)?;
+        let libraries = libraries(&sources, &file, read)?;
         let files = Files::read(&sources, &file, read)?;
-        let setup = assemble::setup(&sources, &file, &files, &library, &mut notices)?;
+        let setup = assemble::setup(&sources, &file, &files, &libraries, &mut notices)?;
         let title =
             file.item("title").map_or_else(|| stem(file_name), |item| item.text().to_owned());
         Ok(Scenario { title, setup, notices })
     }
 }
 
-/// The fender data: the program's own, with the files that the scenario names.
-fn library(
+/// Fenders and vessels: the program's own, with the files that the scenario names.
+fn libraries(
     sources: &Sources<'_>,
     file: &Table,
     read: &mut dyn FnMut(&str) -> Result<String, String>,
-) -> Result<FenderLibrary, ScenarioError> {
-    let item = file.given("fender_files");
-    item.texts().iter().try_fold(FenderLibrary::built_in(), |library, name| {
-        let text = read(name).map_err(|why| {
-            let message = format!("`fender_files`: cannot read {why}");
-            sources.error(&item.span, "fender_files", message)
-        })?;
-        library.with_file(&text, name)
-    })
+) -> Result<Libraries, ScenarioError> {
+    let mut libraries =
+        Libraries { fenders: FenderLibrary::built_in(), vessels: VesselLibrary::built_in() };
+    for key in ["fender_files", "vessel_files"] {
+        let item = file.given(key);
+        for name in item.texts() {
+            let text = read(name).map_err(|why| {
+                let message = format!("`{key}`: cannot read {why}");
+                sources.error(&item.span, key, message)
+            })?;
+            libraries = match key {
+                "fender_files" => {
+                    Libraries { fenders: libraries.fenders.with_file(&text, name)?, ..libraries }
+                }
+                _ => Libraries { vessels: libraries.vessels.with_file(&text, name)?, ..libraries },
+            };
+        }
+    }
+    Ok(libraries)
 }
 
 /// The name of a file without folders and extension.

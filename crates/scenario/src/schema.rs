@@ -6,6 +6,7 @@ use toml::de::DeValue;
 use crate::keys::SCENARIO;
 use crate::library::FENDER_FILE;
 use crate::spec::{Absent, Choices, KeySpec, Kind, Quantity, TableSpec};
+use crate::vessels::VESSEL_FILE;
 
 /// A number and a unit, roughly: the reader checks the unit itself.
 const QUANTITY_PATTERN: &str = r"^\s*[+\-−]?[0-9]+(\.[0-9]+)?([eE][+\-]?[0-9]+)?\s*\S.*$";
@@ -34,6 +35,17 @@ pub fn schema() -> Json {
 #[must_use]
 pub fn fender_schema() -> Json {
     whole_file(&FENDER_FILE, "Fenderline fender data")
+}
+
+/// The JSON Schema (draft 2020-12) of vessel files, those that [`crate::VesselLibrary::with_file`] reads.
+///
+/// ```
+/// let schema = fenderline_scenario::vessel_schema();
+/// assert_eq!(schema["title"], "Fenderline vessel data");
+/// ```
+#[must_use]
+pub fn vessel_schema() -> Json {
+    whole_file(&VESSEL_FILE, "Fenderline vessel data")
 }
 
 fn whole_file(spec: &TableSpec, title: &str) -> Json {

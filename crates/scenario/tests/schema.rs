@@ -132,8 +132,10 @@ fn full() -> Json {
             },
             "b": { "fixed": true, "outline": square },
             "c": { "fixed": false, "outline": square, "mass": 1000, "yaw_inertia": "1e6 kg.m^2" },
-            "d": { "outline": square, "vessel": "box ship", "position": [500, 0] },
-            "e": { "outline": square, "vessel": "tanker", "position": [900, 0] }
+            "d": { "outline": square, "vessel": "box ship", "position": [500, 0], "running": 0.25 },
+            "e": { "outline": square, "vessel": "tanker", "position": [900, 0] },
+            "f": { "vessel": "container-ship", "position": [0, 900] },
+            "g": { "vessel": "asd-tug", "position": [0, 1500] }
         },
         "environment": {
             "depth": "30 m", "water_density": 1025, "squat": "icorels",
@@ -148,7 +150,7 @@ fn full() -> Json {
             "box ship": {
                 "length_bp": 150, "beam": 25, "draught": 8, "block_coefficient": 0.7,
                 "centre_of_gravity": -1, "gyradius": 37,
-                "propeller": { "diameter": 5, "full": "100 rpm", "reversal": "40 s", "running": 0.5 },
+                "propeller": { "diameter": 5, "full": "100 rpm", "reversal": "40 s" },
                 "rudder": { "area": 25, "span": 6, "rate": "2.5 deg/s", "stop": "35 deg" },
                 "thruster": { "bow": { "along": 60, "force": "150 kN", "lag": 5 } },
                 "azimuth": { "port": {
@@ -163,7 +165,7 @@ fn full() -> Json {
                 "stability": { "gm": 1.5, "gravity_above_keel": 10, "waterplane_area": 3000 }
             },
             "tanker": {
-                "model": "kvlcc2", "propeller": { "full": "106 rpm" },
+                "from": "kvlcc2", "propeller": { "full": "106 rpm" },
                 "windage": {
                     "method": "isherwood", "frontal_area": 1200, "lateral_area": 4000,
                     "centroid_height": 8, "perimeter": 500, "superstructure_area": 700,
@@ -171,7 +173,7 @@ fn full() -> Json {
                 }
             },
             "other tanker": {
-                "model": "kvlcc2",
+                "from": "kvlcc2",
                 "windage": {
                     "method": "fujiwara", "frontal_area": 1200, "lateral_area": 4000,
                     "centroid_height": 8, "deck_area": 900, "deck_centroid_forward": -120,
@@ -193,6 +195,10 @@ fn full() -> Json {
             "breast": {
                 "from": "d", "fairlead": [70, 2], "to": "b", "bollard": [0, 0], "rope": "wire",
                 "break_load": "1000 kN", "length": 700
+            },
+            "between ships": {
+                "from": "f", "chock": "head-starboard", "to": "g", "bitts": "fore", "rope": "wire",
+                "break_load": "1000 kN", "pretension": "50 kN"
             }
         },
         "order": [
@@ -245,12 +251,16 @@ fn full() -> Json {
                 "on": "a", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
                 "projection": 1, "curve": [[0, 0], ["0.5 m", "600 kN"]]
             },
+            "on a belting": {
+                "on": "g", "belting": "bow", "material": "m", "projection": 1
+            },
             "by area": {
                 "on": "a", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
                 "projection": 1
             }
         },
         "fender_files": [],
+        "vessel_files": [],
         "provider": [
             { "body": "a", "command": ["python3", "x.py"], "timeout": "0.5 s", "hold": 2 }
         ],
@@ -375,6 +385,8 @@ fn absent_agrees(document: &Json, pointer: &str) {
         "/tug",
         "/line",
         "/vessel/box ship/thruster",
+        // Not every vessel has an outline.
+        "/body/d/outline",
         "/vessel/box ship/azimuth",
         "/pair",
     ]
@@ -446,7 +458,7 @@ fn examples_are_accepted() {
     // These name bodies and materials of other scenarios.
     let names = [
         "bodies", "material", "body", "on", "ship", "vessel", "tug", "line", "from", "to",
-        "thruster", "azimuth",
+        "thruster", "azimuth", "chock", "bitts", "belting",
     ];
     let mut tried = 0;
     for path in paths.iter().filter(|path| !names.contains(&path.last().unwrap().as_str())) {
@@ -468,6 +480,7 @@ fn examples_are_accepted() {
                 "/material/m/friction_static",
                 "/fender/of a size/type",
                 "/fender_files",
+                "/vessel_files",
                 // And each method of wind coefficients with its own particulars.
                 "/vessel/box ship/windage/method",
                 // Shorter than the distance of its ends.

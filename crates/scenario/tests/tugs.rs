@@ -27,7 +27,7 @@ azimuth.port = { along = "-12 m", across = "-2.6 m", force = "30 tf", diameter =
 azimuth.starboard = { along = "-12 m", across = "2.6 m", force = "30 tf", diameter = "2.4 m", rate = "18 deg/s" }
 
 [vessel.tanker]
-model = "kvlcc2"
+from = "kvlcc2"
 propeller = { full = "106 rpm" }
 
 [body.tug]
@@ -71,12 +71,10 @@ fn alone(orders: &str) -> String {
 
 /// The ship is KVLCC2, north at 2.5 knots through the water with her engine turning for it.
 fn ship_under_way(text: &str) -> String {
-    let ship = "vessel = \"tanker\"\nvelocity = { surge = \"2.5 kn\" }";
+    let ship = "vessel = \"tanker\"\nrunning = 0.15\nvelocity = { surge = \"2.5 kn\" }";
     let order = "\n[[order]]\nvessel = \"ship\"\nspeed = \"2.5 kn\"\n\
                  \n[[order]]\nvessel = \"ship\"\ncourse = \"0 deg\"\n";
-    text.replace("fixed = true", ship)
-        .replace("full = \"106 rpm\"", "full = \"106 rpm\", running = 0.15")
-        + order
+    text.replace("fixed = true", ship) + order
 }
 
 const TF_N: f64 = 9806.65;

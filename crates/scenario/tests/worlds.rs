@@ -209,7 +209,7 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("type = \"cargo vessel, loaded\"", "type = \"cargo vesel, loaded\"", "vessel.coaster.windage.type", "did you mean"),
     ("rudder = { area = \"18 m^2\", span = \"5 m\" }\n", "", "vessel.coaster.propeller", "needs `rudder` beside it"),
     ("diameter = \"4.4 m\", ", "", "vessel.coaster.propeller.diameter", "is missing"),
-    ("[vessel.coaster]", "[vessel.coaster]\nmodel = \"kcs\"", "vessel.coaster.length_bp", "does not go together with `model`"),
+    ("[vessel.coaster]", "[vessel.coaster]\nfrom = \"kcs\"", "vessel.coaster.length_bp", "does not go together with `from`"),
     ("vessel = \"coaster\"", "vessel = \"coster\"", "body.ship.vessel", "did you mean \"coaster\"?"),
     ("vessel = \"coaster\"", "vessel = \"coaster\"\nmass = \"1 t\"", "body.ship.mass", "not for a vessel"),
     ("length = \"40 m\"", "length = \"4 m\"", "line.stern", "is 4 m long, but its ends are"),

@@ -1,16 +1,19 @@
 //! Formulas against closed forms, quadrature and the printed numbers of the design sheet (hydrodynamics.md).
 //! "To the printed digits" means half a unit of the last place.
 
+#[path = "support/ships.rs"]
+mod ships;
+
 use fenderline_sim::hydro::shallow::{
     barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_sway_derivative,
     shallow_yaw_derivative,
 };
-use fenderline_sim::hydro::vessels::{esso_osaka_model, kcs, kvlcc2, kvlcc2_model};
 use fenderline_sim::hydro::{
     CrossFlow, HydroError, LowSpeedHull, Particulars, Propeller, Series, Velocity, Water,
     clarke_added_mass, hoerner_drag_coefficient, shallow_sway_factor, zhou_added_mass,
 };
 use proptest::prelude::*;
+use ships::{esso_osaka_model, kcs, kvlcc2, kvlcc2_model};
 
 #[track_caller]
 fn printed(ours: f64, theirs: f64, last_place: f64) {
@@ -341,7 +344,7 @@ fn impossible_particulars_are_refused_by_name() {
 #[test]
 fn impossible_coefficients_are_refused_by_name() {
     for vessel in [kvlcc2(), kvlcc2_model(), kcs(), esso_osaka_model()] {
-        assert_eq!(vessel.ship.check(), Ok(vessel.ship), "{}", vessel.name);
+        assert_eq!(vessel.ship.check(), Ok(vessel.ship), "{}", vessel.origin.title);
     }
     let changed = |change: fn(&mut fenderline_sim::hydro::Propulsion)| {
         let mut ship = kvlcc2().ship;

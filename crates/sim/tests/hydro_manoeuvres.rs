@@ -6,18 +6,22 @@
 //! more. The *experiment* is the free-running model of 7 m: a model from captive tests is accepted within 12 % (AD,
 //! TD), 4° (first overshoot) and 8° (second).
 
+#[path = "support/ships.rs"]
+mod ships;
+
 use fenderline_sim::hydro::manoeuvres::{
     Approach, ManoeuvreError, TurningCircle, ZigZag, crash_stop, self_propulsion_rps,
     turning_circle, zig_zag,
 };
-use fenderline_sim::hydro::vessels::{Vessel, kcs, kvlcc2, kvlcc2_model};
+use fenderline_sim::hydro::vessels::Vessel;
 use fenderline_sim::hydro::{Model3, Water};
+use ships::{kcs, kvlcc2, kvlcc2_model};
 
 fn ready(vessel: &Vessel) -> (Model3, Approach) {
     let model = Model3::new(vessel.ship, Water::SEA);
     // 0.08 s at full scale; see `half_the_time_step_moves_no_measure_by_a_thousandth`.
-    let step_s = 0.002 * vessel.ship.particulars.length_m / vessel.approach_mps;
-    let approach = Approach::at(&model, vessel.approach_mps, vessel.steering, step_s);
+    let step_s = 0.002 * vessel.ship.particulars.length_m / vessel.approach_mps.unwrap();
+    let approach = Approach::at(&model, vessel.approach_mps.unwrap(), vessel.steering, step_s);
     (model, approach.expect("the propeller holds the speed of approach"))
 }
 
@@ -130,7 +134,7 @@ fn kvlcc2_model_turns_steadily_near_the_measurements() {
 fn kvlcc2_is_self_propelled_at_the_published_revolutions() {
     let vessel = kvlcc2();
     let model = Model3::new(vessel.ship, Water::SEA);
-    let rps = self_propulsion_rps(&model, vessel.approach_mps).expect("a balance");
+    let rps = self_propulsion_rps(&model, vessel.approach_mps.unwrap()).expect("a balance");
     // Printed to four decimals, at 15.5 knots.
     assert!((rps - 1.7785).abs() < 1e-3, "{rps}");
 }
@@ -193,7 +197,7 @@ fn shallow_water_widens_the_turn() {
     let tactical = |vessel: &Vessel| diameters(vessel, 35.0)[1];
     let shallow = |ratio: f64| {
         let ship = deep.ship.at_depth(ratio * draught_m).expect("afloat");
-        tactical(&Vessel { ship, ..deep })
+        tactical(&Vessel { ship, ..deep.clone() })
     };
     let (deep, half, fifth) = (tactical(&deep), shallow(1.5), shallow(1.2));
     println!("TD/L {deep:.2} deep, {half:.2} at h/T 1.5, {fifth:.2} at 1.2");

@@ -1,13 +1,16 @@
 //! The three-degree-of-freedom ship against laws of mechanics; actuators against closed forms.
 
+#[path = "support/ships.rs"]
+mod ships;
+
 use fenderline_sim::hydro::actuator::{Lag, Order, RateLimited, Slewing, Telegraph};
 use fenderline_sim::hydro::manoeuvres::{bollard_pull_n, crabbing};
-use fenderline_sim::hydro::vessels::{esso_osaka_model, kcs, kvlcc2};
 use fenderline_sim::hydro::{
     AzimuthThruster, Controls, Force, Mmg, Model3, Motion, Propeller, Series, TunnelThruster,
     Velocity, Water,
 };
 use proptest::prelude::*;
+use ships::{esso_osaka_model, kcs, kvlcc2};
 
 /// The same ship with everything that has a side taken to the other.
 fn symmetric(mut ship: Mmg) -> Mmg {
@@ -130,7 +133,7 @@ proptest! {
         tip_mps in -4.0_f64..4.0,
         which in 0_usize..3,
     ) {
-        let vessel = [kvlcc2(), kcs(), esso_osaka_model()][which];
+        let vessel = [kvlcc2, kcs, esso_osaka_model][which]();
         let length_m = vessel.ship.particulars.length_m;
         let model = Model3::new(vessel.ship, Water::SEA);
         let velocity = Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / length_m };

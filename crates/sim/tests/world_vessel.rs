@@ -1,12 +1,15 @@
 //! A vessel in the simulation against the three-degree-of-freedom model that the manoeuvres are validated
 //! with, in still water and in a current.
 
+#[path = "support/ships.rs"]
+mod ships;
 mod support;
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::hydro::actuator::RateLimited;
-use fenderline_sim::hydro::{Model3, Water, manoeuvres, vessels};
+use fenderline_sim::hydro::vessels::Origin;
+use fenderline_sim::hydro::{Model3, Water, manoeuvres};
 use fenderline_sim::{
     Action, Environment, Integrator, MassProperties, Method, Order, Setup, Simulation, VesselSetup,
     WorldSetup,
@@ -15,13 +18,14 @@ use support::{fixed, rectangle};
 
 /// KVLCC2 at full scale on a northerly course, her rudder put over at once.
 fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
-    let vessel = vessels::kvlcc2();
+    let vessel = ships::kvlcc2();
     let model = Model3::new(vessel.ship, Water::SEA);
-    let approach = manoeuvres::Approach::at(&model, vessel.approach_mps, vessel.steering, 0.5)
-        .expect("she goes");
+    let approach =
+        manoeuvres::Approach::at(&model, vessel.approach_mps.unwrap(), vessel.steering, 0.5)
+            .expect("she goes");
     let mut body = fixed("kvlcc2", rectangle(320.0, 58.0));
     body.mass = Some(MassProperties { mass_kg: 1.0, yaw_inertia_kgm2: 1.0, ..Default::default() });
-    body.velocity.surge_mps = vessel.approach_mps + current_mps.x;
+    body.velocity.surge_mps = vessel.approach_mps.unwrap() + current_mps.x;
     body.velocity.sway_mps = current_mps.y;
     let shaft_rps = approach.shaft_rps;
     let setup = Setup {
@@ -43,6 +47,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
             },
             vessels: vec![VesselSetup {
                 body: 0,
+                origin: Origin::default(),
                 ship: vessel.ship,
                 rudder: vessel.steering,
                 shaft: RateLimited { value: shaft_rps, rate_per_s: 0.1, stop: shaft_rps },
@@ -96,10 +101,11 @@ fn circle(setup: Setup, current_mps: Vec2) -> (f64, f64) {
 
 #[test]
 fn a_vessel_turns_in_the_simulation_as_in_the_model_that_was_validated() {
-    let vessel = vessels::kvlcc2();
+    let vessel = ships::kvlcc2();
     let model = Model3::new(vessel.ship, Water::SEA);
-    let approach = manoeuvres::Approach::at(&model, vessel.approach_mps, vessel.steering, 0.5)
-        .expect("she goes");
+    let approach =
+        manoeuvres::Approach::at(&model, vessel.approach_mps.unwrap(), vessel.steering, 0.5)
+            .expect("she goes");
     for rudder_deg in [35.0, -35.0_f64] {
         let turn = manoeuvres::turning_circle(&model, &approach, rudder_deg.to_radians()).unwrap();
         // Forces are held through a step: the error falls with it.

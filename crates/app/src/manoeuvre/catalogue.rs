@@ -1,23 +1,9 @@
-//! The vessels and the manoeuvres that the command line can name.
+//! The manoeuvres that the command line can name.
 
 use clap::ValueEnum;
-use fenderline_sim::hydro::Water;
-use fenderline_sim::hydro::vessels::{Vessel, esso_osaka_model, kcs, kvlcc2, kvlcc2_model};
+use fenderline_sim::hydro::vessels::Vessel;
 
 use crate::failure::Failure;
-
-/// A built-in vessel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum VesselName {
-    /// KVLCC2, a tanker of 320 m
-    Kvlcc2,
-    /// KVLCC2, the free-running model of 7 m
-    Kvlcc2Model,
-    /// KCS, a container ship of 230 m
-    Kcs,
-    /// Esso Osaka, the bare hull of a model of 3 m: crabbing only
-    EssoOsaka,
-}
 
 /// A manoeuvre, or all that the vessel can do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -44,33 +30,6 @@ const EACH: [ManoeuvreName; 5] = [
     ManoeuvreName::Crabbing,
     ManoeuvreName::BollardPull,
 ];
-
-impl VesselName {
-    /// The vessel.
-    pub(super) fn vessel(self) -> Vessel {
-        match self {
-            VesselName::Kvlcc2 => kvlcc2(),
-            VesselName::Kvlcc2Model => kvlcc2_model(),
-            VesselName::Kcs => kcs(),
-            VesselName::EssoOsaka => esso_osaka_model(),
-        }
-    }
-
-    /// Whether it is a model in a tank, of which IMO asks nothing.
-    pub(super) fn is_model(self) -> bool {
-        matches!(self, VesselName::Kvlcc2Model | VesselName::EssoOsaka)
-    }
-
-    /// Where it floats: models in a tank, ships at sea.
-    pub(super) fn water(self) -> Water {
-        if self.is_model() { Water::FRESH } else { Water::SEA }
-    }
-
-    /// As the command line has it.
-    pub(super) fn text(self) -> String {
-        text_of(self)
-    }
-}
 
 impl ManoeuvreName {
     /// As the command line has it.
@@ -104,21 +63,30 @@ fn text_of(value: impl ValueEnum) -> String {
     value.to_possible_value().expect("no name is hidden").get_name().to_owned()
 }
 
-/// The manoeuvres that a name asks for.
+/// The manoeuvres that a name asks for, of a vessel whose speed of approach may be ordered.
 ///
 /// # Errors
-/// A manoeuvre that the vessel has no propeller for.
-pub(super) fn chosen(name: ManoeuvreName, vessel: &Vessel) -> Result<Vec<ManoeuvreName>, Failure> {
-    let can =
-        |manoeuvre: ManoeuvreName| vessel.ship.propulsion.is_some() || !manoeuvre.needs_propeller();
+/// A manoeuvre that the vessel has no propeller or no speed of approach for.
+pub(super) fn chosen(
+    name: ManoeuvreName,
+    vessel: &Vessel,
+    has_speed: bool,
+) -> Result<Vec<ManoeuvreName>, Failure> {
+    let has_propeller = vessel.ship.propulsion.is_some();
+    let has_speed = has_speed || vessel.approach_mps.is_some();
+    let can = |manoeuvre: ManoeuvreName| {
+        (has_propeller || !manoeuvre.needs_propeller()) && (has_speed || !manoeuvre.has_approach())
+    };
     if name == ManoeuvreName::All {
         return Ok(EACH.into_iter().filter(|manoeuvre| can(*manoeuvre)).collect());
     }
     if can(name) {
         return Ok(vec![name]);
     }
-    Err(Failure::input(format_args!(
-        "error: {}: no propeller and no rudder are known of her; crabbing is what she can do",
-        vessel.name
-    )))
+    let why = if has_propeller {
+        "no speed of approach is known of her: give --speed"
+    } else {
+        "no propeller and no rudder are known of her; crabbing is what she can do"
+    };
+    Err(Failure::input(format_args!("error: {}: {why}", vessel.origin.title)))
 }

@@ -19,17 +19,15 @@ const LARGEST_FROUDE: f64 = 0.5;
 pub(super) struct Sea {
     /// Its density.
     pub(super) water: Water,
-    /// Speed of approach over √(gL), the vessel's own.
-    pub(super) froude: f64,
     /// A model in a tank.
     pub(super) is_model: bool,
 }
 
 impl Sea {
-    /// Deep still water.
-    pub(super) fn of(vessel: &Vessel, water: Water, is_model: bool) -> Sea {
-        let length_m = vessel.ship.particulars.length_m;
-        Sea { water, froude: vessel.approach_mps / (GRAVITY_MPS2 * length_m).sqrt(), is_model }
+    /// Deep still water: fresh in a tank, else salt.
+    pub(super) fn of(vessel: &Vessel) -> Sea {
+        let is_model = vessel.is_model;
+        Sea { water: if is_model { Water::FRESH } else { Water::SEA }, is_model }
     }
 }
 
@@ -69,10 +67,12 @@ impl Conditions {
         if let Some(rudder_deg) = args.rudder.filter(|rudder_deg| *rudder_deg > stop_deg + 1e-9) {
             return Err(Failure::input(format_args!(
                 "error: --rudder {rudder_deg}: the rudder of {} stops at {stop_deg:.0}°",
-                vessel.name
+                vessel.origin.title
             )));
         }
-        let speed_mps = args.speed.map_or(vessel.approach_mps, |speed_kn| speed_kn * KNOT_MPS);
+        let ordered_mps = args.speed.map(|speed_kn| speed_kn * KNOT_MPS);
+        // Without either nothing that was chosen has an approach.
+        let speed_mps = ordered_mps.or(vessel.approach_mps).unwrap_or(0.0);
         let froude = speed_mps / (GRAVITY_MPS2 * vessel.ship.particulars.length_m).sqrt();
         if froude > LARGEST_FROUDE {
             return Err(Failure::input(format_args!(

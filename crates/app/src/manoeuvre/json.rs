@@ -1,15 +1,15 @@
 //! The measures as JSON.
 
-use fenderline_sim::hydro::vessels::{Standing, Vessel};
+use fenderline_sim::hydro::vessels::Vessel;
 use serde_json::{Map, Value, json};
 
-use super::catalogue::VesselName;
 use super::conditions::{Conditions, KNOT_MPS, Sea};
 use super::section::{Row, Section};
+use crate::vessels::source;
 
 /// The whole, with a line's end.
 pub(super) fn text(
-    name: VesselName,
+    name: &str,
     vessel: &Vessel,
     sea: &Sea,
     conditions: &Conditions,
@@ -18,8 +18,8 @@ pub(super) fn text(
     let particulars = &vessel.ship.particulars;
     let document = json!({
         "version": env!("CARGO_PKG_VERSION"),
-        "vessel": name.text(),
-        "title": vessel.name,
+        "vessel": name,
+        "title": vessel.origin.title,
         "length_m": particulars.length_m,
         "beam_m": particulars.beam_m,
         "draught_m": particulars.draught_m,
@@ -27,22 +27,9 @@ pub(super) fn text(
         "water_kgpm3": sea.water.density_kgpm3,
         "approach_kn": conditions.speed_mps / KNOT_MPS,
         "manoeuvres": sections.iter().map(section).collect::<Vec<_>>(),
-        "sources": vessel.sources.iter().map(|source| json!({
-            "group": source.group,
-            "source": source.source,
-            "standing": standing(source.standing),
-        })).collect::<Vec<_>>(),
+        "sources": vessel.origin.sources.iter().map(source).collect::<Vec<_>>(),
     });
     format!("{document:#}\n")
-}
-
-/// How sure, in a word.
-pub(super) fn standing(standing: Standing) -> &'static str {
-    match standing {
-        Standing::Published => "published",
-        Standing::Recalled => "recalled",
-        Standing::Estimated => "estimated",
-    }
 }
 
 fn section(section: &Section) -> Value {

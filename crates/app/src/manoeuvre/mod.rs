@@ -1,6 +1,6 @@
-//! `fenderline manoeuvre`: standard manoeuvres of a built-in vessel, with the measures of ITTC and IMO.
+//! `fenderline manoeuvre`: standard manoeuvres of a vessel of the data, with the measures of ITTC and IMO.
 //!
-//! `catalogue` has the vessels and the manoeuvres, `conditions` what the user ordered, `trials` carries them
+//! `catalogue` has the manoeuvres, `conditions` what the user ordered, `trials` carries them
 //! through, `imo` knows what
 //! MSC.137(76) asks, `section` is what comes out; `printed`, `json` and `track` show it.
 
@@ -21,20 +21,22 @@ use fenderline_sim::hydro::Model3;
 use crate::cli::ManoeuvreArgs;
 use crate::failure::Failure;
 use crate::terminal::say;
+use crate::vessels::{found, library};
 
-pub(crate) use catalogue::{ManoeuvreName, VesselName};
+pub(crate) use catalogue::ManoeuvreName;
 use conditions::{Conditions, Sea};
 use section::Section;
 
 /// Carries out the manoeuvres that `args` asks for and prints their measures.
 ///
 /// # Errors
-/// A manoeuvre or an option that the vessel cannot have, a manoeuvre that does not end, files that cannot be
+/// A vessel that is not known, a manoeuvre or an option that she cannot have, a manoeuvre that does not end, files that cannot be
 /// written.
 pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
-    let vessel = args.vessel.vessel();
-    let sea = Sea::of(&vessel, args.vessel.water(), args.vessel.is_model());
-    let chosen = catalogue::chosen(args.manoeuvre, &vessel)?;
+    let library = library(&args.file)?;
+    let vessel = found(&library, &args.vessel)?.trial();
+    let sea = Sea::of(&vessel);
+    let chosen = catalogue::chosen(args.manoeuvre, &vessel, args.speed.is_some())?;
     let conditions = Conditions::checked(args, &vessel, &chosen)?;
     let model = Model3::new(vessel.ship, sea.water);
     let mut sections = Vec::new();
@@ -42,7 +44,7 @@ pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
         sections.extend(trials::carry_out(*manoeuvre, &vessel, &model, &sea, &conditions)?);
     }
     let text = if args.json {
-        json::text(args.vessel, &vessel, &sea, &conditions, &sections)
+        json::text(&args.vessel, &vessel, &sea, &conditions, &sections)
     } else {
         printed::text(args.manoeuvre, &chosen, &vessel, &sea, &conditions, &sections)
     };

@@ -5,8 +5,7 @@ use core::fmt::Write as _;
 use fenderline_sim::hydro::vessels::Vessel;
 
 use super::catalogue::ManoeuvreName;
-use super::conditions::{Conditions, KNOT_MPS, Sea};
-use super::json::standing;
+use super::conditions::{Conditions, GRAVITY_MPS2, KNOT_MPS, Sea};
 use super::section::{Row, Section, Unit};
 use crate::plot::{fixed, plain, significant};
 
@@ -33,6 +32,10 @@ pub(super) fn text(
         text.push_str(
             "\nNo propeller and no rudder are known of her: the other manoeuvres are left out.\n",
         );
+    } else if asked == ManoeuvreName::All && chosen.len() == 1 {
+        text.push_str(
+            "\nNo speed of approach is known of her: the other manoeuvres need --speed.\n",
+        );
     }
     if sections.iter().flat_map(|section| &section.rows).any(|row| row.imo_limit.is_some()) {
         text.push_str(
@@ -43,9 +46,8 @@ pub(super) fn text(
         text.push_str("\nIMO's limits (MSC.137(76)) are for ships, not for models.\n");
     }
     text.push_str("\nWhere her coefficients come from:\n");
-    for source in vessel.sources {
-        let _ =
-            writeln!(text, "  [{}] {}: {}", standing(source.standing), source.group, source.source);
+    for source in &vessel.origin.sources {
+        let _ = writeln!(text, "  [{}] {}: {}", source.word(), source.group, source.source);
     }
     text
 }
@@ -59,7 +61,7 @@ fn heading(
     let hull = &vessel.ship.particulars;
     let mut text = format!(
         "{}: L {} m, B {} m, T {} m, Cb {}\ndeep still water of {} kg/m³",
-        vessel.name,
+        vessel.origin.title,
         plain(hull.length_m, 4),
         plain(hull.beam_m, 4),
         plain(hull.draught_m, 4),
@@ -67,7 +69,7 @@ fn heading(
         plain(sea.water.density_kgpm3, 4),
     );
     if chosen.iter().any(|manoeuvre| manoeuvre.has_approach()) {
-        let froude = sea.froude * conditions.speed_mps / vessel.approach_mps;
+        let froude = conditions.speed_mps / (GRAVITY_MPS2 * hull.length_m).sqrt();
         let _ = write!(
             text,
             "; approach at {} kn, Fn {}; rudder {}°/s",

@@ -53,9 +53,9 @@ pub(super) fn carry_out(
     };
     sections.map_err(|error| match error {
         ManoeuvreError::NoBalance { .. } => {
-            Failure::input(format_args!("error: {}: {error}", vessel.name))
+            Failure::input(format_args!("error: {}: {error}", vessel.origin.title))
         }
-        _ => Failure::case(format_args!("error: {}, {}: {error}", vessel.name, trial.name)),
+        _ => Failure::case(format_args!("error: {}, {}: {error}", vessel.origin.title, trial.name)),
     })
 }
 

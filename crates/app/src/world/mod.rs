@@ -2,7 +2,6 @@
 
 mod events;
 mod line;
-mod particulars;
 mod tug;
 mod vessel;
 
@@ -10,7 +9,6 @@ use fenderline_sim::{Setup, StepRecord, WorldSetup};
 
 pub(crate) use events::{Who, WorldEvents, world_event_key, world_event_text};
 pub(crate) use line::{LineTotals, LineVerdict};
-pub(crate) use particulars::{Origin, origin};
 pub(crate) use tug::TugTotals;
 pub(crate) use vessel::VesselTotals;
 

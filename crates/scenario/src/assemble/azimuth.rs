@@ -19,7 +19,7 @@ pub(super) struct Afloat<'w> {
 }
 
 /// The units of a kind of vessel.
-pub(super) fn azimuths(tables: &[(String, Table)]) -> Vec<AzimuthSetup> {
+pub(crate) fn azimuths(tables: &[(String, Table)]) -> Vec<AzimuthSetup> {
     let read = |(name, table): &(String, Table)| {
         let number = |name: &str| *table.given(name).number();
         AzimuthSetup {

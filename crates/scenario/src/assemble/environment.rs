@@ -11,11 +11,11 @@ use fenderline_sim::environment::wind::{
 use fenderline_sim::environment::{Bank, EnvironmentError};
 use fenderline_sim::hydro::Squat;
 
-use super::world::Kind;
+use super::vessel::Kind;
 use super::{Assembly, Checked};
 use crate::checked::{Item, Table};
 use crate::csv::Csv;
-use crate::error::ScenarioError;
+use crate::error::{Notice, ScenarioError};
 
 /// How many harmonics a sea or a gusty wind has.
 const HARMONICS: usize = 200;
@@ -119,15 +119,16 @@ impl Assembly<'_, '_> {
         }
         let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_m) else { return };
         let Some([low, high]) = squat.depth_ratios() else { return };
-        let tables = file.given("vessel").named();
-        for ((name, kind), (_, table)) in kinds.iter().zip(tables) {
+        for (name, kind) in kinds {
             let ratio = depth_m / kind.setup.ship.particulars.draught_m;
             if ratio > 1.0 && !(low..=high).contains(&ratio) {
                 let message = format!(
                     "squat of {name} by {}: made for depths of {low} to {high} draughts, but here it is {ratio:.2}",
                     squat.name()
                 );
-                self.note(table, &message);
+                let (span, key) = &kind.said_at;
+                let place = self.sources.place(span);
+                self.notices.push(Notice { place, key: key.clone(), message });
             }
         }
     }

@@ -4,13 +4,16 @@ use std::ops::RangeInclusive;
 
 use fenderline_contact::{FenderLaw, ReactionFactors, Stop};
 use fenderline_sim::berthing::{BerthingSetup, Configuration, Softness};
-use fenderline_sim::{BodySetup, FenderSetup, FenderSource, NamedMaterial, Rated};
+use fenderline_sim::hydro::vessels::Standing;
+use fenderline_sim::{BodySetup, FenderSetup, FenderSource, Rated};
 
-use super::{Assembly, Checked, Names};
+use super::vessel::Kind;
+use super::{Assembly, Checked, FenderParts, Names};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
-use crate::library::{CatalogueFender, FenderLibrary, LookUpError, Standing};
+use crate::library::{CatalogueFender, FenderLibrary, LookUpError};
 use crate::sources::quoted;
+use crate::vessels::Belting;
 
 /// A stop is this many times as stiff as the fender was in the mean up to there.
 const STOP_OVER_MEAN: f64 = 50.0;
@@ -36,12 +39,10 @@ impl Assembly<'_, '_> {
     pub(super) fn fenders(
         &self,
         fenders: &[(String, Table)],
-        library: &FenderLibrary,
-        materials: &[NamedMaterial],
+        parts: &FenderParts<'_>,
         names: &Names,
     ) -> Checked<Vec<FenderSetup>> {
-        let read =
-            |(name, table): &(String, Table)| self.fender(name, table, library, materials, names);
+        let read = |(name, table): &(String, Table)| self.fender(name, table, parts, names);
         fenders.iter().map(read).collect()
     }
 
@@ -49,18 +50,18 @@ impl Assembly<'_, '_> {
         &self,
         name: &str,
         table: &Table,
-        library: &FenderLibrary,
-        materials: &[NamedMaterial],
+        parts: &FenderParts<'_>,
         names: &Names,
     ) -> Checked<FenderSetup> {
+        let FenderParts { library, materials, decks } = parts;
         self.refuse_what_does_not_go_together(table)?;
         let on = table.given("on");
         let body = self.body_named(table, on, on.name(), names)?;
         let material = self.material_named(table, table.given("material"), names)?;
-        let width_m = *table.given("width").number();
+        let face = self.face(table, decks[body])?;
         let given = |name: &str| table.item(name).map(|item| *item.number());
         let stiffness_npm2 = materials[material].material.stiffness_npm2;
-        let performance = self.performance(table, library, stiffness_npm2)?;
+        let performance = self.performance(table, library, stiffness_npm2, face.width_m)?;
         let projection_m = given("projection")
             .or(performance.height_m)
             .ok_or_else(|| self.missing(table, "projection", "write projection = \"1.5 m\""))?;
@@ -76,11 +77,11 @@ impl Assembly<'_, '_> {
         Ok(FenderSetup {
             name: name.to_owned(),
             body,
-            position_m: *table.given("position").vector(),
-            facing_rad: *table.given("facing").number(),
-            width_m,
-            height_m: given("face_height").unwrap_or(width_m),
-            above_water_m: given("above_water").unwrap_or(0.0),
+            position_m: face.middle_m,
+            facing_rad: face.facing_rad,
+            width_m: face.width_m,
+            height_m: face.extent_m,
+            above_water_m: face.above_water_m,
             projection_m,
             law: performance.law,
             material,
@@ -90,6 +91,36 @@ impl Assembly<'_, '_> {
             energy_by_angle: performance.energy_by_angle,
             hull_pressure_limit_npm2: self.hull_pressure_limit_npm2(table, library)?,
             source: performance.source,
+        })
+    }
+
+    /// Where its face is: by its own keys, or along a belting of the vessel that carries it.
+    fn face(&self, table: &Table, deck: Option<&Kind>) -> Checked<Belting> {
+        const OWN: [&str; 5] = ["position", "facing", "width", "face_height", "above_water"];
+        if let Some(item) = table.item("belting") {
+            if let Some(own) = OWN.iter().find_map(|name| table.item(name)) {
+                let path = table.path_of(own.name);
+                let message = format!("`{path}` does not go together with `belting`");
+                let error = self.sources.error(&own.key_span, &path, message);
+                return Err(error.with_help("keep one of the two"));
+            }
+            return self.belting(table, item, deck);
+        }
+        let given = |name: &str| table.item(name).map(|item| *item.number());
+        let need = |name: &str| {
+            table.item(name).ok_or_else(|| {
+                self.missing(table, name, "give position, facing and width, or a `belting`")
+            })
+        };
+        let (position, facing) = (need("position")?, need("facing")?);
+        let width_m = *need("width")?.number();
+        Ok(Belting {
+            name: String::new(),
+            middle_m: *position.vector(),
+            facing_rad: *facing.number(),
+            width_m,
+            above_water_m: given("above_water").unwrap_or(0.0),
+            extent_m: given("face_height").unwrap_or(width_m),
         })
     }
 
@@ -140,8 +171,8 @@ impl Assembly<'_, '_> {
         table: &Table,
         library: &FenderLibrary,
         stiffness_npm2: f64,
+        width_m: f64,
     ) -> Checked<Performance> {
-        let width_m = *table.given("width").number();
         let given = |name: &str| table.item(name).map(|item| *item.number());
         let factors = || ReactionFactors {
             constant: 1.0 + table.given("tolerance").number(),

@@ -5,7 +5,7 @@ use fenderline_sim::environment::waves::{BoxShip, Complex, MotionResponse, RaoTa
 use fenderline_sim::hydro::Particulars;
 
 use super::{Assembly, Checked};
-use crate::checked::{Item, Table};
+use crate::checked::Table;
 use crate::csv::Csv;
 use crate::error::Notice;
 
@@ -25,19 +25,9 @@ const NEEDED: core::ops::RangeInclusive<usize> = 2..=4;
 const SLACK_DEG: f64 = 0.01;
 
 impl Assembly<'_, '_> {
-    pub(super) fn response(
-        &mut self,
-        table: &Table,
-        ship: &Particulars,
-        float: Option<&Float>,
-    ) -> Checked<Option<MotionResponse>> {
-        match table.item("wave_response") {
-            Some(item) => self.rao_table(table, item).map(|rao| Some(MotionResponse::Table(rao))),
-            None => Ok(float.map(|float| estimate(ship, float))),
-        }
-    }
-
-    fn rao_table(&mut self, table: &Table, item: &Item) -> Checked<RaoTable> {
+    /// The table that a kind of vessel names, if she does.
+    pub(super) fn rao_table(&mut self, table: &Table) -> Checked<Option<RaoTable>> {
+        let Some(item) = table.item("wave_response") else { return Ok(None) };
         let key = table.path_of("wave_response");
         let named = MOTIONS.iter().flat_map(|(amplitude, phase, _)| [*amplitude, *phase]);
         let known: Vec<&str> = ["omega_radps", "heading_deg"].into_iter().chain(named).collect();
@@ -93,6 +83,7 @@ impl Assembly<'_, '_> {
         }
         let headings_rad = headings.iter().map(|heading| heading.to_radians()).collect();
         RaoTable::new(frequencies.clone(), snapped(headings_rad), operators)
+            .map(Some)
             .map_err(|error| self.refused(table, item, &error))
     }
 }
@@ -105,7 +96,8 @@ fn snapped(mut headings_rad: Vec<f64>) -> Vec<f64> {
     headings_rad
 }
 
-fn estimate(ship: &Particulars, float: &Float) -> MotionResponse {
+/// How a box of her size answers.
+pub(super) fn estimate(ship: &Particulars, float: &Float) -> MotionResponse {
     MotionResponse::Estimate(BoxShip {
         length_m: ship.length_m,
         beam_m: ship.beam_m,

@@ -1,22 +1,20 @@
-//! Vessels, tugs, lines and orders.
+//! Tugs, lines and orders.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 use std::fmt::Display;
 
-use fenderline_sim::attitude::{FloatParticulars, Hydrostatics};
-use fenderline_sim::environment::waves::DriftHull;
-use fenderline_sim::hydro::actuator::{RateLimited, Telegraph};
-use fenderline_sim::hydro::{Mmg, Particulars, SternGear, TunnelThruster, estimated, vessels};
+use fenderline_contact::Vec2;
+use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::mooring::{
     Fitting, Holding, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch, WinchOrder,
 };
 use fenderline_sim::tug::{TugEnvelope, TugOrder, VectorTug};
 use fenderline_sim::{
-    Action, BodySetup, Environment, Float, LineEnd, MassProperties, MooringSetup, Order, Station,
-    ThrusterSetup, TugSetup, VesselSetup,
+    Action, BodySetup, LineEnd, MooringSetup, Order, Station, TugSetup, VesselSetup,
 };
 
-use super::azimuth::{Afloat, azimuths};
+use super::azimuth::Afloat;
+use super::vessel::Decks;
 use super::{Assembly, Checked, Names};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
@@ -24,246 +22,11 @@ use crate::keys::{LINE_ORDERS, TUG_ORDERS, VESSEL_ORDERS};
 use crate::sources::quoted;
 use crate::suggest::nearest;
 
-/// A kind of vessel, without a body.
-pub(super) struct Kind {
-    pub(super) setup: VesselSetup,
-    pub(super) mass: MassProperties,
-}
-
 impl Assembly<'_, '_> {
     /// An error of a computation about a key.
     pub(super) fn refused(&self, table: &Table, item: &Item, error: &dyn Display) -> ScenarioError {
         let path = table.path_of(item.name);
         self.sources.error(&item.span, &path, format!("`{path}`: {error}"))
-    }
-
-    /// Every kind of vessel, in the order of the file.
-    pub(super) fn kinds(
-        &mut self,
-        tables: &[(String, Table)],
-        environment: &Environment,
-    ) -> Checked<Vec<(String, Kind)>> {
-        let read =
-            |(name, table): &(String, Table)| Ok((name.clone(), self.kind(table, environment)?));
-        tables.iter().map(read).collect()
-    }
-
-    fn kind(&mut self, table: &Table, environment: &Environment) -> Checked<Kind> {
-        self.refuse_a_model_with_particulars(table)?;
-        let (deep, mut rudder) = self.ship(table)?;
-        let water = environment.water_density_kgpm3;
-        let ship = match environment.depth_m {
-            Some(depth_m) if depth_m > deep.particulars.draught_m => {
-                deep.at_depth(depth_m).map_err(|error| self.wrong(table, &error))?
-            }
-            // Aground her hull coefficients are her least concern.
-            _ => deep,
-        };
-        let mut shaft = RateLimited { value: 0.0, rate_per_s: 0.1, stop: 1.0 };
-        if let Some(propeller) = table.item("propeller").map(Item::table) {
-            let full_rps = propeller.given("full").number() / TAU;
-            shaft = RateLimited {
-                value: full_rps * propeller.given("running").number(),
-                rate_per_s: 2.0 * full_rps / propeller.given("reversal").number(),
-                stop: full_rps,
-            };
-        }
-        if let Some(gear) = table.item("rudder").map(Item::table) {
-            rudder = RateLimited {
-                value: 0.0,
-                rate_per_s: *gear.given("rate").number(),
-                stop: *gear.given("stop").number(),
-            };
-        }
-        let thrusters = table.given("thruster").named();
-        let particulars = ship.particulars;
-        let float = self.float(table, &particulars, water)?;
-        let drift = DriftHull {
-            length_m: particulars.length_m,
-            beam_m: particulars.beam_m,
-            bow_length_m: 0.2 * particulars.length_m,
-        };
-        let setup = VesselSetup {
-            body: 0,
-            ship,
-            rudder,
-            shaft,
-            thrusters: thrusters
-                .iter()
-                .map(|(name, thruster)| ThrusterSetup {
-                    name: name.clone(),
-                    tunnel: TunnelThruster {
-                        bollard_n: *thruster.given("force").number(),
-                        along_m: *thruster.given("along").number(),
-                    },
-                    lag_s: *thruster.given("lag").number(),
-                })
-                .collect(),
-            azimuths: azimuths(table.given("azimuth").named()),
-            windage: self.windage(table, &particulars)?,
-            response: self.response(table, &particulars, float.as_ref())?,
-            float,
-            drift: Some(drift),
-        };
-        let mass_kg = water * particulars.volume_m3;
-        let mass = MassProperties {
-            mass_kg,
-            yaw_inertia_kgm2: water * particulars.yaw_inertia_m5(),
-            added_surge_kg: water * ship.added_mass.surge_m3,
-            added_sway_kg: water * ship.added_mass.sway_m3,
-            added_yaw_kgm2: water * ship.added_mass.yaw_m5,
-        };
-        Ok(Kind { setup, mass })
-    }
-
-    fn refuse_a_model_with_particulars(&self, table: &Table) -> Checked<()> {
-        if table.item("model").is_none() {
-            for name in ["length_bp", "beam", "draught", "block_coefficient"] {
-                if table.item(name).is_none() {
-                    let path = table.path_of(name);
-                    let message = format!("`{path}` is missing");
-                    let error = self.sources.error(&table.span, &path, message);
-                    return Err(error.with_help("give it, or a published `model`"));
-                }
-            }
-            let gear = ["propeller", "rudder"].map(|name| table.item(name));
-            if let [Some(alone), None] | [None, Some(alone)] = gear {
-                let other = if alone.name == "rudder" { "propeller" } else { "rudder" };
-                let path = table.path_of(alone.name);
-                let message = format!("`{path}` needs `{other}` beside it");
-                return Err(self.sources.error(&alone.key_span, &path, message));
-            }
-            return Ok(());
-        }
-        let own =
-            ["length_bp", "beam", "draught", "block_coefficient", "centre_of_gravity", "gyradius"];
-        for name in own {
-            if let Some(item) = table.item(name) {
-                let path = table.path_of(name);
-                let message = format!("`{path}` does not go together with `model`");
-                let error = self.sources.error(&item.key_span, &path, message);
-                return Err(error.with_help("the model brings its own particulars"));
-            }
-        }
-        let parts = [("propeller", "diameter"), ("rudder", "area"), ("rudder", "span")];
-        for (part, name) in parts {
-            let Some(of) = table.item(part).map(Item::table) else { continue };
-            if let Some(item) = of.item(name) {
-                let path = of.path_of(name);
-                let message = format!("`{path}` does not go together with `model`");
-                let error = self.sources.error(&item.key_span, &path, message);
-                return Err(error.with_help("the model brings its own propeller and rudder"));
-            }
-        }
-        Ok(())
-    }
-
-    /// The manoeuvring model in deep water, and her rudder.
-    fn ship(&self, table: &Table) -> Checked<(Mmg, RateLimited)> {
-        if let Some(model) = table.item("model") {
-            let vessel = match model.choice() {
-                0 => vessels::kvlcc2(),
-                1 => vessels::kcs(),
-                other => unreachable!("the key table has no model {other}"),
-            };
-            return Ok((vessel.ship, vessel.steering));
-        }
-        let number = |name: &str| *table.given(name).number();
-        let particulars = Particulars::from_block(
-            number("length_bp"),
-            number("beam"),
-            number("draught"),
-            number("block_coefficient"),
-        )
-        .and_then(|ship| {
-            let gyradius = table.item("gyradius").map(|item| item.number() / ship.length_m);
-            Particulars {
-                centre_of_gravity_m: table.item("centre_of_gravity").map_or(0.0, |i| *i.number()),
-                yaw_gyradius_ratio: gyradius.unwrap_or(ship.yaw_gyradius_ratio),
-                ..ship
-            }
-            .check()
-        })
-        .map_err(|error| self.wrong(table, &error))?;
-        let gear = self.stern_gear(table)?;
-        let ship =
-            estimated(particulars, gear.as_ref()).map_err(|error| self.wrong(table, &error))?;
-        Ok((ship, RateLimited { value: 0.0, rate_per_s: 0.04, stop: 0.6 }))
-    }
-
-    fn stern_gear(&self, table: &Table) -> Checked<Option<SternGear>> {
-        let (Some(propeller), Some(rudder)) = (table.item("propeller"), table.item("rudder"))
-        else {
-            return Ok(None);
-        };
-        let of = |item: &Item, name: &str| {
-            item.table().item(name).map(|item| *item.number()).ok_or_else(|| {
-                let path = item.table().path_of(name);
-                let message = format!("`{path}` is missing");
-                let error = self.sources.error(&item.span, &path, message);
-                error.with_help("a vessel without a published `model` needs it")
-            })
-        };
-        Ok(Some(SternGear {
-            propeller_m: of(propeller, "diameter")?,
-            rudder_m2: of(rudder, "area")?,
-            rudder_span_m: of(rudder, "span")?,
-        }))
-    }
-
-    fn wrong(&self, table: &Table, error: &dyn Display) -> ScenarioError {
-        self.sources.error(&table.span, &table.path, format!("`{}`: {error}", table.path))
-    }
-
-    fn float(&self, table: &Table, ship: &Particulars, water: f64) -> Checked<Option<Float>> {
-        let Some(item) = table.item("stability") else { return Ok(None) };
-        let of = item.table();
-        let number = |name: &str| *of.given(name).number();
-        let hydrostatics = Hydrostatics::of(&FloatParticulars {
-            mass_kg: water * ship.volume_m3,
-            length_m: ship.length_m,
-            beam_m: ship.beam_m,
-            draught_m: ship.draught_m,
-            waterplane_m2: number("waterplane_area"),
-            gm_m: number("gm"),
-            water_kgpm3: water,
-        });
-        Ok(Some(Float {
-            hydrostatics: hydrostatics.map_err(|error| self.refused(table, item, &error))?,
-            gravity_above_water_m: number("gravity_above_keel") - ship.draught_m,
-            draught_m: ship.draught_m,
-        }))
-    }
-
-    /// The vessels that bodies name, in the order of the bodies.
-    pub(super) fn vessels(
-        &self,
-        bodies: &[(String, Table)],
-        kinds: &[(String, Kind)],
-    ) -> Checked<Vec<VesselSetup>> {
-        let mut vessels = Vec::new();
-        for (index, (_, body)) in bodies.iter().enumerate() {
-            let Some(item) = body.item("vessel") else { continue };
-            let place = self.kind_named(body, item, kinds)?;
-            let mut setup = kinds[place].1.setup.clone();
-            setup.body = index;
-            vessels.push(setup);
-        }
-        Ok(vessels)
-    }
-
-    /// The place among the kinds of the one that a body names.
-    pub(super) fn kind_named(
-        &self,
-        body: &Table,
-        item: &Item,
-        kinds: &[(String, Kind)],
-    ) -> Checked<usize> {
-        let name = item.text();
-        kinds.iter().position(|(kind, _)| kind == name).ok_or_else(|| {
-            let known = kinds.iter().map(|(kind, _)| kind.as_str());
-            self.unknown("vessel", body, item, name, known)
-        })
     }
 
     pub(super) fn unknown<'n>(
@@ -342,9 +105,10 @@ impl Assembly<'_, '_> {
         &self,
         lines: &[(String, Table)],
         bodies: &[BodySetup],
+        decks: &Decks<'_>,
         names: &Names,
     ) -> Checked<Vec<MooringSetup>> {
-        lines.iter().map(|(name, table)| self.line(name, table, bodies, names)).collect()
+        lines.iter().map(|(name, table)| self.line(name, table, bodies, decks, names)).collect()
     }
 
     fn line(
@@ -352,6 +116,7 @@ impl Assembly<'_, '_> {
         name: &str,
         table: &Table,
         bodies: &[BodySetup],
+        decks: &Decks<'_>,
         names: &Names,
     ) -> Checked<MooringSetup> {
         let number = |name: &str| *table.given(name).number();
@@ -363,6 +128,16 @@ impl Assembly<'_, '_> {
             let message = format!("`{path}`: both ends are on body {}", quoted(to.name()));
             return Err(self.sources.error(&to.span, &path, message));
         }
+        let (fairlead_m, fairlead_above_water_m) =
+            match self.one_of(table, "fairlead", "fairlead_height", "chock")? {
+                LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
+                LinePoint::Named(item) => self.chock(table, item, decks[ship])?,
+            };
+        let (bollard_m, bollard_above_water_m) =
+            match self.one_of(table, "bollard", "bollard_height", "bitts")? {
+                LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
+                LinePoint::Named(item) => self.bitts(table, item, decks[body])?,
+            };
         let fitting = match (table.item("length"), table.item("pretension")) {
             (Some(length), None) => Fitting::Length(*length.number()),
             (None, Some(tension)) => Fitting::Pretension(*tension.number()),
@@ -395,19 +170,44 @@ impl Assembly<'_, '_> {
                 fitting,
             },
             ship,
-            fairlead_m: *table.given("fairlead").vector(),
-            fairlead_above_water_m: number("fairlead_height"),
-            end: LineEnd::OnBody {
-                body,
-                at_m: *table.given("bollard").vector(),
-                above_water_m: number("bollard_height"),
-            },
+            fairlead_m,
+            fairlead_above_water_m,
+            end: LineEnd::OnBody { body, at_m: bollard_m, above_water_m: bollard_above_water_m },
             from_s: number("made_fast"),
         };
         if setup.from_s <= 0.0 {
             setup.check_at_start(bodies).map_err(|error| self.wrong(table, &error))?;
         }
         Ok(setup)
+    }
+
+    /// A line's end by its coordinates or by name, one of the two.
+    fn one_of<'t>(
+        &self,
+        table: &'t Table,
+        place: &str,
+        height: &str,
+        name: &str,
+    ) -> Checked<LinePoint<'t>> {
+        let height = table.given(height);
+        match (table.item(place), table.item(name)) {
+            (Some(at), None) => Ok(LinePoint::At(*at.vector(), *height.number())),
+            (None, Some(item)) if height.is_default => Ok(LinePoint::Named(item)),
+            (None, Some(_)) => Err(self.beside(table, height, name)),
+            (Some(_), Some(item)) => Err(self.beside(table, item, place)),
+            (None, None) => {
+                let path = table.path_of(place);
+                let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
+                Err(error.with_help(format!("give it, or `{name}` by name")))
+            }
+        }
+    }
+
+    fn beside(&self, table: &Table, item: &Item, other: &str) -> ScenarioError {
+        let path = table.path_of(item.name);
+        let message = format!("`{path}` does not go together with `{other}`");
+        let error = self.sources.error(&item.key_span, &path, message);
+        error.with_help("keep one of the two")
     }
 
     pub(super) fn orders(
@@ -560,6 +360,14 @@ impl Assembly<'_, '_> {
         let path = table.path_of(what.name);
         Err(self.sources.error(&what.span, &path, format!("`{path}` can only be true")))
     }
+}
+
+/// Where a line ends.
+enum LinePoint<'t> {
+    /// From the body's origin, and above the water [m].
+    At(Vec2, f64),
+    /// A chock or bitts.
+    Named(&'t Item),
 }
 
 /// What orders refer to.

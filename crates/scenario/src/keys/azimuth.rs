@@ -9,7 +9,7 @@ use crate::units::measures as unit;
 
 const PLACE: Quantity = Quantity { measure: &unit::LENGTH, low: -5000.0, high: 5000.0 };
 
-pub(super) static AZIMUTH: TableSpec = TableSpec {
+pub(crate) static AZIMUTH: TableSpec = TableSpec {
     what: "an azimuth unit",
     doc: "A propeller that turns about the vertical. At speed it loses thrust as an open Wageningen B4-70 of \
           pitch 1.0 does; one in a nozzle loses more.",

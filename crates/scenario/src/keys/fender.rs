@@ -27,21 +27,29 @@ pub(super) static FENDER: TableSpec = TableSpec {
         KeySpec {
             name: "position",
             kind: Kind::Point(POSITION_M),
-            absent: Refused,
+            absent: Means("`belting` says it"),
             doc: "Middle of the line where it is mounted: forward, starboard of its body's origin.",
             examples: &["[-60, 0]"],
         },
         KeySpec {
             name: "facing",
             kind: Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 }),
-            absent: Refused,
+            absent: Means("`belting` says it"),
             doc: "Direction in which it faces, clockwise from its body's forward direction.",
             examples: &["\"-90 deg\""],
         },
         KeySpec {
+            name: "belting",
+            kind: Kind::Text,
+            absent: Means("`position`, `facing` and `width` say it"),
+            doc: "A belting of the vessel that carries it, by name: it gives position, facing, width, height and \
+                  place above the water.",
+            examples: &["\"bow\""],
+        },
+        KeySpec {
             name: "width",
             kind: Kind::Quantity(SIZE),
-            absent: Refused,
+            absent: Means("`belting` says it"),
             doc: "Width of its face (of the panel, where there is one).",
             examples: &["\"2.4 m\""],
         },
@@ -194,6 +202,14 @@ pub(super) static FENDER: TableSpec = TableSpec {
                 both("type", "stiffness"), both("type", "curve"), both("stiffness", "curve"),
                 both("size", "height"), both("size", "rated_reaction"),
                 both("type", "rated_deflection"), both("hull", "hull_pressure_limit"),
+                {
+                    "if": { "required": ["belting"] },
+                    "then": { "properties": {
+                        "position": false, "facing": false, "width": false, "face_height": false,
+                        "above_water": false
+                    } },
+                    "else": { "required": ["position", "facing", "width"] }
+                },
                 {
                     "if": { "required": ["rated_deflection"] },
                     "then": { "anyOf": [{ "required": ["stiffness"] }, { "required": ["curve"] }] }

@@ -9,7 +9,7 @@ use crate::units::measures as unit;
 
 const AREA: Quantity = Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 };
 
-pub(super) static WINDAGE: TableSpec = TableSpec {
+pub(crate) static WINDAGE: TableSpec = TableSpec {
     what: "a windage",
     doc: "Wind areas, and the method that makes forces of them.",
     keys: &[

@@ -1,27 +1,6 @@
-//! What a fender file says, in SI units.
+//! What a fender file says, in SI units. A fender stands as its weakest part does.
 
-/// How well a source is known; a fender stands as its weakest part does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Standing {
-    /// Read in a public source.
-    Found,
-    /// Computed from others.
-    Derived,
-    /// To be checked against the document before it is relied on.
-    Recalled,
-}
-
-impl Standing {
-    /// The word of the file: `found`, `derived` or `recalled`.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Standing::Found => "found",
-            Standing::Derived => "derived",
-            Standing::Recalled => "recalled",
-        }
-    }
-}
+use fenderline_sim::hydro::vessels::Standing;
 
 /// Fenders of one shape.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,9 @@
 //! One fender of a catalogue, ready to be used.
 
 use super::curve;
-use super::family::{FactorTable, Family, FenderSize, Standing};
+use fenderline_sim::hydro::vessels::Standing;
+
+use super::family::{FactorTable, Family, FenderSize};
 
 /// A fender with its performance in SI units, uncorrected: rated conditions, no tolerance.
 #[derive(Clone, Debug, PartialEq)]

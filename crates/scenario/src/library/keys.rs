@@ -46,7 +46,7 @@ const STANDING: KeySpec = KeySpec {
     examples: &["\"found\""],
 };
 
-/// In the order of [`super::Standing`].
+/// In the order of [`fenderline_sim::hydro::vessels::Standing`].
 static STANDINGS: Choices = Choices {
     words: &[
         ("found", "read in a public source"),

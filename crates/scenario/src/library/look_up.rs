@@ -37,7 +37,7 @@ pub enum LookUpError {
 
 impl LookUpError {
     /// Nothing of this name among the known ones.
-    pub(super) fn unknown<'a>(
+    pub(crate) fn unknown<'a>(
         what: String,
         name: &str,
         known: impl Iterator<Item = &'a str> + Clone,

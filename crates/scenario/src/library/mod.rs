@@ -8,7 +8,9 @@ mod keys;
 mod look_up;
 mod read;
 
-pub use family::{FactorTable, Family, FenderSize, HullPressureLimit, Standing, Tolerance};
+use fenderline_sim::hydro::vessels::Standing;
+
+pub use family::{FactorTable, Family, FenderSize, HullPressureLimit, Tolerance};
 pub use fender::CatalogueFender;
 pub(crate) use keys::FENDER_FILE;
 pub use look_up::LookUpError;

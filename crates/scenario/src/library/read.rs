@@ -7,7 +7,8 @@ use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
 
 use super::curve;
-use super::family::{FactorTable, Family, FenderSize, HullPressureLimit, Standing, Tolerance};
+use super::family::{FactorTable, Family, FenderSize, HullPressureLimit, Tolerance};
+use fenderline_sim::hydro::vessels::Standing;
 
 type Read<T> = Result<T, ScenarioError>;
 

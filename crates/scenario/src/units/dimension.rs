@@ -107,6 +107,7 @@ pub(crate) mod measures {
         LENGTH = "a length", "m", (1, 0, 0, 0);
         AREA = "an area", "m²", (2, 0, 0, 0);
         VOLUME = "a volume", "m³", (3, 0, 0, 0);
+        INERTIA_OVER_DENSITY = "a moment of inertia over a density", "m^5", (5, 0, 0, 0);
         MASS = "a mass", "kg", (0, 1, 0, 0);
         TIME = "a time", "s", (0, 0, 1, 0);
         FREQUENCY = "a frequency", "1/s", (0, 0, -1, 0);

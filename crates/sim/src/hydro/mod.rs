@@ -17,8 +17,8 @@
 //! | all of it on one ship | [`Mmg`], [`Mmg::forces`] |
 //! | shallow water: derivatives, squat, current | [`shallow`], [`Squat`] |
 //! | equations of motion, two integrators | [`Model3`] |
-//! | published ships | [`vessels`] |
-//! | any ship from her main particulars | [`estimated`] |
+//! | where a ship's numbers come from | [`vessels`] |
+//! | what is not known of a ship, from her main particulars | [`estimated`] |
 //! | turning circle, zig-zag, crash stop, crabbing, bollard pull | [`manoeuvres`] |
 //!
 //! Conventions: SI; x forward, y to starboard, yaw and rudder positive to starboard, everything about
@@ -26,10 +26,12 @@
 //! revolutions and rudder, through rest and through all quadrants (`tests/hydro_continuity.rs`).
 //!
 //! ```
-//! use fenderline_sim::hydro::{Model3, Water, manoeuvres, vessels};
-//! let vessel = vessels::kvlcc2();
+//! use fenderline_scenario::VesselLibrary;
+//! use fenderline_sim::hydro::{Model3, Water, manoeuvres};
+//! let vessel = VesselLibrary::built_in().vessel("kvlcc2")?.trial();
 //! let model = Model3::new(vessel.ship, Water::SEA);
-//! let approach = manoeuvres::Approach::at(&model, vessel.approach_mps, vessel.steering, 0.5)?;
+//! let approach_mps = vessel.approach_mps.ok_or("no speed of approach")?;
+//! let approach = manoeuvres::Approach::at(&model, approach_mps, vessel.steering, 0.5)?;
 //! let turn = manoeuvres::turning_circle(&model, &approach, 35_f64.to_radians())?;
 //! assert!((turn.advance_m / 320.0 - 3.03).abs() < 0.03);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -58,7 +60,7 @@ mod thruster;
 pub use added_mass::{AddedMass, clarke_added_mass, shallow_sway_factor, zhou_added_mass};
 pub use blend::{Hull, polynomial_weight};
 pub use error::HydroError;
-pub use estimate::{SternGear, estimated};
+pub use estimate::{Known, SternCoefficients, SternGear, estimated};
 pub use low_speed::{CrossFlow, LowSpeedHull, hoerner_drag_coefficient};
 pub use mmg::{
     DriftPolynomial, LinearTerms, Mmg, Parts, Polynomial, Propulsion, SwayPolynomial, Wake,

@@ -12,6 +12,7 @@ use crate::environment::waves::{
 use crate::environment::wind::{RelativeWind, ShipWindage};
 use crate::environment::{BankWater, ShipAtBank};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
+use crate::hydro::vessels::Origin;
 use crate::hydro::{Controls, Force, Mmg, Velocity};
 
 /// How much water a ship that was aground needs under her keel to be afloat again [m]; our choice.
@@ -22,6 +23,8 @@ const REFLOATED_M: f64 = 0.02;
 pub struct VesselSetup {
     /// Index of her body in [`crate::Setup::bodies`].
     pub body: usize,
+    /// Who she is, and where her numbers come from.
+    pub origin: Origin,
     /// Hull, propeller and rudder, about midship.
     pub ship: Mmg,
     /// Rudder where it starts, with its rate and stop [rad].

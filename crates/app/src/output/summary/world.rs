@@ -6,7 +6,8 @@ use serde_json::{Map, Value, json};
 
 use crate::output::Outcome;
 use crate::provider::provider_event_key;
-use crate::world::{LineTotals, Origin, TugTotals, VesselTotals, Who, origin, world_event_key};
+use crate::vessels::source;
+use crate::world::{LineTotals, TugTotals, VesselTotals, Who, world_event_key};
 
 /// Adds the sections of what the set-up has.
 pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
@@ -15,10 +16,8 @@ pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
         let vessels = setup.world.vessels.iter().zip(&world.vessels);
         let vessels = vessels.map(|(vessel, totals)| {
             let mut object = vessel_json(&setup.bodies[vessel.body].name, totals);
-            match origin(vessel) {
-                Origin::Published(name, _) => object["model"] = json!(name),
-                Origin::Estimated => object["model"] = json!("estimated from main particulars"),
-            }
+            object["vessel"] = json!(vessel.origin.title);
+            object["estimated"] = vessel.origin.estimates().map(source).collect();
             object
         });
         whole["vessels"] = vessels.collect();

@@ -1,7 +1,7 @@
 //! Tables of vessels, tugs and lines.
 
 use fenderline_sim::environment::waves::MotionResponse;
-use fenderline_sim::hydro::vessels::Standing;
+use fenderline_sim::hydro::vessels::{Origin, Source, Standing};
 use fenderline_sim::{Environment, VesselSetup};
 use maud::{Markup, html};
 
@@ -9,7 +9,7 @@ use super::headline::class;
 use crate::output::Outcome;
 use crate::plot::{fixed, plain, significant};
 use crate::report::tables::{KNOT_MPS, ROWS, heading, more, number};
-use crate::world::{LineTotals, Origin, TugTotals, VesselTotals, origin};
+use crate::world::{LineTotals, TugTotals, VesselTotals};
 
 /// Particulars and what they did.
 pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
@@ -74,24 +74,24 @@ fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Mark
     }
 }
 
-/// Where a vessel's model comes from; what is no more than an estimate is said loudly.
+/// Where a vessel's numbers come from; what is no more than an estimate is said loudly.
 fn source(name: &str, vessel: &VesselSetup, environment: &Environment) -> Markup {
+    let origin = &vessel.origin;
+    let has_estimates = origin.estimates().next().is_some();
     html! {
-        @match origin(vessel) {
-            Origin::Published(ship, sources) => {
-                p { (name) ": coefficients of " strong { (ship) } "." }
-                ul class="plain" {
-                    @for source in sources {
-                        li { (source.group) ": " (source.source) " – " (standing(source.standing)) }
-                    }
-                }
+        p { (name) ": " strong { (origin.title) } ". Where her numbers come from:" }
+        ul class="plain" {
+            @for source in origin.sources.iter().filter(|source| !source.is_estimate) {
+                li { (source.group) ": " (source.source) " – " (standing(source)) }
             }
-            Origin::Estimated => p {
+        }
+        @if has_estimates {
+            p {
                 span class="verdict over_rated" { "ESTIMATED" } " "
-                (name) ": hull, propeller and rudder are estimated from her main particulars by regressions "
-                "that were recalled, not read in a source. They are not validated for this ship; "
-                "do not take them for her own manoeuvring data."
+                "What is not known of " (name) " is estimated by formulas, which are not validated for this "
+                "ship; do not take them for her own manoeuvring data."
             }
+            (estimates(origin))
         }
         @if let (Some(windage), true) = (&vessel.windage, environment.wind.is_some()) {
             @let (method, standing) = windage.method.standing();
@@ -139,12 +139,42 @@ fn banks() -> Markup {
     }
 }
 
-fn standing(of: Standing) -> Markup {
+/// Every estimated quantity with its formula and how well that is known.
+fn estimates(origin: &Origin) -> Markup {
     html! {
-        @match of {
-            Standing::Published => "published",
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Estimated" }
+                    th class="name" scope="col" { "Value" }
+                    th class="name" scope="col" { "By" }
+                    th class="name" scope="col" { "The formula is" }
+                } }
+                tbody {
+                    @for source in origin.estimates() {
+                        tr {
+                            td class="name" { (source.group) }
+                            td class="name" {
+                                @for (index, figure) in source.figures.iter().enumerate() {
+                                    @if index > 0 { ", " }
+                                    (figure.name) " = " (figure.text)
+                                }
+                            }
+                            td class="name" { (source.source) }
+                            td class="name" { (standing(source)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn standing(source: &Source) -> Markup {
+    html! {
+        @match source.standing {
             Standing::Recalled => strong { "recalled: to be checked" },
-            Standing::Estimated => strong { "ESTIMATED: not validated" },
+            known => (known.word()),
         }
     }
 }

@@ -3,7 +3,7 @@
 use fenderline_sim::attitude::{FloatParticulars, Hydrostatics};
 
 use super::Values;
-use super::ships::{CONTAINER_KG, SEA_KGPM3, container};
+use super::ships::{SEA_KGPM3, container};
 
 pub(super) fn compute(values: &mut Values) {
     for (gm_m, name) in [(1.0, "1"), (2.0, "2"), (5.0, "5")] {
@@ -15,7 +15,7 @@ pub(super) fn compute(values: &mut Values) {
 fn afloat(gm_m: f64) -> Hydrostatics {
     let hull = container();
     let ship = FloatParticulars {
-        mass_kg: CONTAINER_KG,
+        mass_kg: SEA_KGPM3 * hull.volume_m3,
         length_m: hull.length_m,
         beam_m: hull.beam_m,
         draught_m: hull.draught_m,

@@ -4,14 +4,13 @@ use fenderline_sim::hydro::shallow::{
     barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_sway_derivative,
     shallow_yaw_derivative,
 };
-use fenderline_sim::hydro::vessels::{esso_osaka_model, kvlcc2};
 use fenderline_sim::hydro::{
     CrossFlow, Particulars, Velocity, Water, clarke_added_mass, hoerner_drag_coefficient,
     shallow_sway_factor, zhou_added_mass,
 };
 
 use super::Values;
-use super::ships::{SEA_KGPM3, container, tug};
+use super::ships::{SEA_KGPM3, container, tug, vessel};
 
 /// Metres a second in a knot.
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
@@ -45,7 +44,7 @@ fn cross_flow(values: &mut Values) {
 
 /// Force over ½ρLdV² and moment over ½ρL²dV², V² = u² + v² + (rL)², of the model at three states.
 fn esso_osaka(values: &mut Values) {
-    let ship = esso_osaka_model().ship;
+    let ship = vessel("esso-osaka").ship;
     let (length_m, draught_m) = (ship.particulars.length_m, ship.particulars.draught_m);
     let states =
         [("ahead", 0.2, -0.05, 0.03), ("astern", -0.15, 0.1, 0.08), ("crabbing", 0.0, 0.2, -0.1)];
@@ -84,7 +83,7 @@ fn shallow_factors(values: &mut Values) {
         let factor = shallow_sway_factor(&ship, ratio * ship.draught_m).expect("afloat");
         values.put(format!("shallow/sway_added_mass/{name}"), factor, "");
     }
-    let ship = kvlcc2().ship.particulars;
+    let ship = vessel("kvlcc2").ship.particulars;
     let depth_m = 1.5 * ship.draught_m;
     let sway = shallow_sway_derivative(&ship, depth_m).expect("afloat");
     let yaw = shallow_yaw_derivative(&ship, depth_m).expect("afloat");

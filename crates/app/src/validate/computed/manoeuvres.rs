@@ -1,10 +1,11 @@
 //! Standard manoeuvres of KVLCC2 and KCS.
 
 use fenderline_sim::hydro::manoeuvres::{Approach, self_propulsion_rps, turning_circle, zig_zag};
-use fenderline_sim::hydro::vessels::{Vessel, kcs, kvlcc2, kvlcc2_model};
+use fenderline_sim::hydro::vessels::Vessel;
 use fenderline_sim::hydro::{Model3, Water};
 
 use super::Values;
+use super::ships::vessel;
 
 /// A step over the time in which the ship sails her own length: 0.08 s for KVLCC2.
 const STEP: f64 = 0.002;
@@ -12,20 +13,25 @@ const STEP: f64 = 0.002;
 const DEPTHS: [(f64, &str); 2] = [(1.5, "1.5"), (1.2, "1.2")];
 
 pub(super) fn compute(values: &mut Values) {
-    for (name, vessel) in [("kvlcc2", kvlcc2()), ("kvlcc2_model", kvlcc2_model()), ("kcs", kcs())] {
-        let trial = Trial::of(&vessel);
+    for (name, key) in [("kvlcc2", "kvlcc2"), ("kvlcc2_model", "kvlcc2-model"), ("kcs", "kcs")] {
+        let trial = Trial::of(&vessel(key));
         for (side, sign) in [("starboard", 1.0), ("port", -1.0)] {
             trial.turn(values, &format!("{name}/turn_35/{side}"), sign * 35.0);
             trial.zig_zag(values, &format!("{name}/zigzag_10/{side}"), sign * 10.0);
             trial.zig_zag(values, &format!("{name}/zigzag_20/{side}"), sign * 20.0);
         }
     }
-    for (name, vessel) in [("kvlcc2", kvlcc2()), ("kcs", kcs())] {
+    for name in ["kvlcc2", "kcs"] {
+        let vessel = vessel(name);
         let model = Model3::new(vessel.ship, Water::SEA);
-        let rps = self_propulsion_rps(&model, vessel.approach_mps).expect("a balance");
+        let rps = self_propulsion_rps(&model, approach_mps(&vessel)).expect("a balance");
         values.put(format!("{name}/self_propulsion"), rps, "1/s");
     }
     shallow_turns(values);
+}
+
+fn approach_mps(vessel: &Vessel) -> f64 {
+    vessel.approach_mps.expect("published ships have a speed of approach")
 }
 
 struct Trial {
@@ -38,8 +44,9 @@ impl Trial {
     fn of(vessel: &Vessel) -> Trial {
         let model = Model3::new(vessel.ship, Water::SEA);
         let length_m = vessel.ship.particulars.length_m;
-        let step_s = STEP * length_m / vessel.approach_mps;
-        let approach = Approach::at(&model, vessel.approach_mps, vessel.steering, step_s)
+        let approach_mps = approach_mps(vessel);
+        let step_s = STEP * length_m / approach_mps;
+        let approach = Approach::at(&model, approach_mps, vessel.steering, step_s)
             .expect("the propeller holds the speed of approach");
         Trial { model, approach, length_m }
     }
@@ -68,7 +75,7 @@ impl Trial {
 /// Tactical diameter of KVLCC2 in shallow water over that in deep water, rudder 35°, at the speed of approach that
 /// she has in deep water.
 fn shallow_turns(values: &mut Values) {
-    let deep = kvlcc2();
+    let deep = vessel("kvlcc2");
     let diameter_m = |vessel: &Vessel| {
         let trial = Trial::of(vessel);
         let turn = turning_circle(&trial.model, &trial.approach, 35_f64.to_radians());
@@ -77,7 +84,7 @@ fn shallow_turns(values: &mut Values) {
     let deep_m = diameter_m(&deep);
     for (ratio, name) in DEPTHS {
         let ship = deep.ship.at_depth(ratio * deep.ship.particulars.draught_m).expect("afloat");
-        let shallow_m = diameter_m(&Vessel { ship, ..deep });
+        let shallow_m = diameter_m(&Vessel { ship, ..deep.clone() });
         values.put(format!("kvlcc2/shallow_turn/{name}"), shallow_m / deep_m, "");
     }
 }

@@ -1,9 +1,9 @@
 //! Propellers in four quadrants, and thrusters.
 
-use fenderline_sim::hydro::vessels::kvlcc2;
 use fenderline_sim::hydro::{Propeller, Series, Water, tunnel_effect};
 
 use super::Values;
+use super::ships::vessel;
 
 /// Metres a second in a knot.
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
@@ -19,7 +19,7 @@ pub(super) fn compute(values: &mut Values) {
 
 /// K_T of KVLCC2's propeller ahead.
 fn own_polynomial(values: &mut Values) {
-    let propeller = kvlcc2().ship.propulsion.expect("she has a propeller").propeller;
+    let propeller = vessel("kvlcc2").ship.propulsion.expect("she has a propeller").propeller;
     for (advance, name) in [(0.0, "0"), (0.4, "0.4"), (0.8, "0.8")] {
         let coefficient = thrust_coefficient(&propeller, advance, 1.0);
         values.put(format!("kvlcc2/kt/{name}"), coefficient, "");
@@ -40,7 +40,7 @@ fn series_at_bollard(values: &mut Values) {
 /// Force on KVLCC2 over ρn²D⁴ with the propeller astern while she goes ahead, with wake and thrust deduction as
 /// her model has them, by Js = u/(nD).
 fn force_astern(values: &mut Values) {
-    let propulsion = kvlcc2().ship.propulsion.expect("she has a propeller");
+    let propulsion = vessel("kvlcc2").ship.propulsion.expect("she has a propeller");
     for (js, name) in [(0.0, "0"), (-0.1, "-0.1"), (-0.2, "-0.2"), (-0.4, "-0.4")] {
         let advance = (1.0 - propulsion.wake.straight) * js;
         let thrust = thrust_coefficient(&propulsion.propeller, advance, -1.0);

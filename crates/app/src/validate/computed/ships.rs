@@ -1,23 +1,34 @@
-//! The two ships of the paper, as the design sheet has them.
+//! The ships of the computed cases, from the vessel data.
 
+use fenderline_scenario::{VesselData, VesselLibrary};
 use fenderline_sim::hydro::Particulars;
+use fenderline_sim::hydro::vessels::Vessel;
 
 /// Density of sea water [kg/m³].
 pub(super) const SEA_KGPM3: f64 = 1025.0;
-/// Displacement of the container ship [kg].
-pub(super) const CONTAINER_KG: f64 = 87.8e6;
+/// A vessel of the data, ready for manoeuvres.
+pub(super) fn vessel(name: &str) -> Vessel {
+    data(name).trial()
+}
 
-/// The container ship: 298 × 46 × 9 m, 87 800 t.
+/// The paper's container ship as the design sheet has her: coefficients by the length overall.
 pub(super) fn container() -> Particulars {
-    displacing(298.0, 46.0, 9.0, CONTAINER_KG)
+    by_length_overall("container-ship")
 }
 
-/// The tug: 32 × 13 m, 930 t, with a draught of 4.5 m, which the sheet assumes.
+/// The paper's tug, likewise.
 pub(super) fn tug() -> Particulars {
-    displacing(32.0, 13.0, 4.5, 930e3)
+    by_length_overall("paper-tug")
 }
 
-fn displacing(length_m: f64, beam_m: f64, draught_m: f64, displacement_kg: f64) -> Particulars {
-    let block = displacement_kg / SEA_KGPM3 / (length_m * beam_m * draught_m);
-    Particulars::from_block(length_m, beam_m, draught_m, block).expect("the ship can float")
+fn by_length_overall(name: &str) -> Particulars {
+    let vessel = data(name);
+    let hull = &vessel.ship.particulars;
+    let length_m = vessel.length_overall_m.expect("the paper has it");
+    let block = hull.volume_m3 / (length_m * hull.beam_m * hull.draught_m);
+    Particulars::from_block(length_m, hull.beam_m, hull.draught_m, block).expect("she floats")
+}
+
+fn data(name: &str) -> VesselData {
+    VesselLibrary::built_in().vessel(name).expect("the vessel is built in").clone()
 }

@@ -1,0 +1,149 @@
+//! `fenderline vessels`: the vessels of the data, and every number of one of them with its source.
+
+use core::fmt::Write as _;
+use std::path::PathBuf;
+
+use fenderline_scenario::{VesselData, VesselLibrary};
+use fenderline_sim::hydro::vessels::{Origin, Source};
+use serde_json::{Map, Value, json};
+
+use crate::cli::VesselsArgs;
+use crate::failure::Failure;
+use crate::load::read;
+use crate::plot::{fixed, plain};
+use crate::terminal::say;
+
+/// Lists the vessels, or tells one of them.
+///
+/// # Errors
+/// A file that cannot be used, a vessel that is not known.
+pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
+    let library = library(&args.file)?;
+    let Some(name) = &args.vessel else {
+        let all = library.vessels();
+        if args.json {
+            let all: Vec<Value> = all.iter().map(vessel_json).collect();
+            return say(&format!("{:#}\n", json!(all)));
+        }
+        return say(&all.iter().map(line).collect::<String>());
+    };
+    let vessel = found(&library, name)?;
+    say(&if args.json { format!("{:#}\n", vessel_json(vessel)) } else { sheet(vessel) })
+}
+
+/// The vessels that the program carries in itself, with those of files.
+///
+/// # Errors
+/// A file that cannot be read or is no good vessel file.
+pub(crate) fn library(files: &[PathBuf]) -> Result<VesselLibrary, Failure> {
+    files.iter().try_fold(VesselLibrary::built_in(), |library, path| {
+        let text =
+            read(path).map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
+        library.with_file(&text, &path.display().to_string()).map_err(Failure::input)
+    })
+}
+
+/// The vessel of a name.
+///
+/// # Errors
+/// There is none.
+pub(crate) fn found<'l>(library: &'l VesselLibrary, name: &str) -> Result<&'l VesselData, Failure> {
+    library
+        .vessel(name)
+        .map_err(|error| Failure::input(format_args!("error: {error}\n  = help: {}", error.help())))
+}
+
+/// What of a vessel is estimated, one line each; nothing where nothing is.
+pub(crate) fn estimates(name: &str, origin: &Origin) -> String {
+    let mut text = String::new();
+    for (index, source) in origin.estimates().enumerate() {
+        if index == 0 {
+            let _ = writeln!(text, "{name} ({}): estimated, not validated for her:", origin.title);
+        }
+        text.push_str(&source_line(source));
+    }
+    text
+}
+
+/// A source as JSON.
+pub(crate) fn source(source: &Source) -> Value {
+    let figures: Map<String, Value> =
+        source.figures.iter().map(|figure| (figure.name.clone(), json!(figure.text))).collect();
+    json!({
+        "group": source.group,
+        "figures": figures,
+        "source": source.source,
+        "standing": source.standing.word(),
+        "estimated": source.is_estimate,
+    })
+}
+
+fn line(vessel: &VesselData) -> String {
+    let estimated = vessel.origin.estimates().count();
+    let note = match estimated {
+        0 => String::new(),
+        1 => "; 1 estimate".to_owned(),
+        many => format!("; {many} estimates"),
+    };
+    format!("{:<16} {}; {}{note}\n", vessel.name, vessel.origin.title, size(vessel))
+}
+
+fn size(vessel: &VesselData) -> String {
+    let hull = &vessel.ship.particulars;
+    format!(
+        "Lbp {} m, B {} m, T {} m, Cb {}",
+        plain(hull.length_m, 4),
+        plain(hull.beam_m, 4),
+        plain(hull.draught_m, 4),
+        fixed(hull.block_coefficient(), 3)
+    )
+}
+
+/// Every number by source, the estimates last.
+fn sheet(vessel: &VesselData) -> String {
+    let mut text = format!("{}: {}\n", vessel.origin.title, size(vessel));
+    let lacks = [
+        (vessel.shaft.is_none(), "propeller and rudder"),
+        (vessel.windage.is_none(), "wind areas"),
+        (vessel.stability.is_none(), "stability"),
+        (vessel.outline_m.is_none(), "outline"),
+    ];
+    let lacks: Vec<_> = lacks.iter().filter(|(lacks, _)| *lacks).map(|(_, what)| *what).collect();
+    if !lacks.is_empty() {
+        let _ = writeln!(text, "not known of her: {}", lacks.join(", "));
+    }
+    for source in vessel.origin.sources.iter().filter(|source| !source.is_estimate) {
+        let _ = writeln!(text, "\n[{}] {}", source.word(), source.source);
+        let width = source.figures.iter().map(|figure| figure.name.chars().count()).max();
+        for figure in &source.figures {
+            let _ = writeln!(text, "  {:<1$}  {2}", figure.name, width.unwrap_or(0), figure.text);
+        }
+    }
+    let mut estimates = vessel.origin.estimates().peekable();
+    if estimates.peek().is_some() {
+        text.push_str("\nEstimated by formulas, not validated for her:\n");
+    }
+    estimates.for_each(|source| text.push_str(&source_line(source)));
+    text
+}
+
+fn source_line(source: &Source) -> String {
+    let figures: Vec<String> =
+        source.figures.iter().map(|figure| format!("{} = {}", figure.name, figure.text)).collect();
+    let figures =
+        if figures.is_empty() { String::new() } else { format!(", {}", figures.join(", ")) };
+    format!("  [{}] {}{figures}: {}\n", source.word(), source.group, source.source)
+}
+
+fn vessel_json(vessel: &VesselData) -> Value {
+    let hull = &vessel.ship.particulars;
+    json!({
+        "name": vessel.name,
+        "title": vessel.origin.title,
+        "length_bp_m": hull.length_m,
+        "beam_m": hull.beam_m,
+        "draught_m": hull.draught_m,
+        "block_coefficient": hull.block_coefficient(),
+        "sources": vessel.origin.sources.iter().map(source).collect::<Vec<_>>(),
+    })
+}

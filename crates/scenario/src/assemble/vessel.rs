@@ -1,0 +1,265 @@
+//! Kinds of vessels, and the vessels that bodies are.
+
+use std::fmt::Display;
+
+use fenderline_contact::{Vec2, vec2};
+use fenderline_sim::environment::waves::{DriftHull, MotionResponse};
+use fenderline_sim::hydro::actuator::RateLimited;
+use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
+
+use super::response::estimate;
+use super::{Assembly, Checked};
+use crate::checked::{Item, Table};
+use crate::error::ScenarioError;
+use crate::sources::{Span, quoted};
+use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
+
+/// A kind of vessel, without a body.
+pub(super) struct Kind {
+    pub(super) setup: VesselSetup,
+    /// What the scenario says of her first: her table, or her name in a body.
+    pub(super) said_at: (Span, String),
+    pub(super) mass: MassProperties,
+    data: VesselData,
+}
+
+/// What a body is, where she is a vessel, by the index of the body.
+pub(super) type Decks<'k> = Vec<Option<&'k Kind>>;
+
+impl Kind {
+    /// Of a vessel in her water.
+    fn new(
+        data: VesselData,
+        environment: &Environment,
+        said_at: (Span, String),
+    ) -> Result<Kind, Box<dyn Display>> {
+        let deep = &data.ship;
+        let water = environment.water_density_kgpm3;
+        let ship = match environment.depth_m {
+            Some(depth_m) if depth_m > deep.particulars.draught_m => {
+                deep.at_depth(depth_m).map_err(|error| Box::new(error) as Box<dyn Display>)?
+            }
+            // Aground her hull coefficients are her least concern.
+            _ => *deep,
+        };
+        let shaft = match data.shaft {
+            Some(shaft) => RateLimited {
+                value: 0.0,
+                rate_per_s: 2.0 * shaft.full_rps / shaft.reversal_s,
+                stop: shaft.full_rps,
+            },
+            None => RateLimited { value: 0.0, rate_per_s: 0.1, stop: 1.0 },
+        };
+        let particulars = ship.particulars;
+        let float = match &data.stability {
+            Some(stability) => Some(Float {
+                hydrostatics: hydrostatics(stability, &particulars, water)
+                    .map_err(|error| Box::new(error) as Box<dyn Display>)?,
+                gravity_above_water_m: stability.gravity_above_keel_m - particulars.draught_m,
+                draught_m: particulars.draught_m,
+            }),
+            None => None,
+        };
+        let drift = DriftHull {
+            length_m: particulars.length_m,
+            beam_m: particulars.beam_m,
+            bow_length_m: 0.2 * particulars.length_m,
+        };
+        let setup = VesselSetup {
+            body: 0,
+            origin: data.origin.clone(),
+            ship,
+            rudder: data.rudder,
+            shaft,
+            thrusters: data.thrusters.clone(),
+            azimuths: data.azimuths.clone(),
+            windage: data.windage,
+            response: float.map(|float| estimate(&particulars, &float)),
+            float,
+            drift: Some(drift),
+        };
+        let mass = MassProperties {
+            mass_kg: water * particulars.volume_m3,
+            yaw_inertia_kgm2: water * particulars.yaw_inertia_m5(),
+            added_surge_kg: water * ship.added_mass.surge_m3,
+            added_sway_kg: water * ship.added_mass.sway_m3,
+            added_yaw_kgm2: water * ship.added_mass.yaw_m5,
+        };
+        Ok(Kind { setup, said_at, mass, data })
+    }
+
+    /// From midship to the centre of gravity, which is a body's origin.
+    fn about_gravity(&self, at_m: Vec2) -> Vec2 {
+        at_m - vec2(self.data.ship.particulars.centre_of_gravity_m, 0.0)
+    }
+
+    /// Her outline about the centre of gravity.
+    pub(super) fn outline_m(&self) -> Option<Vec<Vec2>> {
+        let points = self.data.outline_m.as_ref()?;
+        Some(points.iter().map(|point| self.about_gravity(*point)).collect())
+    }
+
+    /// Length and beam [m].
+    pub(super) fn size_m(&self) -> [f64; 2] {
+        let hull = &self.data.ship.particulars;
+        [self.data.length_overall_m.unwrap_or(hull.length_m), hull.beam_m]
+    }
+}
+
+impl Assembly<'_, '_> {
+    /// Every kind of vessel: the scenario's own, in the order of the file, then those of the library that bodies
+    /// name.
+    pub(super) fn kinds(
+        &mut self,
+        file: &Table,
+        library: &VesselLibrary,
+        environment: &Environment,
+    ) -> Checked<Vec<(String, Kind)>> {
+        let mut kinds: Vec<(String, Kind)> = Vec::new();
+        for (name, table) in file.given("vessel").named() {
+            if library.vessel(name).is_ok() {
+                let message = format!("the library has a vessel named {} already", quoted(name));
+                let error = self.sources.error(&table.span, &table.path, message);
+                return Err(error.with_help(format!(
+                    "take another name, with from = \"{name}\" in it where she is that vessel"
+                )));
+            }
+            let data = own_vessel(self.sources, name, table, library)?;
+            let said_at = (table.span.clone(), table.path.clone());
+            let mut kind =
+                Kind::new(data, environment, said_at).map_err(|error| self.wrong(table, &error))?;
+            if let Some(table) = self.rao_table(table)? {
+                kind.setup.response = Some(MotionResponse::Table(table));
+            }
+            kinds.push((name.clone(), kind));
+        }
+        for (_, body) in file.given("body").named() {
+            let Some(item) = body.item("vessel") else { continue };
+            let name = item.text();
+            if kinds.iter().any(|(known, _)| known == name) {
+                continue;
+            }
+            let Ok(data) = library.vessel(name) else {
+                let own = kinds.iter().map(|(known, _)| known.as_str());
+                let known = own.chain(library.vessels().iter().map(|known| known.name.as_str()));
+                return Err(self.unknown("vessel", body, item, name, known));
+            };
+            let said_at = (item.span.clone(), body.path_of(item.name));
+            let kind = Kind::new(data.clone(), environment, said_at)
+                .map_err(|error| self.refused(body, item, &error))?;
+            kinds.push((name.to_owned(), kind));
+        }
+        Ok(kinds)
+    }
+
+    pub(super) fn wrong(&self, table: &Table, error: &dyn Display) -> ScenarioError {
+        self.sources.error(&table.span, &table.path, format!("`{}`: {error}", table.path))
+    }
+
+    /// The vessels that bodies name, in the order of the bodies.
+    pub(super) fn vessels(
+        &self,
+        bodies: &[(String, Table)],
+        kinds: &[(String, Kind)],
+    ) -> Checked<Vec<VesselSetup>> {
+        let mut vessels = Vec::new();
+        for (index, (_, body)) in bodies.iter().enumerate() {
+            let Some(item) = body.item("vessel") else { continue };
+            let kind = kind_named(item, kinds);
+            let mut setup = kind.setup.clone();
+            setup.body = index;
+            if let Some(running) = body.item("running") {
+                if kind.data.shaft.is_none() {
+                    let message = format!("{} has no propeller", kind.data.origin.title);
+                    return Err(self.refused(body, running, &message));
+                }
+                setup.shaft.value = setup.shaft.stop * running.number();
+            }
+            vessels.push(setup);
+        }
+        Ok(vessels)
+    }
+
+    /// A chock, from the centre of gravity, and its height above the water [m].
+    pub(super) fn chock(
+        &self,
+        table: &Table,
+        item: &Item,
+        deck: Option<&Kind>,
+    ) -> Checked<(Vec2, f64)> {
+        self.deck_point(table, item, "chock", deck, |data| &data.chocks)
+    }
+
+    /// Bitts, likewise.
+    pub(super) fn bitts(
+        &self,
+        table: &Table,
+        item: &Item,
+        deck: Option<&Kind>,
+    ) -> Checked<(Vec2, f64)> {
+        self.deck_point(table, item, "bitts", deck, |data| &data.bitts)
+    }
+
+    fn deck_point(
+        &self,
+        table: &Table,
+        item: &Item,
+        what: &str,
+        deck: Option<&Kind>,
+        points: fn(&VesselData) -> &Vec<DeckPoint>,
+    ) -> Checked<(Vec2, f64)> {
+        let kind = self.deck(table, item, deck)?;
+        let points = points(&kind.data);
+        let point = points.iter().find(|point| point.name == item.text()).ok_or_else(|| {
+            self.not_on_her(what, table, item, kind, points.iter().map(|point| point.name.as_str()))
+        })?;
+        Ok((kind.about_gravity(point.at_m), point.above_water_m))
+    }
+
+    /// A belting, its middle from the centre of gravity.
+    pub(super) fn belting(
+        &self,
+        table: &Table,
+        item: &Item,
+        deck: Option<&Kind>,
+    ) -> Checked<Belting> {
+        let kind = self.deck(table, item, deck)?;
+        let all = &kind.data.beltings;
+        let belting = all.iter().find(|belting| belting.name == item.text()).ok_or_else(|| {
+            self.not_on_her("belting", table, item, kind, all.iter().map(|b| b.name.as_str()))
+        })?;
+        Ok(Belting { middle_m: kind.about_gravity(belting.middle_m), ..belting.clone() })
+    }
+
+    fn deck<'k>(&self, table: &Table, item: &Item, deck: Option<&'k Kind>) -> Checked<&'k Kind> {
+        deck.ok_or_else(|| self.refused(table, item, &"its body is no vessel"))
+    }
+
+    fn not_on_her<'n>(
+        &self,
+        what: &str,
+        table: &Table,
+        item: &Item,
+        kind: &Kind,
+        known: impl Iterator<Item = &'n str> + Clone,
+    ) -> ScenarioError {
+        let error = self.unknown(what, table, item, item.text(), known.clone());
+        match known.clone().next() {
+            None => {
+                error.with_help(format!("{} has no {what} in her file", kind.data.origin.title))
+            }
+            Some(_) => error,
+        }
+    }
+}
+
+/// The kind that a body names: [`Assembly::kinds`] has every one.
+pub(super) fn kind_named<'k>(item: &Item, kinds: &'k [(String, Kind)]) -> &'k Kind {
+    let kind = kinds.iter().find(|(kind, _)| kind == item.text());
+    &kind.unwrap_or_else(|| unreachable!("the kind of every body is there")).1
+}
+
+/// What each body is, where she is a vessel.
+pub(super) fn decks<'k>(bodies: &[(String, Table)], kinds: &'k [(String, Kind)]) -> Decks<'k> {
+    bodies.iter().map(|(_, body)| body.item("vessel").map(|item| kind_named(item, kinds))).collect()
+}

@@ -1,0 +1,127 @@
+//! A vessel as the simulation needs her, about midship and in SI.
+
+use fenderline_contact::Vec2;
+use fenderline_sim::environment::wind::ShipWindage;
+use fenderline_sim::hydro::actuator::RateLimited;
+use fenderline_sim::hydro::vessels::{Origin, Vessel};
+use fenderline_sim::hydro::{LowSpeedHull, Mmg, Polynomial, SternCoefficients};
+use fenderline_sim::{AzimuthSetup, ThrusterSetup};
+
+/// A vessel of the data: everything that does not change from one scenario to the next.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VesselData {
+    /// Her key.
+    pub name: String,
+    /// Her name in reports, and where every number comes from.
+    pub origin: Origin,
+    /// A model in a tank of fresh water.
+    pub is_model: bool,
+    /// Length overall [m], where it is known.
+    pub length_overall_m: Option<f64>,
+    /// Her manoeuvring model in deep water.
+    pub ship: Mmg,
+    /// Speed at which standard manoeuvres begin [m/s].
+    pub approach_mps: Option<f64>,
+    /// Rudder amidships, with its rate and stop.
+    pub rudder: RateLimited,
+    /// Her shaft, where she has a propeller.
+    pub shaft: Option<Shaft>,
+    /// Tunnel thrusters, in the order of the file.
+    pub thrusters: Vec<ThrusterSetup>,
+    /// Azimuth units, in the order of the file.
+    pub azimuths: Vec<AzimuthSetup>,
+    /// Wind areas.
+    pub windage: Option<ShipWindage>,
+    /// What heave, roll and pitch need.
+    pub stability: Option<Stability>,
+    /// Her outline, forward and to starboard of midship [m].
+    pub outline_m: Option<Vec<Vec2>>,
+    /// Where lines leave her.
+    pub chocks: Vec<DeckPoint>,
+    /// Where lines of others are made fast.
+    pub bitts: Vec<DeckPoint>,
+    /// Strips that a fender may lie on.
+    pub beltings: Vec<Belting>,
+    /// What a vessel that is hers in shape may take from her.
+    pub(crate) coefficients: Coefficients,
+}
+
+/// A propeller's shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shaft {
+    /// Full revolutions [1/s].
+    pub full_rps: f64,
+    /// Time from full ahead to full astern [s].
+    pub reversal_s: f64,
+}
+
+/// What heave, roll and pitch need.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stability {
+    /// Metacentric height GM [m].
+    pub gm_m: f64,
+    /// Centre of gravity above the keel KG [m].
+    pub gravity_above_keel_m: f64,
+    /// Waterplane area [m²].
+    pub waterplane_m2: f64,
+}
+
+/// A chock or a pair of bitts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DeckPoint {
+    /// Unique among its kind on the vessel.
+    pub name: String,
+    /// Forward and to starboard of midship [m].
+    pub at_m: Vec2,
+    /// Above the still water at her draught [m].
+    pub above_water_m: f64,
+}
+
+/// A straight strip of belting, facing away from midship.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Belting {
+    /// Unique on the vessel.
+    pub name: String,
+    /// Its middle, forward and to starboard of midship [m].
+    pub middle_m: Vec2,
+    /// Direction in which it faces: 0 forward, positive to starboard [rad].
+    pub facing_rad: f64,
+    /// Its length [m].
+    pub width_m: f64,
+    /// Its middle above the still water at her draught [m].
+    pub above_water_m: f64,
+    /// Its extent up and down [m].
+    pub extent_m: f64,
+}
+
+/// Coefficients without dimension.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Coefficients {
+    pub(crate) added_mass: Option<AddedMassForm>,
+    pub(crate) polynomial: Option<Polynomial>,
+    pub(crate) low_speed: Option<LowSpeedHull>,
+    pub(crate) stern: SternCoefficients,
+}
+
+/// Added mass as published.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum AddedMassForm {
+    /// m'x, m'y and J'z.
+    Coefficients([f64; 3]),
+    /// m_x, m_y and J_z over the density [m³, m³, m⁵], of a ship of this length and draught [m].
+    Volumes([f64; 3], [f64; 2]),
+}
+
+impl VesselData {
+    /// She, ready for standard manoeuvres.
+    #[must_use]
+    pub fn trial(&self) -> Vessel {
+        Vessel {
+            origin: self.origin.clone(),
+            ship: self.ship,
+            approach_mps: self.approach_mps,
+            steering: self.rudder,
+            is_model: self.is_model,
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! The numbers of a table as text, each under its path.
+
+use std::f64::consts::TAU;
+
+use fenderline_sim::hydro::vessels::Figure;
+
+use crate::checked::{Item, Table, Value};
+use crate::key_path;
+use crate::sources::Span;
+use crate::spec::{Kind, Quantity};
+use crate::units::measures as unit;
+
+/// Keys of a vessel that are no numbers of hers.
+const NO_FIGURES: [&str; 5] = ["title", "tank_model", "coefficients_of", "from", "source"];
+
+/// A number of a vessel, and where it stands.
+pub(super) struct Leaf {
+    /// Path below the vessel, as `propeller.wake`, and its value.
+    pub(super) figure: Figure,
+    /// The file does not give it.
+    pub(super) is_default: bool,
+    /// Its key.
+    pub(super) key_span: Span,
+}
+
+/// Every number of a vessel's table.
+pub(super) fn leaves(table: &Table) -> Vec<Leaf> {
+    let mut all = Vec::new();
+    collect(table, "", &mut all);
+    all
+}
+
+fn collect(table: &Table, path: &str, all: &mut Vec<Leaf>) {
+    for item in table.items.iter().filter(|item| !NO_FIGURES.contains(&item.name)) {
+        let path = key_path::join(path, item.name);
+        match &item.value {
+            Value::Table(inner) => collect(inner, &path, all),
+            Value::Named(tables) => {
+                for (name, inner) in tables {
+                    collect(inner, &key_path::join(&path, name), all);
+                }
+            }
+            _ => {
+                let kind = &table.spec.key(item.name).expect("it was read by its spec").kind;
+                all.push(Leaf {
+                    figure: Figure { name: path, text: shown(kind, item) },
+                    is_default: item.is_default,
+                    key_span: item.key_span.clone(),
+                });
+            }
+        }
+    }
+}
+
+fn shown(kind: &Kind, item: &Item) -> String {
+    match (kind, &item.value) {
+        (Kind::Quantity(quantity), Value::Number(value)) => number(quantity, *value),
+        (_, Value::Vector(at)) => format!("[{}, {}] m", digits(at.x), digits(at.y)),
+        (_, Value::Outline(points)) => format!("{} points", points.len()),
+        (Kind::Choice(choices), Value::Choice(index)) => choices.words[*index].0.to_owned(),
+        (_, Value::Text(text)) => text.clone(),
+        (_, Value::Flag(flag)) => flag.to_string(),
+        (_, other) => unreachable!("a vessel has no {other:?}"),
+    }
+}
+
+/// A number in the unit that a seaman would use.
+fn number(quantity: &Quantity, value: f64) -> String {
+    let of = quantity.measure;
+    let (value, unit) = match of {
+        _ if of == &unit::ANGLE => (value.to_degrees(), "°"),
+        _ if of == &unit::RATE_OF_TURN && value > 0.3 => (60.0 * value / TAU, "rpm"),
+        _ if of == &unit::RATE_OF_TURN => (value.to_degrees(), "°/s"),
+        _ if of == &unit::MASS => (1e-3 * value, "t"),
+        _ if of == &unit::FORCE => (1e-3 * value, "kN"),
+        _ => (value, of.unit),
+    };
+    let digits = digits(value);
+    if unit.is_empty() || unit.starts_with('°') {
+        format!("{digits}{unit}")
+    } else {
+        format!("{digits} {unit}")
+    }
+}
+
+/// A number as it was written, but for what conversion added: nine digits at most.
+pub(super) fn digits(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let rounded: f64 = format!("{value:.8e}").parse().expect("a number in text is a number");
+    format!("{rounded}")
+}

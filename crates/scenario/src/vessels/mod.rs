@@ -1,0 +1,104 @@
+//! Vessels as data: particulars, outline, coefficients, machinery and deck, from files of the form that
+//! `vessels/README.md` shows.
+
+mod data;
+mod figures;
+mod keys;
+mod provenance;
+mod read;
+mod shape;
+
+pub use data::{Belting, DeckPoint, Shaft, Stability, VesselData};
+pub(crate) use keys::VESSEL_FILE;
+pub(crate) use read::{hydrostatics, own_vessel};
+
+use crate::error::ScenarioError;
+use crate::library::LookUpError;
+use crate::reader;
+use crate::sources::{Sources, quoted};
+use crate::syntax;
+
+macro_rules! built_in {
+    ($($name:literal),* $(,)?) => {
+        [$(($name, include_str!(concat!("../../../../vessels/", $name)))),*]
+    };
+}
+
+/// The files that the program carries in itself: name and text.
+static BUILT_IN: [(&str, &str); 6] = built_in![
+    "kvlcc2.toml",
+    "kcs.toml",
+    "esso_osaka.toml",
+    "moreno2023.toml",
+    "asd_tug.toml",
+    "bulk_carrier.toml",
+];
+
+/// Vessels by name.
+///
+/// ```
+/// use fenderline_scenario::VesselLibrary;
+///
+/// let library = VesselLibrary::built_in();
+/// let kcs = library.vessel("kcs")?;
+/// assert_eq!(kcs.ship.particulars.length_m, 230.0);
+/// // Her low-speed hull was never published: it is an estimate, and said to be one.
+/// assert!(kcs.origin.estimates().any(|source| source.group == "hull at low speed"));
+///
+/// let error = library.vessel("kc").unwrap_err();
+/// assert_eq!(error.help(), "did you mean \"kcs\"?");
+/// # Ok::<(), fenderline_scenario::LookUpError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct VesselLibrary {
+    vessels: Vec<VesselData>,
+}
+
+impl VesselLibrary {
+    /// The files that the program carries in itself.
+    #[must_use]
+    pub fn built_in() -> VesselLibrary {
+        let empty = VesselLibrary { vessels: Vec::new() };
+        BUILT_IN.iter().fold(empty, |library, (name, text)| {
+            library.with_file(text, name).unwrap_or_else(|error| panic!("vessels/{name}: {error}"))
+        })
+    }
+
+    /// The library with a user's file added. `name` is for messages.
+    ///
+    /// # Errors
+    /// The first mistake found: what is no TOML, then unknown keys and bad values in the order of the file,
+    /// then what no ship can be, has no source, or is there already.
+    pub fn with_file(mut self, text: &str, name: &str) -> Result<VesselLibrary, ScenarioError> {
+        let sources = Sources { file_name: name, text, overrides: &[] };
+        let document = syntax::parse(&sources)?;
+        let end = text.trim_end().len();
+        let file = reader::table(&sources, &VESSEL_FILE, "", end..end, &document)?;
+        for (name, table) in file.given("vessel").named() {
+            if self.vessels.iter().any(|vessel| vessel.name == *name) {
+                let message = format!("there is a vessel named {} already", quoted(name));
+                return Err(sources.error(&table.span, &table.path, message));
+            }
+            let vessel = read::file_vessel(&sources, name, table, &self)?;
+            self.vessels.push(vessel);
+        }
+        Ok(self)
+    }
+
+    /// All vessels, in the order in which their files came.
+    #[must_use]
+    pub fn vessels(&self) -> &[VesselData] {
+        &self.vessels
+    }
+
+    /// The vessel of this name.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn vessel(&self, name: &str) -> Result<&VesselData, LookUpError> {
+        self.vessels.iter().find(|vessel| vessel.name == name).ok_or_else(|| {
+            let known = self.vessels.iter().map(|vessel| vessel.name.as_str());
+            LookUpError::unknown("vessel".to_owned(), name, known)
+        })
+    }
+}

@@ -1,0 +1,177 @@
+//! Which number of a vessel comes from where: every one has one source, and every source some number.
+
+use fenderline_sim::hydro::vessels::{Figure, Origin, Source, Standing};
+
+use super::data::VesselData;
+use super::figures::{Leaf, leaves};
+use crate::checked::{Item, Table};
+use crate::error::ScenarioError;
+use crate::sources::{Sources, quoted};
+
+/// What a vessel may take from the one of `coefficients_of`.
+const INHERITED: [&str; 20] = [
+    "added_mass",
+    "sway_polynomial",
+    "drift_polynomial",
+    "low_speed",
+    "propeller.thrust",
+    "propeller.series",
+    "propeller.thrust_deduction",
+    "propeller.thrust_deduction_astern",
+    "propeller.wake",
+    "propeller.wake_change",
+    "propeller.place",
+    "rudder.lift_gradient",
+    "rudder.wake_ratio",
+    "rudder.race_gain",
+    "rudder.straightening",
+    "rudder.straightening_place",
+    "rudder.resistance_deduction",
+    "rudder.hull_gain",
+    "rudder.hull_place",
+    "rudder.place",
+];
+
+/// Does a key stand for a number?
+fn covers(key: &str, path: &str) -> bool {
+    path.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
+
+fn given(group: String, figures: Vec<Figure>, source: &str, standing: Standing) -> Source {
+    Source { group, figures, source: source.to_owned(), standing, is_estimate: false }
+}
+
+/// The sources of a vessel of a file.
+///
+/// # Errors
+/// A number without a source, a source that names nothing or what another names.
+pub(super) fn of_file(sources: &Sources<'_>, table: &Table) -> Result<Vec<Source>, ScenarioError> {
+    let entries = table.given("source").list();
+    let leaves = leaves(table);
+    let keys: Vec<(usize, &Item, &String)> = entries
+        .iter()
+        .enumerate()
+        .flat_map(|(index, entry)| {
+            let of = entry.given("of");
+            of.texts().iter().map(move |key| (index, of, key))
+        })
+        .collect();
+    for (place, (index, of, key)) in keys.iter().enumerate() {
+        let complain = |message: String| {
+            let path = entries[*index].path_of("of");
+            Err(sources.error(&of.span, &path, format!("`{path}`: {message}")))
+        };
+        if !leaves.iter().any(|leaf| !leaf.is_default && covers(key, &leaf.figure.name)) {
+            return complain(format!("the vessel gives nothing under {}", quoted(key)));
+        }
+        if keys[..place].iter().any(|(_, _, other)| other == key) {
+            return complain(format!("{} has two sources", quoted(key)));
+        }
+    }
+    let mut found: Vec<Source> = entries
+        .iter()
+        .map(|entry| {
+            let source = entry.given("source").text();
+            let standing = standing(*entry.given("standing").choice());
+            given(entry.given("of").texts().join(", "), Vec::new(), source, standing)
+        })
+        .collect();
+    let mut defaults = Vec::new();
+    for Leaf { figure, is_default, key_span } in leaves {
+        if is_default {
+            defaults.push(figure);
+            continue;
+        }
+        let nearest = keys.iter().filter(|(_, _, key)| covers(key, &figure.name));
+        let Some((index, ..)) = nearest.max_by_key(|(_, _, key)| key.len()) else {
+            let path = format!("{}.{}", table.path, figure.name);
+            let error = sources.error(&key_span, &path, format!("`{path}` has no source"));
+            return Err(error.with_help(format!(
+                "write [[{}.source]] with of = [\"{}\"], source and standing",
+                table.path, figure.name
+            )));
+        };
+        found[*index].figures.push(figure);
+    }
+    found.extend(defaults_of(defaults));
+    Ok(found)
+}
+
+/// The sources of a vessel of a scenario.
+pub(super) fn of_scenario(table: &Table) -> Vec<Source> {
+    of_leaves(leaves(table))
+}
+
+fn of_leaves(leaves: Vec<Leaf>) -> Vec<Source> {
+    let (defaults, own): (Vec<_>, Vec<_>) = leaves.into_iter().partition(|leaf| leaf.is_default);
+    let figures = |leaves: Vec<Leaf>| leaves.into_iter().map(|leaf| leaf.figure).collect();
+    let mut all = Vec::new();
+    if !own.is_empty() {
+        all.push(given("given".to_owned(), figures(own), "the scenario", Standing::Given));
+    }
+    all.extend(defaults_of(figures(defaults)));
+    all
+}
+
+/// What the program takes where nothing is said.
+pub(super) fn defaults_of(figures: Vec<Figure>) -> Option<Source> {
+    let source = "the program's own, where nothing is said";
+    (!figures.is_empty()).then(|| given("defaults".to_owned(), figures, source, Standing::Assumed))
+}
+
+/// What follows by Froude's law from another vessel.
+pub(super) fn scaled(figures: Vec<Figure>, base: &VesselData) -> Option<Source> {
+    let source = format!("by Froude's law from {}", base.origin.title);
+    let group = figures.iter().map(|figure| figure.name.clone()).collect::<Vec<_>>().join(", ");
+    (!figures.is_empty()).then(|| given(group, figures, &source, Standing::Derived))
+}
+
+/// Coefficients that are another vessel's, with their sources.
+pub(super) fn inherited(table: &Table, base: &VesselData) -> Vec<Source> {
+    let own = leaves(table);
+    let is_own =
+        |key: &str| own.iter().any(|leaf| !leaf.is_default && covers(key, &leaf.figure.name));
+    let taken: Vec<&str> = INHERITED.into_iter().filter(|key| !is_own(key)).collect();
+    let of_base = base.origin.sources.iter().filter(|source| !source.is_estimate);
+    of_base
+        .filter_map(|source| {
+            let mut source = source.clone();
+            source.figures.retain(|figure| taken.iter().any(|key| covers(key, &figure.name)));
+            source.group = format!("as {}", base.origin.title);
+            (!source.figures.is_empty()).then_some(source)
+        })
+        .collect()
+}
+
+/// The origin of a vessel that a scenario made from another: what it replaced is no longer that vessel's. Of
+/// propeller and rudder it replaces key by key, of everything else whole tables.
+pub(super) fn replaced(base: &Origin, table: &Table) -> Origin {
+    let by_key = |name: &str| covers("propeller", name) || covers("rudder", name);
+    let own = leaves(table);
+    let is_replaced = |figure: &Figure| {
+        let group = figure.name.split('.').next().unwrap_or_default();
+        let mut names = own.iter().map(|leaf| &leaf.figure.name);
+        if by_key(&figure.name) {
+            names.any(|name| *name == figure.name)
+        } else {
+            names.any(|name| covers(group, name))
+        }
+    };
+    let mut sources: Vec<Source> = base.sources.clone();
+    for source in sources.iter_mut().filter(|source| !source.is_estimate) {
+        source.figures.retain(|figure| !is_replaced(figure));
+    }
+    sources.retain(|source| source.is_estimate || !source.figures.is_empty());
+    sources.extend(of_leaves(own));
+    Origin { title: base.title.clone(), sources }
+}
+
+fn standing(index: usize) -> Standing {
+    match index {
+        0 => Standing::Found,
+        1 => Standing::Derived,
+        2 => Standing::Recalled,
+        3 => Standing::Assumed,
+        other => unreachable!("the key table has no standing {other}"),
+    }
+}

@@ -1,0 +1,156 @@
+//! Outline, chocks, bitts and belting: where they are, and that they are on her.
+
+use fenderline_contact::{Outline, Vec2, vec2};
+use fenderline_sim::hydro::Particulars;
+
+use super::data::{Belting, DeckPoint};
+use crate::checked::{Item, Table};
+use crate::error::ScenarioError;
+use crate::sources::Sources;
+
+type Read<T> = Result<T, ScenarioError>;
+
+/// An outline's breadth, and its length where the length overall is known, may differ by this much.
+const FITS: f64 = 0.02;
+/// Length of an outline over the length between perpendiculars, where nothing else is known.
+const OVERALL: [f64; 2] = [0.95, 1.2];
+/// How far beyond the outline a chock may stand [m].
+const OUTREACH_M: f64 = 1.0;
+
+/// The outline about midship.
+pub(super) fn outline(
+    sources: &Sources<'_>,
+    table: &Table,
+    ship: &Particulars,
+    length_overall: Option<&Item>,
+) -> Read<Option<Vec<Vec2>>> {
+    let Some(inner) = table.item("outline").map(Item::table) else { return Ok(None) };
+    let item = inner.given("points");
+    let path = inner.path_of("points");
+    let complain =
+        |message: String| sources.error(&item.span, &path, format!("`{path}`: {message}"));
+    let forward_m = match inner.given("origin").choice() {
+        0 => 0.0,
+        1 => -0.5 * ship.length_m,
+        2 => ship.centre_of_gravity_m,
+        other => unreachable!("the key table has no origin {other}"),
+    };
+    let points: Vec<Vec2> =
+        item.outline().iter().map(|point| *point + vec2(forward_m, 0.0)).collect();
+    Outline::new(&points).map_err(|error| complain(error.to_string()))?;
+    let extent = extent(&points);
+    let (length_m, breadth_m) = (extent[1].x - extent[0].x, extent[1].y - extent[0].y);
+    if (breadth_m / ship.beam_m - 1.0).abs() > FITS {
+        let message = format!("it is {breadth_m} m broad, but her beam is {} m", ship.beam_m);
+        return Err(complain(message));
+    }
+    match length_overall {
+        Some(overall) if (length_m / overall.number() - 1.0).abs() > FITS => {
+            let overall_m = overall.number();
+            Err(complain(format!(
+                "it is {length_m} m long, but her length overall is {overall_m} m"
+            )))
+        }
+        None if !(OVERALL[0]..=OVERALL[1]).contains(&(length_m / ship.length_m)) => {
+            let message = format!(
+                "it is {length_m} m long, but her length between perpendiculars is {} m",
+                ship.length_m
+            );
+            Err(complain(message).with_help("give her `length_overall`, where that is so"))
+        }
+        _ => Ok(Some(points)),
+    }
+}
+
+/// The corners of the smallest rectangle around points, after port and forward starboard.
+fn extent(points: &[Vec2]) -> [Vec2; 2] {
+    let start = [vec2(f64::INFINITY, f64::INFINITY), vec2(-f64::INFINITY, -f64::INFINITY)];
+    points.iter().fold(start, |[low, high], point| {
+        [
+            vec2(low.x.min(point.x), low.y.min(point.y)),
+            vec2(high.x.max(point.x), high.y.max(point.y)),
+        ]
+    })
+}
+
+/// Chocks or bitts.
+pub(super) fn deck_points(
+    sources: &Sources<'_>,
+    tables: &[(String, Table)],
+    hull: &Hull<'_>,
+) -> Read<Vec<DeckPoint>> {
+    let read = |(name, table): &(String, Table)| {
+        let item = table.given("at");
+        hull.check(sources, table, item)?;
+        Ok(DeckPoint {
+            name: name.clone(),
+            at_m: *item.vector(),
+            above_water_m: *table.given("height").number(),
+        })
+    };
+    tables.iter().map(read).collect()
+}
+
+/// Strips of belting.
+pub(super) fn beltings(
+    sources: &Sources<'_>,
+    tables: &[(String, Table)],
+    hull: &Hull<'_>,
+) -> Read<Vec<Belting>> {
+    let read = |(name, table): &(String, Table)| {
+        let ends = [table.given("from"), table.given("to")];
+        for end in ends {
+            hull.check(sources, table, end)?;
+        }
+        let [from_m, to_m] = ends.map(|end| *end.vector());
+        let along_m = to_m - from_m;
+        let middle_m = (from_m + to_m) * 0.5;
+        let across = vec2(-along_m.y, along_m.x);
+        let outward = if across.dot(middle_m) < 0.0 { across * -1.0 } else { across };
+        // Its line passes midship: neither of its sides is outward.
+        if across.dot(middle_m).abs() < 1e-6 * along_m.length() || along_m.length() < 1e-3 {
+            let path = &table.path;
+            let message = format!("`{path}` must be a strip that has midship on one side of it");
+            return Err(sources.error(&ends[0].span, path, message));
+        }
+        Ok(Belting {
+            name: name.clone(),
+            middle_m,
+            facing_rad: libm::atan2(outward.y, outward.x),
+            width_m: along_m.length(),
+            above_water_m: *table.given("height").number(),
+            extent_m: *table.given("extent").number(),
+        })
+    };
+    tables.iter().map(read).collect()
+}
+
+/// Where a point on deck may be.
+pub(super) struct Hull<'h> {
+    /// The outline about midship, where it is known.
+    pub(super) outline_m: Option<&'h [Vec2]>,
+    /// Length and beam.
+    pub(super) ship: &'h Particulars,
+}
+
+impl Hull<'_> {
+    fn check(&self, sources: &Sources<'_>, table: &Table, item: &Item) -> Read<()> {
+        let [low, high] = match self.outline_m {
+            Some(points) => extent(points),
+            None => {
+                let corner = vec2(0.5 * OVERALL[1] * self.ship.length_m, 0.5 * self.ship.beam_m);
+                [corner * -1.0, corner]
+            }
+        };
+        let at = item.vector();
+        let inside = |value: f64, low: f64, high: f64| {
+            (low - OUTREACH_M..=high + OUTREACH_M).contains(&value)
+        };
+        if inside(at.x, low.x, high.x) && inside(at.y, low.y, high.y) {
+            return Ok(());
+        }
+        let path = table.path_of(item.name);
+        let message = format!("`{path}`: [{}, {}] m is not on her", at.x, at.y);
+        Err(sources.error(&item.span, &path, message))
+    }
+}
