@@ -146,7 +146,10 @@ proptest! {
             greatest_j = greatest_j.max(model.kinetic_j(&motion.velocity));
         }
         let end_j = model.kinetic_j(&motion.velocity);
-        prop_assert!(end_j < 0.02 * start_j.max(1e-9), "{end_j} J left of {start_j} J");
+        // Resistance by the square leaves 1/u ≥ t R0'/(2 B Cb) however slowly she began: below 0.2 m/s after this
+        // time for each of the three, and no 2 % of what was less.
+        let slow_j = model.kinetic_j(&Velocity { surge_mps: 0.2, ..Velocity::default() });
+        prop_assert!(end_j < (0.02 * start_j).max(slow_j), "{end_j} J left of {start_j} J");
         prop_assert!(greatest_j < 1.02 * start_j.max(1e-12), "{greatest_j} J from {start_j} J");
     }
 }
