@@ -130,7 +130,7 @@ fn what_cannot_be_done_is_refused_by_name() {
     for (args, code, said) in [
         (&["kvlc2"][..], 2, "did you mean \"kvlcc2\"?"),
         (&["kcs", "turnign"], 2, "a similar value exists: 'turning'"),
-        (&["esso-osaka", "turning"], 2, "crabbing is what she can do"),
+        (&["esso-osaka", "turning", "--rudder", "36"], 2, "stops at 35°"),
         (&["kcs", "turning", "--rudder", "36"], 2, "stops at 35°"),
         (&["kcs", "turning", "--rudder", "-5"], 2, "must be above 0"),
         (&["kcs", "turning", "--rudder", "nan"], 2, "must be above 0"),
@@ -145,8 +145,33 @@ fn what_cannot_be_done_is_refused_by_name() {
         assert_eq!(run.code, code, "{args:?}: {}{}", run.stdout, run.stderr);
         assert!(run.stderr.contains(said), "{args:?}: {}", run.stderr);
     }
-    // What she can do is done, and what is left out is said.
-    let run = place.run(&["manoeuvre", "esso-osaka"]);
-    assert_eq!(run.code, 0);
-    assert!(run.stdout.contains("Crabbing") && run.stdout.contains("are left out"));
+}
+
+#[test]
+fn every_vessel_carries_out_every_manoeuvre() {
+    let place = Workplace::new("manoeuvre_all");
+    for vessel in ["kvlcc2", "kvlcc2-model", "kcs", "esso-osaka"] {
+        let run = place.run(&["manoeuvre", vessel]);
+        assert_eq!(run.code, 0, "{vessel}: {}", run.stderr);
+        for manoeuvre in
+            ["Turning circle", "Zig-zag 10", "Zig-zag 20", "Crash stop", "Crabbing", "Bollard pull"]
+        {
+            assert!(run.stdout.contains(manoeuvre), "{vessel} has no {manoeuvre}");
+        }
+        assert!(!run.stdout.contains("NaN"), "{}", run.stdout);
+        assert_eq!(
+            run.stdout.contains("no conformity is claimed"),
+            !vessel.contains("model") && vessel != "esso-osaka"
+        );
+    }
+}
+
+/// A tanker was stopped within 8 lengths, by the friction of her 7 m model.
+#[test]
+fn a_ship_with_her_own_friction_runs_on_farther_than_with_that_of_her_model() {
+    let place = Workplace::new("manoeuvre_friction");
+    let document = json(&place, &["kvlcc2", "crash-stop"]);
+    let reach = |column: &str| measure(&document, "Crash stop", "track_reach", column);
+    let (tested, own) = (reach("as tested"), reach("ship's friction"));
+    assert!(own > 1.2 * tested && own < 20.0, "{tested} {own}");
 }

@@ -10,12 +10,12 @@
 mod ships;
 
 use fenderline_sim::hydro::manoeuvres::{
-    Approach, ManoeuvreError, TurningCircle, ZigZag, crash_stop, self_propulsion_rps,
-    turning_circle, zig_zag,
+    Approach, ManoeuvreError, TurningCircle, ZigZag, bollard_pull_n, crash_stop,
+    self_propulsion_rps, turning_circle, zig_zag,
 };
 use fenderline_sim::hydro::vessels::Vessel;
 use fenderline_sim::hydro::{Model3, Water};
-use ships::{kcs, kvlcc2, kvlcc2_model};
+use ships::{esso_osaka_model, kcs, kvlcc2, kvlcc2_model};
 
 fn ready(vessel: &Vessel) -> (Model3, Approach) {
     let model = Model3::new(vessel.ship, Water::SEA);
@@ -186,6 +186,67 @@ fn a_crash_stop_ends_within_imo_limits_and_in_a_straight_line() {
     assert!((5.0..20.0).contains(&(stop.track_reach_m / 320.0)));
     // The rudder is amidships and the model symmetric but for the signs of γ_R and C₂.
     assert!(stop.lateral_m.abs() < 1e-6 && stop.heading_rad.abs() < 1e-9);
+}
+
+#[test]
+fn a_ships_friction_is_less_than_her_models() {
+    let tested = kvlcc2();
+    let speed_mps = tested.approach_mps.expect("a speed");
+    let ship = tested.ship.with_ships_friction(7.0, speed_mps).expect("a ship");
+    let (before, after) = (tested.ship.hull.low_speed.ahead, ship.hull.low_speed.ahead);
+    // By hand: C_F 3.18·10⁻³ and 1.40·10⁻³ on 26 300 m² of 6 656 m²: 0.0070 less of 0.022.
+    assert!((after - before - 0.0070).abs() < 1e-4, "{before} {after}");
+    assert!(tested.ship.with_ships_friction(700.0, 8.0).is_err());
+    assert_eq!(ship.check(), Ok(ship));
+}
+
+/// MSC/Circ.1053, appendix 3: along a straight track, with resistance as the square of the speed and the thrust astern
+/// throughout that at rest, a ship stops in S = A ln(1 + B) + C lengths, A from mass over resistance, B her resistance
+/// before the stop over that thrust, C from the time to reverse. By integration A = M/(2kL) and B = ku₀²/T. Ours has
+/// less thrust astern at speed than at rest, by the propeller series, and must come out longer, but by less than a tenth.
+#[test]
+fn crash_stops_are_as_long_as_the_closed_form_of_constant_thrust_says() {
+    let tested = kvlcc2();
+    let own = tested
+        .ship
+        .with_ships_friction(7.0, tested.approach_mps.expect("a speed"))
+        .expect("a ship");
+    for vessel in [tested.clone(), Vessel { ship: own, ..tested.clone() }, kcs()] {
+        let (model, approach) = ready(&vessel);
+        let reversal_s = 0.1 * vessel.ship.particulars.length_m / approach.speed_mps;
+        let astern_rps = -0.7 * approach.shaft_rps;
+        let rate_rps2 = 1.7 * approach.shaft_rps / reversal_s;
+        let stop = crash_stop(&model, &approach, astern_rps, rate_rps2).expect("she stops");
+        let density = model.water().density_kgpm3;
+        let ship = &vessel.ship;
+        let mass_kg = density * (ship.particulars.volume_m3 + ship.added_mass.surge_m3);
+        let side_m2 = ship.particulars.length_m * ship.particulars.draught_m;
+        let drag_npm2s2 = -0.5 * density * side_m2 * ship.hull.low_speed.ahead;
+        let astern_n = -bollard_pull_n(&model, astern_rps).expect("a propeller");
+        let b = drag_npm2s2 * approach.speed_mps * approach.speed_mps / astern_n;
+        // C: half of the time to reverse at the first speed.
+        let theirs_m =
+            mass_kg / (2.0 * drag_npm2s2) * libm::log1p(b) + 0.5 * reversal_s * approach.speed_mps;
+        let ratio = stop.track_reach_m / theirs_m;
+        println!(
+            "{:.2} L, closed form {:.2} L",
+            stop.track_reach_m / ship.particulars.length_m,
+            theirs_m / ship.particulars.length_m
+        );
+        assert!((1.0..1.1).contains(&ratio), "{}: {ratio}", vessel.origin.title);
+    }
+}
+
+/// At low speed (Fn 0.07), against `validation/independent/esso_osaka_turning.py`.
+#[test]
+fn esso_osaka_turns_as_the_independent_calculation_says() {
+    for (rudder_deg, theirs) in
+        [(35.0, [3.444, 3.988]), (-35.0, [3.343, 3.765]), (20.0, [4.782, 6.349])]
+    {
+        let ours = diameters(&esso_osaka_model(), rudder_deg);
+        independent(ours[0], theirs[0], 0.001);
+        independent(ours[1], theirs[1], 0.001);
+    }
 }
 
 /// Shallow water widens the turn. The sheet's numbers are another ship's (Esso, 190 000 dwt: TD 3.15, 3.49 and 5.33 L in

@@ -64,7 +64,7 @@ fn mirrored_controls_give_the_mirrored_track() {
 /// A hull without forces and without added mass is a rigid body: momentum and energy stay.
 #[test]
 fn a_body_without_water_forces_keeps_momentum_and_energy() {
-    let mut ship = esso_osaka_model().ship;
+    let mut ship = Mmg { propulsion: None, ..esso_osaka_model().ship };
     ship.added_mass = Default::default();
     let low = &mut ship.hull.low_speed;
     (low.ahead, low.astern, low.surge_vr) = (0.0, 0.0, 0.0);
@@ -182,7 +182,8 @@ fn bollard_pull_is_kt_at_rest_less_deduction() {
     let expected_n = 0.78 * 1025.0 * 9.86_f64.powi(4) * 0.2931;
     assert!((ahead_n / expected_n - 1.0).abs() < 1e-12);
     assert!(bollard_pull_n(&model, -1.0).expect("a propeller") < 0.0);
-    assert!(bollard_pull_n(&Model3::new(esso_osaka_model().ship, Water::FRESH), 1.0).is_err());
+    let bare = Mmg { propulsion: None, ..esso_osaka_model().ship };
+    assert!(bollard_pull_n(&Model3::new(bare, Water::FRESH), 1.0).is_err());
 }
 
 #[test]

@@ -40,7 +40,7 @@ pub(super) fn text(
     if sections.iter().flat_map(|section| &section.rows).any(|row| row.imo_limit.is_some()) {
         text.push_str(
             "\nIMO: resolution MSC.137(76), annex, 5.3, as reproduced by a third party, for the test speed \
-             in deep water.\nA large ship may be allowed a track reach of up to 20 L.\n",
+             in deep water; no conformity is claimed.\nA large ship may be allowed a track reach of up to 20 L.\n",
         );
     } else if sea.is_model {
         text.push_str("\nIMO's limits (MSC.137(76)) are for ships, not for models.\n");

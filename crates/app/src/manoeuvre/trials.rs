@@ -73,9 +73,13 @@ const SIDES: [(&str, f64); 2] = [("starboard", 1.0), ("port", -1.0)];
 
 impl Trial<'_> {
     fn approach(&self) -> Result<Approach, ManoeuvreError> {
+        self.approach_of(self.model)
+    }
+
+    fn approach_of(&self, model: &Model3) -> Result<Approach, ManoeuvreError> {
         let speed_mps = self.conditions.speed_mps;
         let step_s = STEP * self.length_m / speed_mps;
-        Approach::at(self.model, speed_mps, self.vessel.steering, step_s)
+        Approach::at(model, speed_mps, self.vessel.steering, step_s)
     }
 
     /// A limit, where IMO's limits hold.
@@ -217,38 +221,80 @@ impl Trial<'_> {
         }
     }
 
+    /// With the resistance of the tests, and with the ship's own friction where theirs is a model's.
     fn crash_stop(&self) -> Result<Section, ManoeuvreError> {
-        let approach = self.approach()?;
-        let reversal_s = REVERSAL * self.length_m / approach.speed_mps;
-        let astern_rps = ASTERN * approach.shaft_rps;
-        let rate_rps2 = (approach.shaft_rps - astern_rps) / reversal_s;
-        let (stop, track) = watched("crash_stop".to_owned(), |watch| {
-            crash_stop_watched(self.model, &approach, astern_rps, rate_rps2, watch)
-        })?;
-        let CrashStop { track_reach_m, head_reach_m, lateral_m, heading_rad, time_s } = stop;
-        let lengths = |value_m: f64| vec![value_m / self.length_m];
+        let mut models = vec![("ahead", *self.model)];
+        let speed_mps = self.conditions.speed_mps;
+        let own = self
+            .vessel
+            .resistance_of_model_m
+            .and_then(|m| self.vessel.ship.with_ships_friction(m, speed_mps).ok());
+        if let Some(own) = own {
+            models = vec![
+                ("as tested", *self.model),
+                ("ship's friction", Model3::new(own, self.model.water())),
+            ];
+        }
+        let reversal_s = REVERSAL * self.length_m / speed_mps;
+        let (mut stops, mut tracks, mut asterns_rpm) = (Vec::new(), Vec::new(), Vec::new());
+        for (column, model) in &models {
+            let approach = self.approach_of(model)?;
+            let astern_rps = ASTERN * approach.shaft_rps;
+            let rate_rps2 = (approach.shaft_rps - astern_rps) / reversal_s;
+            let name = match *column {
+                "ship's friction" => "crash_stop_own_friction",
+                _ => "crash_stop",
+            };
+            let (stop, track) = watched(name.to_owned(), |watch| {
+                crash_stop_watched(model, &approach, astern_rps, rate_rps2, watch)
+            })?;
+            stops.push(stop);
+            tracks.push(track);
+            asterns_rpm.push(-60.0 * astern_rps);
+        }
+        let each = |value: fn(&CrashStop) -> f64| stops.iter().map(value).collect::<Vec<f64>>();
+        let lengths = |value: fn(&CrashStop) -> f64| {
+            stops.iter().map(|stop| value(stop) / self.length_m).collect::<Vec<f64>>()
+        };
         let rows = vec![
-            Row::new("track_reach", "track reach", Unit::Lengths, lengths(track_reach_m))
+            Row::new("astern", "revolutions astern", Unit::PerMinute, asterns_rpm),
+            Row::new("track_reach", "track reach", Unit::Lengths, lengths(|s| s.track_reach_m))
                 .limited(self.limit(imo::TRACK_REACH)),
-            Row::new("head_reach", "head reach", Unit::Lengths, lengths(head_reach_m)),
-            Row::new("lateral", "lateral deviation", Unit::Lengths, lengths(lateral_m)),
-            Row::new("heading", "change of heading", Unit::Degrees, vec![heading_rad.to_degrees()]),
-            Row::new("time", "time to standstill", Unit::Seconds, vec![time_s]),
+            Row::new("head_reach", "head reach", Unit::Lengths, lengths(|s| s.head_reach_m)),
+            Row::new("lateral", "lateral deviation", Unit::Lengths, lengths(|s| s.lateral_m)),
+            Row::new(
+                "heading",
+                "change of heading",
+                Unit::Degrees,
+                each(|s| s.heading_rad.to_degrees()),
+            ),
+            Row::new("time", "time to standstill", Unit::Seconds, each(|s| s.time_s)),
         ];
+        let mut notes = vec![
+            "The shaft changes evenly, in 30 s for a ship of 320 m at 15.5 knots: assumed.",
+            "It does so whatever torque it takes: a diesel may need longer.",
+            "A propeller astern does not swing the ship in this model, as real ones do.",
+        ];
+        notes.push(match (models.len(), self.has_limits) {
+            (2, _) => {
+                "As tested: with the friction of her model, which stops a ship too soon. Ship's: less the \
+                 difference of the ITTC 1957 line; no form factor, no roughness."
+            }
+            (_, true) => {
+                "Whether her resistance is a model's is not known: a model's friction stops a ship too soon."
+            }
+            _ => "",
+        });
+        notes.retain(|note| !note.is_empty());
         Ok(Section {
             manoeuvre: self.name.clone(),
             title: format!(
-                "Crash stop, {:.1} rpm astern reached within {reversal_s:.1} s",
-                -60.0 * astern_rps
+                "Crash stop, full astern (70 % of the revolutions) reached within {reversal_s:.1} s"
             ),
-            columns: vec!["ahead"],
+            columns: models.iter().map(|(column, _)| *column).collect(),
             rows,
-            notes: vec![
-                "The shaft changes evenly, in 30 s for a ship of 320 m at 15.5 knots: assumed.",
-                "It does so whatever torque it takes: a diesel may need longer.",
-                "A propeller astern does not swing the ship in this model, as real ones do.",
-            ],
-            tracks: vec![track],
+            notes,
+            tracks,
         })
     }
 

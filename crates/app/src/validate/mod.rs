@@ -33,12 +33,13 @@ macro_rules! published {
 }
 
 /// What there is to compare with, in the order of the table.
-const PUBLISHED: [(&str, &str); 12] = published![
+const PUBLISHED: [(&str, &str); 13] = published![
     "moreno2023.toml",
     "closed_form.toml",
     "kvlcc2.toml",
     "kcs.toml",
     "low_speed.toml",
+    "esso_osaka.toml",
     "added_mass.toml",
     "shallow_water.toml",
     "propeller.toml",

@@ -16,6 +16,8 @@ pub struct VesselData {
     pub origin: Origin,
     /// A model in a tank of fresh water.
     pub is_model: bool,
+    /// Length of the model whose resistance a full-scale ship has in `ship` [m], where it is known.
+    pub resistance_of_model_m: Option<f64>,
     /// Length overall [m], where it is known.
     pub length_overall_m: Option<f64>,
     /// Her manoeuvring model in deep water.
@@ -122,6 +124,7 @@ impl VesselData {
             approach_mps: self.approach_mps,
             steering: self.rudder,
             is_model: self.is_model,
+            resistance_of_model_m: self.resistance_of_model_m,
         }
     }
 }

@@ -100,6 +100,14 @@ static VESSEL: TableSpec = TableSpec {
             &["\"72 m\""],
         ),
         key(
+            "resistance_of_model",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 100.0 }),
+            Means("her resistance is her own, or nobody said"),
+            "Length of the model whose resistance she has: its friction is over a ship's share, and crash stops are \
+             shown without it too.",
+            &["\"7 m\""],
+        ),
+        key(
             "speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.01, high: 50.0 }),
             Means("not known"),

@@ -161,6 +161,9 @@ impl Reading<'_, '_> {
         Ok(VesselData {
             name: name.to_owned(),
             is_model: table.item_if_any("tank_model").is_some_and(|item| *item.flag()),
+            resistance_of_model_m: table
+                .item_if_any("resistance_of_model")
+                .map(|item| *item.number()),
             length_overall_m: overall.map(|item| *item.number()),
             ship,
             approach_mps,

@@ -47,6 +47,7 @@ mod added_mass;
 mod blend;
 mod error;
 mod estimate;
+mod friction;
 mod low_speed;
 mod mmg;
 mod model3;
@@ -61,6 +62,7 @@ pub use added_mass::{AddedMass, clarke_added_mass, shallow_sway_factor, zhou_add
 pub use blend::{Hull, polynomial_weight};
 pub use error::HydroError;
 pub use estimate::{Known, SternCoefficients, SternGear, estimated};
+pub use friction::ittc_1957;
 pub use low_speed::{CrossFlow, LowSpeedHull, hoerner_drag_coefficient};
 pub use mmg::{
     DriftPolynomial, LinearTerms, Mmg, Parts, Polynomial, Propulsion, SwayPolynomial, Wake,

@@ -112,6 +112,8 @@ pub struct Vessel {
     pub steering: RateLimited,
     /// A model in a tank of fresh water.
     pub is_model: bool,
+    /// Length of the model whose resistance a full-scale ship has in `ship` [m], where it is known.
+    pub resistance_of_model_m: Option<f64>,
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@ pub(crate) fn kcs() -> Vessel {
     ship("kcs")
 }
 
-/// Esso Osaka, the bare hull of a model of 3 m.
+/// Esso Osaka, the free-running model of 3 m.
 pub(crate) fn esso_osaka_model() -> Vessel {
     ship("esso-osaka")
 }

@@ -1,4 +1,4 @@
-//! Standard manoeuvres of KVLCC2 and KCS.
+//! Standard manoeuvres of KVLCC2, KCS and Esso Osaka.
 
 use fenderline_sim::hydro::manoeuvres::{Approach, self_propulsion_rps, turning_circle, zig_zag};
 use fenderline_sim::hydro::vessels::Vessel;
@@ -28,6 +28,12 @@ pub(super) fn compute(values: &mut Values) {
         values.put(format!("{name}/self_propulsion"), rps, "1/s");
     }
     shallow_turns(values);
+    // In ratios the density of the water plays no part.
+    let esso_osaka = Trial::of(&vessel("esso-osaka"));
+    for (side, sign) in [("starboard", 1.0), ("port", -1.0)] {
+        esso_osaka.turn(values, &format!("esso_osaka/turn_35/{side}"), sign * 35.0);
+        esso_osaka.turn(values, &format!("esso_osaka/turn_20/{side}"), sign * 20.0);
+    }
 }
 
 fn approach_mps(vessel: &Vessel) -> f64 {

@@ -1,0 +1,70 @@
+//! From the friction of a model to that of the ship.
+//!
+//! Coefficients of a model in a tank hold her friction, which is over its share of a ship's: the Reynolds number is a
+//! hundred times smaller. In turns that matters little; how far a ship runs on is in proportion to it.
+
+use super::error::{HydroError, within};
+use super::mmg::{Mmg, Polynomial};
+
+/// Kinematic viscosity of fresh water at 15 °C, of a tank [m²/s].
+const TANK_M2PS: f64 = 1.139e-6;
+/// Kinematic viscosity of sea water at 15 °C [m²/s].
+const SEA_M2PS: f64 = 1.189e-6;
+
+/// C_F = 0.075/(log₁₀ Re − 2)², the ITTC 1957 model-ship correlation line (read in Morrall, NPL Ship Report 142, 1970).
+///
+/// # Errors
+/// A Reynolds number below 10⁴ or above 10¹¹.
+pub fn ittc_1957(reynolds: f64) -> Result<f64, HydroError> {
+    let reynolds = within("the Reynolds number", reynolds, 1e4, 1e11)?;
+    let excess = libm::log10(reynolds) - 2.0;
+    Ok(0.075 / (excess * excess))
+}
+
+impl Mmg {
+    /// The same ship with her own friction instead of that of the model whose resistance she has, both at the Froude
+    /// number of a speed [m/s]: the difference of the ITTC 1957 line on the wetted surface by Mumford, 1.7Ld + ∇/d
+    /// (recalled). No form factor and no roughness, which would take more and add some.
+    ///
+    /// # Errors
+    /// [`HydroError::OutOfRange`] for a speed or a length of model that none has, or where no resistance would be left.
+    pub fn with_ships_friction(
+        &self,
+        model_length_m: f64,
+        speed_mps: f64,
+    ) -> Result<Mmg, HydroError> {
+        let ship = &self.particulars;
+        let scale =
+            within("length of the model [m]", model_length_m, 0.1, ship.length_m)? / ship.length_m;
+        let model = ittc_1957(speed_mps * scale.sqrt() * model_length_m / TANK_M2PS)?;
+        let own = ittc_1957(speed_mps * ship.length_m / SEA_M2PS)?;
+        let side_m2 = ship.length_m * ship.draught_m;
+        let wetted_m2 = 1.7 * side_m2 + ship.volume_m3 / ship.draught_m;
+        let less = (model - own) * wetted_m2 / side_m2;
+        let mut changed = *self;
+        let left =
+            within("what is left of the resistance", -self.hull.low_speed.ahead - less, 1e-6, 1.0)?;
+        changed.hull.low_speed.ahead = -left;
+        changed.hull.low_speed.astern += less;
+        match &mut changed.hull.under_way {
+            Some(Polynomial::Sway(polynomial)) => polynomial.resistance -= less,
+            Some(Polynomial::Drift(polynomial)) => polynomial.x_0 += less,
+            None => {}
+        }
+        Ok(changed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Morrall's worked example: Re 5.62·10⁶, C_F 3.325·10⁻³. Half a unit of the last digit of C_F, and as much again for
+    /// that of Re, whose rounding moves C_F by 0.5·10⁻⁶.
+    #[test]
+    fn the_line_gives_the_printed_example() {
+        let ours = ittc_1957(5.62e6).expect("in range");
+        assert!((ours - 3.325e-3).abs() < 1.0e-6, "{ours}");
+        assert!(ittc_1957(10.0).is_err());
+    }
+}
