@@ -26,28 +26,31 @@ pub(super) struct Leaf {
 /// Every number of a vessel's table.
 pub(super) fn leaves(table: &Table) -> Vec<Leaf> {
     let mut all = Vec::new();
-    collect(table, "", &mut all);
+    for item in table.items.iter().filter(|item| !NO_FIGURES.contains(&item.name)) {
+        collect(table, item, "", &mut all);
+    }
     all
 }
 
-fn collect(table: &Table, path: &str, all: &mut Vec<Leaf>) {
-    for item in table.items.iter().filter(|item| !NO_FIGURES.contains(&item.name)) {
-        let path = key_path::join(path, item.name);
-        match &item.value {
-            Value::Table(inner) => collect(inner, &path, all),
-            Value::Named(tables) => {
-                for (name, inner) in tables {
-                    collect(inner, &key_path::join(&path, name), all);
-                }
+fn collect(table: &Table, item: &Item, path: &str, all: &mut Vec<Leaf>) {
+    let path = key_path::join(path, item.name);
+    let mut below = |inner: &Table, path: &str| {
+        inner.items.iter().for_each(|item| collect(inner, item, path, all));
+    };
+    match &item.value {
+        Value::Table(inner) => below(inner, &path),
+        Value::Named(tables) => {
+            for (name, inner) in tables {
+                below(inner, &key_path::join(&path, name));
             }
-            _ => {
-                let kind = &table.spec.key(item.name).expect("it was read by its spec").kind;
-                all.push(Leaf {
-                    figure: Figure { name: path, text: shown(kind, item) },
-                    is_default: item.is_default,
-                    key_span: item.key_span.clone(),
-                });
-            }
+        }
+        _ => {
+            let kind = &table.spec.key(item.name).expect("it was read by its spec").kind;
+            all.push(Leaf {
+                figure: Figure { name: path, text: shown(kind, item) },
+                is_default: item.is_default,
+                key_span: item.key_span.clone(),
+            });
         }
     }
 }

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Display;
 
-use fenderline_sim::attitude::{FloatParticulars, Hydrostatics};
+use fenderline_sim::attitude::{FloatParticulars, Hydrostatics, oscillators_told};
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::{Figure, Origin, Source};
 use fenderline_sim::hydro::{
@@ -52,12 +52,14 @@ pub(super) fn file_vessel(
             Some(known.vessel(item.text()).map_err(|error| reading.looked_up(item, &error))?)
         }
     };
-    let mut all = provenance::of_file(sources, table)?;
-    if let Some(base) = base {
-        all.extend(provenance::inherited(table, base));
-    }
     let title = table.given("title").text().to_owned();
-    reading.vessel(name, title, base, all)
+    reading.vessel(name, title, base, || {
+        let mut all = provenance::of_file(sources, table)?;
+        if let Some(base) = base {
+            all.extend(provenance::inherited(table, base));
+        }
+        Ok(all)
+    })
 }
 
 /// A vessel of a scenario, of her own particulars or made from one of the library.
@@ -79,7 +81,7 @@ pub(crate) fn own_vessel(
         }
         None => {
             reading.refuse_what_is_missing()?;
-            reading.vessel(name, name.to_owned(), None, provenance::of_scenario(table))
+            reading.vessel(name, name.to_owned(), None, || Ok(provenance::of_scenario(table)))
         }
     }
 }
@@ -111,13 +113,13 @@ impl Reading<'_, '_> {
         self.sources.error(&item.key_span, &path, message)
     }
 
-    /// The whole vessel, of her own.
+    /// The whole vessel, of her own; last of all, where her numbers come from.
     fn vessel(
         &self,
         name: &str,
         title: String,
         base: Option<&VesselData>,
-        mut all: Vec<Source>,
+        sources: impl FnOnce() -> Read<Vec<Source>>,
     ) -> Read<VesselData> {
         let table = self.table;
         let mut assumed = Vec::new();
@@ -141,12 +143,6 @@ impl Reading<'_, '_> {
         let approach_mps = self.approach_mps(froude, &particulars, &mut scaled)?;
         let rudder = self.rudder(froude, &mut scaled, &mut assumed);
         let shaft = self.shaft(froude, &mut scaled, &mut assumed)?;
-        all.extend(base.and_then(|base| provenance::scaled(scaled, base)));
-        match all.iter_mut().find(|source| source.group == "defaults") {
-            Some(defaults) => defaults.figures.append(&mut assumed),
-            None => all.extend(provenance::defaults_of(assumed)),
-        }
-        all.extend(estimates);
         let overall = table.item_if_any("length_overall");
         let has_shape = table.spec.key("outline").is_some();
         let outline_m = match has_shape {
@@ -158,7 +154,7 @@ impl Reading<'_, '_> {
             Some(item) => shape::deck_points(self.sources, item.named(), &hull),
             None => Ok(Vec::new()),
         };
-        Ok(VesselData {
+        let mut vessel = VesselData {
             name: name.to_owned(),
             is_model: table.item_if_any("tank_model").is_some_and(|item| *item.flag()),
             resistance_of_model_m: table
@@ -181,8 +177,18 @@ impl Reading<'_, '_> {
             },
             outline_m,
             coefficients,
-            origin: Origin { title, sources: all },
-        })
+            origin: Origin::default(),
+        };
+        let mut all = sources()?;
+        all.extend(base.and_then(|base| provenance::scaled(scaled, base)));
+        match all.iter_mut().find(|source| source.group == "defaults") {
+            Some(defaults) => defaults.figures.append(&mut assumed),
+            None => all.extend(provenance::defaults_of(assumed)),
+        }
+        all.extend(estimates);
+        all.extend(oscillators(vessel.stability.as_ref(), &particulars));
+        vessel.origin = Origin { title, sources: all };
+        Ok(vessel)
     }
 
     /// A vessel of the library with other machinery, wind areas or stability.
@@ -218,6 +224,12 @@ impl Reading<'_, '_> {
             vessel.stability = self.stability(particulars)?;
         }
         vessel.origin = provenance::replaced(&base.origin, table);
+        if table.item("stability").is_some() {
+            let told = oscillators(vessel.stability.as_ref(), particulars);
+            let all = &mut vessel.origin.sources;
+            all.retain(|source| !told.iter().any(|own| own.group == source.group));
+            all.extend(told);
+        }
         Ok(vessel)
     }
 
@@ -606,6 +618,12 @@ pub(crate) fn hydrostatics(
         gm_m: stability.gm_m,
         water_kgpm3,
     })
+}
+
+/// How heave, roll and pitch are estimated, where they are, in sea water.
+fn oscillators(stability: Option<&Stability>, ship: &Particulars) -> Option<Source> {
+    let of_sea = |stability| hydrostatics(stability, ship, SEA_KGPM3).ok();
+    stability.and_then(of_sea).map(|of| oscillators_told(&of))
 }
 
 fn figure(name: &str, text: &str) -> Figure {

@@ -11,7 +11,7 @@ mod oscillator;
 mod particulars;
 
 pub use oscillator::{Motion, Oscillator};
-pub use particulars::{AttitudeError, FloatParticulars, Hydrostatics};
+pub use particulars::{AttitudeError, FloatParticulars, Hydrostatics, oscillators_told};
 
 /// Heave, roll and pitch of one ship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::oscillator::Oscillator;
+use crate::hydro::vessels::{Figure, Source, Standing};
 
 /// Standard gravity [m/s²].
 const GRAVITY_MPS2: f64 = 9.806_65;
@@ -121,6 +122,27 @@ impl Hydrostatics {
                 damping: pitch,
             },
         })
+    }
+}
+
+/// How a ship's three oscillators were estimated, to be shown as such.
+#[must_use]
+pub fn oscillators_told(of: &Hydrostatics) -> Source {
+    let figures =
+        [("heave", of.heave), ("roll", of.roll), ("pitch", of.pitch)].map(|(name, one)| {
+            [
+                Figure::of(&format!("{name} period"), one.period_s(), "s"),
+                Figure::of(&format!("{name} damping"), one.damping, ""),
+            ]
+        });
+    Source {
+        group: "heave, roll and pitch".to_owned(),
+        figures: figures.into_iter().flatten().collect(),
+        source: "A33 = 2 m, roll gyradius 0.40 B, pitch gyradius 0.25 L, waterplane inertia by D'Arcangelo, usual \
+                 damping"
+            .to_owned(),
+        standing: Standing::Recalled,
+        is_estimate: true,
     }
 }
 
