@@ -133,6 +133,15 @@ impl World {
         }
     }
 
+    /// Adds an order to those that are not taken yet; what has been taken is forgotten, so that a run of hours
+    /// under somebody's hands does not grow.
+    pub(crate) fn order(&mut self, order: Order) {
+        self.orders.drain(..self.taken);
+        self.taken = 0;
+        let place = self.orders.partition_point(|other| other.at_s <= order.at_s);
+        self.orders.insert(place, order);
+    }
+
     fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64, step_s: f64) {
         // An order counts from the step in which its time lies.
         while let Some(order) = self.orders.get(self.taken).filter(|o| o.at_s < t_s + step_s) {
