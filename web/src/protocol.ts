@@ -36,6 +36,8 @@ export interface Hello {
   /** The berth that distances are to: a line [m], and the side where the water is; `null` where there is none. */
   berth: { from: Pair; to: Pair; facing: Pair } | null;
   depth_m: number | null;
+  /** To the instructor only: the links that open each role, to be handed out; paths on this server. */
+  links?: { role: Role; path: string }[];
 }
 
 export type Role =

@@ -1,0 +1,103 @@
+/**
+ * Screenshots of every view in the three palettes, to be looked at by a person: `npm run e2e` writes them to
+ * `screenshots/` (or `SCREENSHOTS`). Tested with them: nothing that is shown sticks out of its page, and what is
+ * touched is 44 px or more.
+ */
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { type Served, browse, open, serve } from "./browser";
+
+const FOLDER = process.env.SCREENSHOTS ?? new URL("../screenshots/", import.meta.url).pathname;
+const SIZES = { desk: { width: 1280, height: 800 }, landscape: { width: 1024, height: 768 }, portrait: { width: 768, height: 1024 } };
+const TABS = ["Docking", "Conning", "Fenders", "Lines", "Charts", "Alarms"];
+const errors: string[] = [];
+let served: Served;
+
+beforeAll(async () => {
+  mkdirSync(FOLDER, { recursive: true });
+  served = await serve();
+  await underWay();
+});
+afterAll(() => served.close());
+
+/** A ship that is being pushed alongside is worth looking at: sets one off, and lets go of her again. */
+async function underWay(): Promise<void> {
+  const { context, close } = await browse(SIZES.desk);
+  const pilot = await open(context, served, "pilot", errors);
+  await pilot.getByRole("button", { name: "Take the helm" }).click();
+  await pilot.getByRole("button", { name: "Rudder port 10", exact: true }).click();
+  await pilot.getByRole("button", { name: "Dead slow ahead", exact: true }).click();
+  for (const card of await pilot.getByRole("region", { name: /^Tug / }).all()) {
+    await card.getByRole("button", { name: /push$/ }).click();
+    await card.getByRole("button", { name: / 50 %$/ }).click();
+  }
+  await pilot.waitForTimeout(2500);
+  await pilot.getByRole("button", { name: "Stop engine (S)" }).click();
+  await pilot.waitForTimeout(500);
+  await close();
+}
+
+async function palette(page: Page, name: string): Promise<void> {
+  for (let i = 0; i < 3 && (await page.locator("html").getAttribute("data-palette")) !== name; i++) await page.keyboard.press("b");
+  await page.waitForTimeout(150);
+}
+
+/** Names of what is touched and shown but smaller than 44 px, and of what sticks out of the page. */
+const faults = (page: Page) =>
+  page.evaluate(() => {
+    const found: string[] = [];
+    for (const each of document.querySelectorAll<HTMLElement>("button, select, input")) {
+      if (each.offsetParent === null) continue;
+      const box = each.getBoundingClientRect();
+      const name = each.getAttribute("aria-label") ?? each.textContent ?? "";
+      // A slider's track may be thinner where its thumb is not alone in setting it.
+      if (box.width < 43.5 || (box.height < 43.5 && !each.closest(".thruster .track"))) found.push(`${name}: ${box.width.toFixed(0)} × ${box.height.toFixed(0)}`);
+      if (box.right > innerWidth + 1 || box.left < -1) found.push(`${name} is out of the page`);
+    }
+    if (document.documentElement.scrollWidth > innerWidth) found.push("the page scrolls sideways");
+    return found;
+  });
+
+for (const [size, viewport] of Object.entries(SIZES)) {
+  test(`every view at ${size}, ${viewport.width} × ${viewport.height}`, async () => {
+    const { context, close } = await browse(viewport, size !== "desk");
+    for (const role of ["pilot", "tugmaster", "instructor", "observer"].filter((r) => served.tokens[r] !== undefined)) {
+      const page = await open(context, served, role, errors);
+      await page.waitForTimeout(1300);
+      const tabs = role === "instructor" ? ["Session", "Weather, faults"] : role === "pilot" ? TABS : ["Docking"];
+      for (const tab of tabs) {
+        await page.getByRole("tab", { name: tab, exact: true }).click();
+        await page.waitForTimeout(tab === "Charts" ? 1200 : 200);
+        for (const name of size === "desk" || tab === "Docking" ? ["day", "dusk", "night"] : ["day"]) {
+          await palette(page, name);
+          await page.screenshot({ path: join(FOLDER, `${size}-${role}-${tab.split(",")[0]?.toLowerCase() ?? ""}-${name}.png`) });
+        }
+        await palette(page, "day");
+        expect(await faults(page)).toEqual([]);
+      }
+      if (role === "pilot") {
+        for (const group of await page.locator(".group-tabs button").all()) {
+          if (!(await group.isVisible())) continue;
+          await group.click();
+          await page.screenshot({ path: join(FOLDER, `${size}-pilot-controls-${(await group.textContent())?.toLowerCase() ?? ""}-day.png`) });
+          expect(await faults(page)).toEqual([]);
+        }
+        for (const tab of ["Docking", "Conning", "Charts"]) {
+          await page.getByRole("tab", { name: tab, exact: true }).click();
+          await page.keyboard.press("x");
+          await page.waitForTimeout(700);
+          await page.screenshot({ path: join(FOLDER, `${size}-wide-${tab.toLowerCase()}-day.png`) });
+          await page.keyboard.press("x");
+        }
+        await page.keyboard.press("?");
+        await page.screenshot({ path: join(FOLDER, `${size}-help-day.png`) });
+        await page.keyboard.press("Escape");
+      }
+      await page.close();
+    }
+    await close();
+    expect(errors).toEqual([]);
+  });
+}

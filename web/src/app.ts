@@ -1,0 +1,345 @@
+/** The page: bar, plan, panel with its tabs, control strip; what a role sees of them; keys; the drawing loop. */
+import { Connection, type LinkState } from "./connection";
+import type { Group, KeyAction } from "./controls/group";
+import { Helm } from "./controls/helm";
+import { Run } from "./controls/run";
+import { tugHelm } from "./controls/tugmaster";
+import { Tugs } from "./controls/tugs";
+import { Help } from "./help";
+import { Hints } from "./hints";
+import { History } from "./history";
+import { Live, structure } from "./live";
+import type { Page } from "./page";
+import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
+import type { Action, Alarm, FromServer, Hello, Role } from "./protocol";
+import { button, h, setAttribute, setClass, setText } from "./ui/dom";
+import { clock, fixed } from "./units";
+import { Alarms } from "./views/alarms";
+import { Conditions } from "./views/conditions";
+import { Conning } from "./views/conning";
+import { Docking } from "./views/docking";
+import { Fenders } from "./views/fenders";
+import { Lines } from "./views/lines";
+import { Plan } from "./views/plan";
+import { Session } from "./views/session";
+import { Strips } from "./views/strips";
+import type { View } from "./views/view";
+
+const SAID_MS = 6000;
+/** Frames a second are counted over so long. */
+const FPS_MS = 1000;
+
+interface Tab {
+  name: string;
+  /** Its key; none for the instructor's own. */
+  key: string | null;
+  view: View;
+  button: HTMLButtonElement;
+}
+
+export class App implements Page {
+  readonly live = new Live();
+  private readonly connection: Connection;
+  private readonly history = new History();
+  private readonly hints = new Hints();
+  private readonly help = new Help(() => this.live.hello && this.hints.start(this.live.hello.role.name, true));
+  private built = "";
+  private plan: Plan | null = null;
+  private tabs: Tab[] = [];
+  private groups: Group[] = [];
+  private shownTab = "";
+  private everOpen = false;
+  private fps = { since: 0, count: 0, shown: 0, jank: 0, last: 0 };
+
+  private readonly title = h("h1", {}, "fenderline");
+  private readonly role = h("span", { class: "badge" });
+  private readonly time = h("span", { class: "time", role: "timer", "aria-label": "Simulated time" });
+  private readonly run = h("span", { class: "run-state", "aria-label": "State of the run" });
+  private readonly link = h("span", { class: "link-state", role: "status", "aria-label": "Link" }, "connecting");
+  private readonly alarmButton = button("Alarms 0", () => this.show("Alarms"), { class: "alarm-button", name: "Alarms" });
+  private readonly paletteButton = button("Day", () => this.nextPalette(), { name: "Palette (B)" });
+  private readonly banner = h("div", { class: "banner hidden", role: "alert" });
+  private readonly said = h("div", { class: "said", role: "status", "aria-live": "polite" });
+  private readonly stage = h("main", { class: "stage" });
+  private readonly strip = h("footer", { class: "controls" });
+
+  constructor(root: HTMLElement, url: string) {
+    const bar = h("header", { class: "top" }, this.title, this.role, this.time, this.run, h("span", { class: "space" }), this.link, this.alarmButton, this.paletteButton, button("?", () => this.help.open(this.keys()), { name: "Help and keys (?)" }));
+    root.replaceChildren(bar, this.banner, this.stage, this.strip, this.said, this.help.root);
+    const kept = localStorage.getItem("palette") as PaletteName | null;
+    this.setPalette(kept && PALETTE_NAMES.includes(kept) ? kept : "day");
+    this.connection = new Connection(url, { message: (message) => this.heard(message), link: (state) => this.linked(state) });
+  }
+
+  start(): void {
+    this.connection.open();
+    document.addEventListener("keydown", (event) => this.pressed(event));
+    requestAnimationFrame((now) => this.draw(now));
+    // Silence has to be seen even where nothing is drawn.
+    setInterval(() => this.watch(), 250);
+  }
+
+  // ---------------------------------------------------------------------------------------- what views may use
+
+  async order(action: Action): Promise<boolean> {
+    return this.answered(await this.connection.send(action));
+  }
+
+  drag(control: string, action: Action): void {
+    this.connection.drag(control, action, (reason) => this.answered(reason));
+  }
+
+  private answered(reason: string | null): boolean {
+    if (reason !== null) this.say(`Refused: ${reason}`, "refusal");
+    return reason === null;
+  }
+
+  say(text: string, level: "note" | "refusal" = "note"): void {
+    const same = [...this.said.children].find((each) => each.textContent === text);
+    same?.remove();
+    const line = h("div", { class: level }, text);
+    this.said.append(line);
+    while (this.said.children.length > 4) this.said.firstChild?.remove();
+    setTimeout(() => line.remove(), SAID_MS);
+  }
+
+  did(what: string): void {
+    this.hints.did(what);
+  }
+
+  // ------------------------------------------------------------------------------------------------- the server
+
+  private heard(message: FromServer): void {
+    switch (message.type) {
+      case "hello":
+        this.welcome(message);
+        break;
+      case "frame":
+        this.live.tick(message, performance.now());
+        if (this.live.hello) this.history.add(message, this.live.hello, this.live.ship());
+        this.tick();
+        break;
+      case "prediction":
+        this.live.prediction = message;
+        break;
+      case "refused":
+        this.say(`Refused: ${message.reason}`, "refusal");
+        break;
+      case "notice":
+        this.say(message.text);
+        break;
+      case "ack":
+        break;
+    }
+  }
+
+  private linked(state: LinkState): void {
+    if (state === "open") this.everOpen = true;
+    setText(this.link, state === "open" ? "linked" : state === "connecting" ? "connecting" : "no link");
+    this.watch();
+  }
+
+  private welcome(hello: Hello): void {
+    const fresh = this.live.hello?.file !== hello.file;
+    this.live.welcome(hello);
+    if (fresh) this.history.clear();
+    const key = structure(hello);
+    if (key !== this.built) {
+      this.built = key;
+      this.build(hello);
+    }
+    for (const group of this.groups) group.claims(hello);
+    for (const { view } of this.tabs) view.claims?.(hello);
+    this.hints.start(hello.role.name);
+  }
+
+  // --------------------------------------------------------------------------------------------------- building
+
+  private build(hello: Hello): void {
+    const { role } = hello;
+    setText(this.title, hello.title);
+    this.title.title = hello.title;
+    setText(this.role, roleName(role));
+    document.title = `${roleName(role)} · ${hello.title}`;
+    document.documentElement.dataset.role = role.name;
+    this.buildStage(hello);
+    this.buildStrip(hello);
+  }
+
+  private buildStage(hello: Hello): void {
+    const plan = new Plan(this.live);
+    this.plan = plan;
+    const views: [string, string | null, View][] = [
+      ["Docking", "d", new Docking(this)],
+      ["Conning", "c", new Conning(this.live)],
+      ["Fenders", "e", new Fenders(hello)],
+      ["Lines", "w", new Lines(this, hello)],
+      ["Charts", "g", new Strips(this.history)],
+      ["Alarms", "a", new Alarms((open, worst) => this.alarmed(open, worst))],
+    ];
+    if (hello.role.name === "instructor") views.unshift(["Session", null, new Session(this, hello)], ["Weather, faults", null, new Conditions(this, hello)]);
+    this.tabs = views.map(([name, key, view]) => ({
+      name,
+      key,
+      view,
+      button: button(name, () => {
+        this.show(name);
+        this.did("tab");
+      }, { role: "tab", name, "aria-selected": "false" }),
+    }));
+    const size = button("⤢", () => this.widen(), { name: "Panel over the whole page (X)", class: "widen" });
+    const panel = h("section", { class: "panel", "aria-label": "Panel" }, h("div", { class: "tabs" }, h("div", { class: "tab-list", role: "tablist", "aria-label": "Views" }, ...this.tabs.map((tab) => tab.button)), size));
+    for (const { name, view } of this.tabs) {
+      view.root.classList.add("view");
+      view.root.setAttribute("role", "tabpanel");
+      view.root.setAttribute("aria-label", name);
+      panel.append(view.root);
+    }
+    this.stage.replaceChildren(plan.root, panel);
+    this.show(this.tabs.some((tab) => tab.name === this.shownTab) ? this.shownTab : (this.tabs[0]?.name ?? ""));
+  }
+
+  private buildStrip(hello: Hello): void {
+    const ship = this.live.ship();
+    const own = hello.vessels[ship];
+    const groups: Group[] = [];
+    if (hello.role.name === "tugmaster") {
+      const helm = tugHelm(this, hello, hello.role.tug);
+      if (helm) groups.push(helm);
+    }
+    if (hello.role.name === "instructor") groups.push(new Run(this));
+    if (hello.role.name === "pilot" || hello.role.name === "instructor") {
+      if (own) groups.push(new Helm(this, own, ship));
+      const tugs = new Tugs(this, hello);
+      if (tugs.count > 0) groups.push(tugs);
+    }
+    this.groups = groups;
+    const buttons = groups.map((group) => button(group.name, () => choose(group), { "data-group": group.name, "aria-pressed": "false" }));
+    const choose = (chosen: Group) => groups.forEach((group, i) => {
+      setClass(group.root, "shown", group === chosen);
+      const own = buttons[i];
+      if (own) setAttribute(own, "aria-pressed", String(group === chosen));
+    });
+    const nothing = hello.role.name === "observer" ? "You watch: an observer commands nothing." : hello.role.name === "tugmaster" ? `This scenario has no tug named ${hello.role.tug}.` : "There is nothing to command here.";
+    setClass(this.strip, "empty", groups.length === 0);
+    this.strip.replaceChildren(
+      ...(groups.length > 1 ? [h("nav", { class: "group-tabs", "aria-label": "Controls" }, ...buttons)] : []),
+      ...(groups.length === 0 ? [h("p", { class: "nothing" }, nothing)] : [h("div", { class: "groups" }, ...groups.map((group) => group.root))]),
+    );
+    if (groups[0]) choose(groups[0]);
+  }
+
+  private show(name: string): void {
+    this.shownTab = name;
+    for (const tab of this.tabs) {
+      setClass(tab.view.root, "shown", tab.name === name);
+      setAttribute(tab.button, "aria-selected", String(tab.name === name));
+    }
+    // Fills what is shown without waiting for the next tick, which does not come while paused.
+    if (this.live.frame && this.live.hello) this.tabs.find((tab) => tab.name === name)?.view.tick(this.live.frame, this.live.hello);
+  }
+
+  private widen(): void {
+    this.stage.classList.toggle("panel-only");
+  }
+
+  private setPalette(name: PaletteName): void {
+    applyPalette(name);
+    localStorage.setItem("palette", name);
+    setText(this.paletteButton, name.replace(/^./, (c) => c.toUpperCase()));
+  }
+
+  private nextPalette(): void {
+    const now = document.documentElement.dataset.palette as PaletteName;
+    this.setPalette(PALETTE_NAMES[(PALETTE_NAMES.indexOf(now) + 1) % PALETTE_NAMES.length] ?? "day");
+  }
+
+  private alarmed(open: number, worst: Alarm["level"] | null): void {
+    setText(this.alarmButton, `Alarms ${open}`);
+    setAttribute(this.alarmButton, "aria-label", `Alarms, ${open} not acknowledged`);
+    setClass(this.alarmButton, "alarm", worst === "alarm");
+    setClass(this.alarmButton, "caution", worst === "caution");
+  }
+
+  // ------------------------------------------------------------------------------------------------ as time goes
+
+  private tick(): void {
+    const { frame, hello } = this.live;
+    if (!frame || !hello) return;
+    setText(this.time, clock(frame.t_s));
+    const rewound = frame.tick < frame.run.last_tick;
+    setText(this.run, rewound ? "REWOUND" : frame.run.paused ? "PAUSED" : `${fixed(frame.run.pace, frame.run.pace % 1 === 0 ? 0 : 2)}×`);
+    setClass(this.run, "caution", rewound || frame.run.paused);
+    this.plan?.tick(frame);
+    for (const group of this.groups) group.tick(frame, hello);
+    for (const { name, view } of this.tabs) {
+      // Alarms count while nobody looks at them.
+      if (name === this.shownTab || name === "Alarms") view.tick(frame, hello);
+    }
+  }
+
+  private draw(now_ms: number): void {
+    requestAnimationFrame((next) => this.draw(next));
+    this.plan?.draw(performance.now());
+    for (const { name, view } of this.tabs) if (name === this.shownTab) view.draw?.(performance.now());
+    for (const group of this.groups) if (group.root.offsetParent !== null) group.draw?.(now_ms);
+    this.live.drawn(Date.now());
+    this.fps.count += 1;
+    if (now_ms - this.fps.since >= FPS_MS) {
+      this.fps.shown = Math.round((this.fps.count * 1000) / (now_ms - this.fps.since));
+      this.fps = { ...this.fps, since: now_ms, count: 0 };
+    }
+  }
+
+  private watch(): void {
+    const open = this.link.textContent !== "connecting" && this.link.textContent !== "no link";
+    const silent = this.live.silence(performance.now());
+    const late = this.live.latency.figures();
+    if (open && late) {
+      setText(this.link, `${late.clocks ? "+" : ""}${late.median.toFixed(0)} ms · ${this.fps.shown} fps`);
+      this.link.title = `From tick to drawing: median ${late.median.toFixed(0)} ms, 99 of 100 within ${late.p99.toFixed(0)} ms${late.clocks ? " over the quickest (the clocks of page and server differ)" : ""}; ${this.fps.shown} drawings a second`;
+      Object.assign(this.link.dataset, { median: late.median.toFixed(1), p99: late.p99.toFixed(1), fps: String(this.fps.shown) });
+    }
+    setClass(this.link, "alarm", !open || silent !== null);
+    const text = !open && this.connection.failures > 0
+      ? this.everOpen ? "NO LINK TO THE SERVER — what is shown is old. Trying again." : "The server does not answer, or does not accept this link. Trying again."
+      : silent === null ? "" : `NO DATA FOR ${Math.round(silent / 1000)} s — what is shown is old.`;
+    setText(this.banner, text);
+    setClass(this.banner, "hidden", text === "");
+    setClass(this.stage, "stale", text !== "");
+  }
+
+  // ------------------------------------------------------------------------------------------------------- keys
+
+  private keys(): KeyAction[] {
+    const { plan } = this;
+    const common: KeyAction[] = [
+      ...this.tabs.flatMap(({ name, key }) => (key ? [{ key, text: `Show ${name}`, run: () => this.show(name) }] : [])),
+      { key: "x", text: "Panel over the whole page, and back", run: () => this.widen() },
+      { key: "+", text: "Zoom in", repeats: true, run: () => plan?.zoom(1.2) },
+      { key: "-", text: "Zoom out", repeats: true, run: () => plan?.zoom(1 / 1.2) },
+      { key: "0", text: "Ship and berth", run: () => plan?.fit() },
+      { key: "f", text: "Follow the ship or not", run: () => plan?.follow() },
+      { key: "u", text: "North, head or berth up", run: () => plan?.turnUp() },
+      { key: "v", text: "Predicted path", run: () => plan?.togglePath() },
+      { key: "b", text: "Day, dusk, night", run: () => this.nextPalette() },
+      { key: "?", text: "This help", run: () => this.help.open(this.keys()) },
+    ];
+    return [...this.groups.flatMap((group) => group.keys), ...common];
+  }
+
+  private pressed(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.altKey || event.metaKey || document.querySelector("dialog[open]")) return;
+    const target = event.target as HTMLElement;
+    // Sliders and text fields keep the keys that are theirs.
+    if (target.matches("input[type=text], select, textarea")) return;
+    if (target.matches("input[type=range]") && event.key.startsWith("Arrow")) return;
+    const key = event.key === "=" ? "+" : event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const action = this.keys().find((each) => each.key === key);
+    if (!action || (event.repeat && !action.repeats)) return;
+    event.preventDefault();
+    action.run();
+  }
+}
+
+const roleName = (role: Role): string => (role.name === "tugmaster" ? `Tug ${role.tug}` : role.name.replace(/^./, (c) => c.toUpperCase()));

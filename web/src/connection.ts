@@ -1,0 +1,97 @@
+/** The websocket: opened with the token of the link, opened again when it breaks; commands and their answers. */
+import type { Action, Command, FromServer } from "./protocol";
+
+export type LinkState = "connecting" | "open" | "broken";
+
+export interface Heard {
+  message(message: FromServer): void;
+  link(state: LinkState): void;
+}
+
+const FIRST_WAIT_MS = 400;
+const LONGEST_WAIT_MS = 4000;
+/** A dragged control says where it is this often, the last place always. */
+const DRAG_MS = 80;
+const ANSWER_MS = 5000;
+
+interface Waiting {
+  answer(reason: string | null): void;
+  timer: number;
+}
+
+export class Connection {
+  private socket: WebSocket | null = null;
+  private wait_ms = FIRST_WAIT_MS;
+  private nextId = 1;
+  private waiting = new Map<number, Waiting>();
+  private dragged = new Map<string, { action: Action | null }>();
+  /** How often it has been tried in vain since it was last open. */
+  failures = 0;
+
+  constructor(
+    private readonly url: string,
+    private readonly heard: Heard,
+  ) {}
+
+  open(): void {
+    this.heard.link("connecting");
+    const socket = new WebSocket(this.url);
+    this.socket = socket;
+    socket.addEventListener("open", () => {
+      this.wait_ms = FIRST_WAIT_MS;
+      this.failures = 0;
+      this.heard.link("open");
+    });
+    socket.addEventListener("message", (event) => {
+      if (typeof event.data !== "string") return;
+      const message = JSON.parse(event.data) as FromServer;
+      if (message.type === "ack") this.answered(message.id, null);
+      else if (message.type === "refused" && message.id !== null) this.answered(message.id, message.reason);
+      else this.heard.message(message);
+    });
+    socket.addEventListener("close", () => {
+      this.failures += 1;
+      for (const id of this.waiting.keys()) this.answered(id, "the connection broke before an answer came");
+      this.heard.link("broken");
+      setTimeout(() => this.open(), this.wait_ms);
+      this.wait_ms = Math.min(LONGEST_WAIT_MS, this.wait_ms * 2);
+    });
+  }
+
+  /** Sends a command; resolves to `null` when it counts, to the reason when it was refused. */
+  send(action: Action): Promise<string | null> {
+    const socket = this.socket;
+    if (socket?.readyState !== WebSocket.OPEN) return Promise.resolve("there is no connection to the server");
+    const id = this.nextId++;
+    const command: Command = { type: "command", id, action };
+    return new Promise((answer) => {
+      const timer = window.setTimeout(() => this.answered(id, "the server did not answer"), ANSWER_MS);
+      this.waiting.set(id, { answer, timer });
+      socket.send(JSON.stringify(command));
+    });
+  }
+
+  /** Sends at most every so often for one control; the last of a row is always sent. */
+  drag(control: string, action: Action, answered: (reason: string | null) => void): void {
+    const slot = this.dragged.get(control);
+    if (slot) {
+      slot.action = action;
+      return;
+    }
+    const fresh: { action: Action | null } = { action: null };
+    this.dragged.set(control, fresh);
+    void this.send(action).then(answered);
+    setTimeout(() => {
+      this.dragged.delete(control);
+      if (fresh.action) this.drag(control, fresh.action, answered);
+    }, DRAG_MS);
+  }
+
+  private answered(id: number, reason: string | null): void {
+    const waiting = this.waiting.get(id);
+    if (!waiting) return;
+    this.waiting.delete(id);
+    clearTimeout(waiting.timer);
+    waiting.answer(reason);
+  }
+}

@@ -1,0 +1,276 @@
+/** Rudder and engine of one ship, with what keeps course and speed for her. */
+import type { Page } from "../page";
+import type { Action, Frame, Hello, VesselInfo, VesselNow } from "../protocol";
+import { button, h, setAttribute, setText } from "../ui/dom";
+import { Slider } from "../ui/slider";
+import { KNOT_MPS, fixed, heading, percent, sided, toDegrees, toKnots, toRadians } from "../units";
+import { ClaimBar, type Group, type KeyAction } from "./group";
+
+const RUDDER_STEPS_DEG = [5, 10, 20, 35];
+/** The telegraph's detents as shares of full. */
+const AHEAD = [{ share: 0.25, text: "Dead slow" }, { share: 0.45, text: "Slow" }, { share: 0.7, text: "Half" }, { share: 1, text: "Full" }];
+const DETENTS = [...AHEAD.map((d) => -d.share).toReversed(), 0, ...AHEAD.map((d) => d.share)];
+
+export class Helm implements Group {
+  readonly name = "Helm";
+  readonly root: HTMLElement;
+  readonly keys: KeyAction[];
+  private readonly claim: ClaimBar;
+  private readonly parts: { enable(on: boolean): void; show(now: VesselNow): void }[] = [];
+  private now: VesselNow | null = null;
+  private heading_rad = 0;
+
+  constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number) {
+    this.claim = new ClaimBar(page, { vessel: info.name }, "the helm");
+    const cards: HTMLElement[] = [];
+    if (info.rudder_stop_rad !== null) cards.push(this.rudder(info.rudder_stop_rad));
+    if (info.full_rps !== null) cards.push(this.engine(info.full_rps));
+    if (info.thrusters.length > 0) cards.push(this.thrusters());
+    this.root = h("div", { class: "group helm", "aria-label": `Helm of ${info.title}`, role: "group" }, this.claim.root, ...cards);
+    this.keys = this.keyboard();
+  }
+
+  private order(action: Action, what: string): void {
+    void this.page.order(action).then((done) => done && this.page.did(what));
+  }
+
+  private setRudder(rad: number): void {
+    const stop = this.info.rudder_stop_rad ?? 0;
+    this.order({ do: "rudder", vessel: this.info.name, angle_rad: Math.min(stop, Math.max(-stop, rad)) }, "rudder");
+  }
+
+  private setEngine(share: number): void {
+    this.order({ do: "engine", vessel: this.info.name, share }, "engine");
+  }
+
+  private rudder(stop_rad: number): HTMLElement {
+    const vessel = this.info.name;
+    const stop = Math.round(toDegrees(stop_rad));
+    const steps = RUDDER_STEPS_DEG.filter((d) => d < stop).concat(stop);
+    const figure = h("output", { class: "big", "aria-label": "Rudder now" });
+    const ordered = h("span", { class: "ordered" });
+    const slider = new Slider({
+      label: "Rudder order",
+      least: -stop,
+      most: stop,
+      step: 1,
+      say: (d) => sided(toRadians(d)),
+      order: (d) => {
+        this.page.drag("rudder", { do: "rudder", vessel, angle_rad: toRadians(d) });
+        this.page.did("rudder");
+      },
+      marks: [-30, -20, -10, 0, 10, 20, 30].filter((d) => Math.abs(d) < stop).map((d) => ({ at: d, text: String(Math.abs(d)), ...(d !== 0 && { side: d < 0 ? ("port" as const) : ("starboard" as const) }) })),
+    });
+    const push = (d: number) => button(String(Math.abs(d)), () => this.setRudder(toRadians(d)), { name: `Rudder ${d < 0 ? "port" : "starboard"} ${Math.abs(d)}`, class: d < 0 ? "port" : "starboard" });
+    const buttons = [...steps.toReversed().map((d) => push(-d)), button("Mid", () => this.setRudder(0), { name: "Midships (M)", class: "midships" }), ...steps.map(push)];
+    const keeper = this.courseKeeper();
+    const root = h(
+      "section",
+      { class: "card rudder", "aria-label": "Rudder" },
+      h("div", { class: "card-head" }, h("h3", {}, "Rudder"), figure, ordered),
+      slider.root,
+      h("div", { class: "row rudder-buttons" }, ...buttons),
+      keeper.root,
+    );
+    this.parts.push({
+      enable: (on) => {
+        slider.enable(on);
+        for (const each of buttons) each.disabled = !on;
+        keeper.enable(on);
+      },
+      show: (now) => {
+        slider.show(toDegrees(now.rudder.order_rad), toDegrees(now.rudder.now_rad));
+        setText(figure, sided(now.rudder.now_rad));
+        setText(ordered, `order ${sided(now.rudder.order_rad)}`);
+        keeper.show(now);
+      },
+    });
+    return root;
+  }
+
+  private courseKeeper() {
+    const vessel = this.info.name;
+    let wanted: number | null = null;
+    const change = (by: number) => () => {
+      const from = wanted ?? this.heading_rad;
+      const next = toRadians(Math.round(toDegrees(from)) + by);
+      if (this.now?.course_rad !== null) this.order({ do: "course", vessel, heading_rad: next }, "course");
+      wanted = next;
+      setText(figure, heading(next, 0));
+    };
+    const figure = h("output", { class: "wanted", "aria-label": "Course to keep" }, "–");
+    const engage = button("Keep course", () => {
+      if (this.now?.course_rad === null) this.order({ do: "course", vessel, heading_rad: wanted ?? this.heading_rad }, "course");
+      else this.toHands("course");
+    }, { "aria-pressed": "false" });
+    const buttons = [button("−5", change(-5), { name: "Course 5 to port" }), button("−1", change(-1), { name: "Course 1 to port" }), button("+1", change(1), { name: "Course 1 to starboard" }), button("+5", change(5), { name: "Course 5 to starboard" })];
+    const [a, b, c, d] = buttons;
+    return {
+      root: h("div", { class: "row keeper" }, engage, a, b, figure, c, d),
+      enable: (on: boolean) => {
+        for (const each of [engage, ...buttons]) each.disabled = !on;
+      },
+      show: (now: VesselNow) => {
+        setAttribute(engage, "aria-pressed", String(now.course_rad !== null));
+        if (now.course_rad !== null) wanted = now.course_rad;
+        setText(figure, heading(wanted ?? this.heading_rad, 0));
+      },
+    };
+  }
+
+  /** Takes one keeper off; the other is asked again, for hands take both. */
+  private toHands(off: "course" | "speed"): void {
+    const vessel = this.info.name;
+    const [course, speed] = [this.now?.course_rad ?? null, this.now?.speed_order_mps ?? null];
+    this.order({ do: "hands", vessel }, "hands");
+    if (off === "course" && speed !== null) this.order({ do: "speed", vessel, speed_mps: speed }, "speed");
+    if (off === "speed" && course !== null) this.order({ do: "course", vessel, heading_rad: course }, "course");
+  }
+
+  private engine(full_rps: number): HTMLElement {
+    const vessel = this.info.name;
+    const figure = h("output", { class: "big", "aria-label": "Shaft now" });
+    const ordered = h("span", { class: "ordered" });
+    const push = (share: number, text: string) => {
+      const way = share < 0 ? "astern" : "ahead";
+      return { share, root: button(text, () => this.setEngine(share), { name: share === 0 ? "Stop engine (S)" : `${text} ${way}`, class: share === 0 ? "stop" : share < 0 ? "port" : "starboard", "aria-pressed": "false" }) };
+    };
+    const stop = push(0, "Stop");
+    const ahead = AHEAD.map((d) => push(d.share, d.text));
+    const astern = AHEAD.map((d) => push(-d.share, d.text));
+    const all = [stop, ...ahead, ...astern];
+    const gauge = h("div", { class: "gauge", "aria-hidden": "true" });
+    const keeper = this.speedKeeper(vessel);
+    const root = h(
+      "section",
+      { class: "card engine", "aria-label": "Engine" },
+      h("div", { class: "card-head" }, h("h3", {}, "Engine"), figure, ordered),
+      h("div", { class: "gauge-track" }, gauge),
+      h("div", { class: "telegraph" }, stop.root, h("span", { class: "starboard" }, "Ahead"), ...ahead.map((d) => d.root), h("span", { class: "port" }, "Astern"), ...astern.map((d) => d.root)),
+      keeper.root,
+    );
+    this.parts.push({
+      enable: (on) => {
+        for (const each of all) each.root.disabled = !on;
+        keeper.enable(on);
+      },
+      show: (now) => {
+        const { order, now: actual } = now.shaft;
+        setText(figure, `${fixed(actual * full_rps * 60, 0)} rpm`);
+        setText(ordered, `order ${percent(order)}`);
+        gauge.style.left = `${50 + Math.min(0, actual) * 50}%`;
+        gauge.style.width = `${Math.abs(actual) * 50}%`;
+        gauge.classList.toggle("port", actual < 0);
+        for (const each of all) setAttribute(each.root, "aria-pressed", String(Math.abs(each.share - order) < 0.01));
+        keeper.show(now);
+      },
+    });
+    return root;
+  }
+
+  private speedKeeper(vessel: string) {
+    const figure = h("output", { class: "wanted", "aria-label": "Speed to keep" }, "–");
+    let wanted_kn: number | null = null;
+    const ahead_kn = () => Math.round(toKnots(this.now?.ground_mps[0] ?? 0) * 2) / 2;
+    const change = (by: number) => () => {
+      wanted_kn = (wanted_kn ?? ahead_kn()) + by;
+      if (this.now?.speed_order_mps !== null) this.order({ do: "speed", vessel, speed_mps: wanted_kn * KNOT_MPS }, "speed");
+      setText(figure, `${fixed(wanted_kn, 1)} kn`);
+    };
+    const engage = button("Keep speed", () => {
+      if (this.now?.speed_order_mps === null) this.order({ do: "speed", vessel, speed_mps: (wanted_kn ?? ahead_kn()) * KNOT_MPS }, "speed");
+      else this.toHands("speed");
+    }, { "aria-pressed": "false" });
+    const [less, more] = [button("−½", change(-0.5), { name: "Half a knot slower" }), button("+½", change(0.5), { name: "Half a knot faster" })];
+    return {
+      root: h("div", { class: "row keeper" }, engage, less, figure, more),
+      enable: (on: boolean) => {
+        for (const each of [engage, less, more]) each.disabled = !on;
+      },
+      show: (now: VesselNow) => {
+        setAttribute(engage, "aria-pressed", String(now.speed_order_mps !== null));
+        if (now.speed_order_mps !== null) wanted_kn = toKnots(now.speed_order_mps);
+        setText(figure, `${fixed(wanted_kn ?? ahead_kn(), 1)} kn`);
+      },
+    };
+  }
+
+  private thrusters(): HTMLElement {
+    const vessel = this.info.name;
+    const rows = this.info.thrusters.map((thruster, i) => {
+      const set = (share: number) => this.order({ do: "thruster", vessel, thruster: thruster.name, share }, "thruster");
+      const slider = new Slider({
+        label: `${thruster.name} thruster order`,
+        least: -100,
+        most: 100,
+        step: 5,
+        say: (p) => `${p < 0 ? "port" : "starboard"} ${Math.abs(p)} %`,
+        order: (p) => this.page.drag(`thruster ${i}`, { do: "thruster", vessel, thruster: thruster.name, share: p / 100 }),
+        marks: [],
+      });
+      const figure = h("span", { class: "ordered" });
+      const buttons = [
+        button("◀ P", () => set(Math.max(-1, (this.now?.thrusters[i]?.order ?? 0) - 0.25)), { name: `${thruster.name} thruster more to port`, class: "port" }),
+        button("Stop", () => set(0), { name: `${thruster.name} thruster stop` }),
+        button("S ▶", () => set(Math.min(1, (this.now?.thrusters[i]?.order ?? 0) + 0.25)), { name: `${thruster.name} thruster more to starboard`, class: "starboard" }),
+      ];
+      this.parts.push({
+        enable: (on) => {
+          slider.enable(on);
+          for (const each of buttons) each.disabled = !on;
+        },
+        show: (now) => {
+          const state = now.thrusters[i];
+          if (!state) return;
+          slider.show(state.order * 100, state.now * 100);
+          setText(figure, state.now === 0 && state.order === 0 ? "stopped" : `${state.now < 0 ? "P" : "S"} ${percent(Math.abs(state.now))}`);
+        },
+      });
+      return h("div", { class: "thruster" }, h("div", { class: "card-head" }, h("h3", {}, `${thruster.name} thruster`.replace(/^./, (c) => c.toUpperCase())), figure), slider.root, h("div", { class: "row" }, ...buttons));
+    });
+    return h("section", { class: "card thrusters", "aria-label": "Thrusters" }, ...rows);
+  }
+
+  private keyboard(): KeyAction[] {
+    const stepRudder = (degrees: number) => () => {
+      const now = Math.round(toDegrees(this.now?.rudder.order_rad ?? 0) / degrees) * degrees;
+      this.setRudder(toRadians(now + degrees));
+    };
+    const detent = (by: 1 | -1) => () => {
+      const order = this.now?.shaft.order ?? 0;
+      const next = by > 0 ? DETENTS.find((d) => d > order + 0.01) : DETENTS.findLast((d) => d < order - 0.01);
+      if (next !== undefined) this.setEngine(next);
+    };
+    const keys: KeyAction[] = [];
+    if (this.info.rudder_stop_rad !== null) {
+      keys.push({ key: "ArrowLeft", text: "Rudder 5° to port", repeats: true, run: stepRudder(-5) }, { key: "ArrowRight", text: "Rudder 5° to starboard", repeats: true, run: stepRudder(5) }, { key: "m", text: "Midships", run: () => this.setRudder(0) });
+    }
+    if (this.info.full_rps !== null) {
+      keys.push({ key: "ArrowUp", text: "Engine one step ahead", run: detent(1) }, { key: "ArrowDown", text: "Engine one step astern", run: detent(-1) }, { key: "s", text: "Stop engine", run: () => this.setEngine(0) });
+    }
+    const bow = this.info.thrusters[0];
+    if (bow) {
+      const by = (share: number) => () => {
+        const order = this.now?.thrusters[0]?.order ?? 0;
+        this.order({ do: "thruster", vessel: this.info.name, thruster: bow.name, share: Math.min(1, Math.max(-1, order + share)) }, "thruster");
+      };
+      keys.push({ key: "[", text: `${bow.name} thruster to port`, run: by(-0.25) }, { key: "]", text: `${bow.name} thruster to starboard`, run: by(0.25) });
+    }
+    return keys;
+  }
+
+  tick(frame: Frame, hello: Hello): void {
+    const now = frame.vessels[this.index];
+    const body = frame.bodies[hello.vessels[this.index]?.body ?? -1];
+    if (!now || !body) return;
+    this.now = now;
+    this.heading_rad = body[2];
+    for (const part of this.parts) part.show(now);
+  }
+
+  claims(): void {
+    const mine = this.claim.show();
+    this.root.classList.toggle("locked", !mine);
+    for (const part of this.parts) part.enable(mine);
+  }
+}

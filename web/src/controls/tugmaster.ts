@@ -1,0 +1,252 @@
+/** The tugmaster's own helm: of a tug that is a force, or of one that is a vessel with azimuth units. */
+import type { Page } from "../page";
+import type { Frame, Hello, TugInfo, TugNow, VesselInfo, VesselNow } from "../protocol";
+import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
+import { Ring } from "../ui/ring";
+import { Slider } from "../ui/slider";
+import { TONNE_N, fixed, percent, sided, tonnes } from "../units";
+import { ClaimBar, type Group, type KeyAction } from "./group";
+import { tugDirection } from "./orders";
+
+const POWERS = [0, 25, 50, 75, 100];
+
+/** A tug that is a force: push or pull, how hard, and whither. */
+export class VectorHelm implements Group {
+  readonly name = "Tug";
+  readonly root: HTMLElement;
+  readonly keys: KeyAction[];
+  private readonly claim: ClaimBar;
+  private readonly ring: Ring;
+  private readonly power: Slider;
+  private readonly orders;
+  private readonly powers;
+  private readonly state = h("output", { class: "big", "aria-label": "Force on the ship" });
+  private readonly ordered = h("span", { class: "ordered" });
+  private percent = 25;
+  private order: TugNow["order"] = "stand_by";
+  private now: TugNow | null = null;
+
+  constructor(private readonly page: Page, private readonly info: TugInfo, private readonly index: number, private readonly beam_m: number) {
+    this.claim = new ClaimBar(page, { tug: info.name }, info.name);
+    this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "ship", () => this.send(true));
+    this.orders = choices<TugNow["order"]>(
+      "Order",
+      [{ value: "push", label: "Push" }, { value: "stand_by", label: "Stop" }, { value: "pull", label: "Pull" }],
+      (order) => this.choose(order),
+    );
+    this.powers = choices("Power", POWERS.map((p) => ({ value: p, label: `${p} %` })), (p) => this.setPower(p));
+    this.power = new Slider({
+      label: "Power order",
+      least: 0,
+      most: 100,
+      step: 5,
+      say: (p) => `${p} % of ${tonnes(info.bollard_pull_n)}`,
+      order: (p) => {
+        this.percent = p;
+        this.send(true);
+      },
+      marks: POWERS.map((p) => ({ at: p, text: String(p) })),
+    });
+    this.root = h(
+      "div",
+      { class: "group tugmaster", role: "group", "aria-label": `Helm of ${info.name}` },
+      this.claim.root,
+      h("section", { class: "card", "aria-label": "Direction" }, h("div", { class: "card-head" }, h("h3", {}, "Direction of the force"), this.ordered), this.ring.root),
+      h(
+        "section",
+        { class: "card power", "aria-label": "Power" },
+        h("div", { class: "card-head" }, h("h3", {}, "Force"), this.state),
+        h("div", { class: "row wide" }, this.orders.root),
+        this.power.root,
+        h("div", { class: "row wide" }, this.powers.root),
+        h("p", { class: "note" }, "The ring is about the ship, her bow up: the arrow is the force on her."),
+      ),
+    );
+    this.keys = [
+      { key: "ArrowLeft", text: "Force 5° to port", repeats: true, run: () => this.ring.nudge(-1) },
+      { key: "ArrowRight", text: "Force 5° to starboard", repeats: true, run: () => this.ring.nudge(1) },
+      { key: "ArrowUp", text: "Power up 5 %", repeats: true, run: () => this.setPower(this.percent + 5) },
+      { key: "ArrowDown", text: "Power down 5 %", repeats: true, run: () => this.setPower(this.percent - 5) },
+      { key: "p", text: "Push", run: () => this.choose("push") },
+      { key: "l", text: "Pull", run: () => this.choose("pull") },
+      { key: "o", text: "Stop", run: () => this.choose("stand_by") },
+    ];
+  }
+
+  private choose(order: TugNow["order"]): void {
+    // Push and pull start square to the side; the ring turns them from there.
+    if (order !== "stand_by" && order !== this.order) this.ring.follow(tugDirection(this.info, order, 0, this.beam_m));
+    this.order = order;
+    this.send(false);
+  }
+
+  private setPower(percent: number): void {
+    this.percent = Math.min(100, Math.max(0, percent));
+    this.send(false);
+  }
+
+  private send(dragged: boolean): void {
+    const tug = this.info.name;
+    const action = this.order === "stand_by"
+      ? ({ do: "tug", tug, order: "stand_by" } as const)
+      : ({ do: "tug", tug, order: this.order, force_n: (this.info.bollard_pull_n * this.percent) / 100, direction_rad: this.ring.value } as const);
+    if (dragged) {
+      if (this.order !== "stand_by") this.page.drag("tug", action);
+    } else void this.page.order(action);
+    this.page.did("tug");
+  }
+
+  tick(frame: Frame): void {
+    const now = frame.tugs[this.index];
+    if (!now) return;
+    const changed = this.now?.order !== now.order || this.now.order_n !== now.order_n || this.now.order_direction_rad !== now.order_direction_rad;
+    this.now = now;
+    // What is ordered may come from the pilot or from a rewind.
+    if (changed) {
+      this.order = now.order;
+      if (now.order !== "stand_by") {
+        this.ring.follow(now.order_direction_rad);
+        this.percent = Math.round((now.order_n / this.info.bollard_pull_n) * 100);
+      }
+    }
+    this.orders.show(now.order);
+    this.powers.show(this.percent);
+    this.power.show(this.percent, (now.force_n / this.info.bollard_pull_n) * 100);
+    setText(this.state, tonnes(now.force_n));
+    setText(this.ordered, now.order === "stand_by" ? "stands by" : `${now.order} ${tonnes(now.order_n)} at ${sided(now.order_direction_rad)}${now.limited ? ", all she has" : ""}`);
+  }
+
+  claims(): void {
+    const mine = this.claim.show();
+    setClass(this.root, "locked", !mine);
+    this.ring.enable(mine);
+    this.power.enable(mine);
+    for (const each of [...this.orders.buttons, ...this.powers.buttons]) each.disabled = !mine;
+  }
+
+  draw(): void {
+    this.ring.draw(this.now?.direction_rad ?? 0, (this.now?.force_n ?? 0) / this.info.bollard_pull_n);
+  }
+}
+
+/** A tug that is a vessel: her azimuth units, together or each for itself. */
+export class AzimuthHelm implements Group {
+  readonly name = "Tug";
+  readonly root: HTMLElement;
+  readonly keys: KeyAction[];
+  private readonly claim: ClaimBar;
+  private readonly units: { ring: Ring; power: Slider; figure: HTMLElement }[];
+  private readonly togetherButton: HTMLButtonElement;
+  private readonly stop: HTMLButtonElement;
+  private readonly powers;
+  private together = true;
+  private now: VesselNow | null = null;
+
+  constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number) {
+    this.claim = new ClaimBar(page, { vessel: info.name }, info.title);
+    this.togetherButton = button("Both together", () => {
+      this.together = !this.together;
+      setAttribute(this.togetherButton, "aria-pressed", String(this.together));
+    }, { "aria-pressed": "true" });
+    this.stop = button("Stop", () => this.all((i) => this.send(i, 0, null, false)), { name: "Stop both units (O)" });
+    this.powers = choices("Power of both", POWERS.slice(1).map((p) => ({ value: p, label: `${p} %`, name: `Both units ${p} %` })), (p) => this.all((i) => this.send(i, p / 100, null, false)));
+    this.units = info.azimuths.map((unit, i) => ({
+      ring: new Ring(`Direction of the ${unit.name} unit's thrust`, "tug", (rad) => {
+        this.each(i, (unit) => {
+          this.units[unit]?.ring.follow(rad);
+          this.send(unit, null, rad, true);
+        });
+      }),
+      power: new Slider({
+        label: `Power of the ${unit.name} unit`,
+        least: 0,
+        most: 100,
+        step: 5,
+        say: (p) => `${p} %`,
+        order: (p) => this.each(i, (unit) => this.send(unit, p / 100, null, true)),
+        marks: POWERS.map((p) => ({ at: p, text: String(p) })),
+      }),
+      figure: h("span", { class: "ordered" }),
+    }));
+    this.root = h(
+      "div",
+      { class: "group tugmaster", role: "group", "aria-label": `Helm of ${info.title}` },
+      this.claim.root,
+      ...this.units.map(({ ring, power, figure }, i) =>
+        h("section", { class: "card unit", "aria-label": `${info.azimuths[i]?.name ?? ""} unit` }, h("div", { class: "card-head" }, h("h3", {}, `${info.azimuths[i]?.name ?? ""} unit`.replace(/^./, (c) => c.toUpperCase())), figure), ring.root, power.root),
+      ),
+      h("section", { class: "card both", "aria-label": "Both units" }, h("h3", {}, "Units"), this.togetherButton, this.powers.root, this.stop, h("p", { class: "note" }, "The rings are about the tug, her bow up: the knob is where the thrust goes.")),
+    );
+    const turn = (by: number) => () => this.units[0]?.ring.nudge(by);
+    const power = (by: number) => () => this.all((i) => this.send(i, Math.min(1, Math.max(0, (this.now?.azimuths[i]?.power_order ?? 0) + by)), null, false));
+    this.keys = [
+      { key: "ArrowLeft", text: "Thrust 5° to port", repeats: true, run: turn(-1) },
+      { key: "ArrowRight", text: "Thrust 5° to starboard", repeats: true, run: turn(1) },
+      { key: "ArrowUp", text: "Power up 5 %", repeats: true, run: power(0.05) },
+      { key: "ArrowDown", text: "Power down 5 %", repeats: true, run: power(-0.05) },
+      { key: "o", text: "Stop both units", run: () => this.all((i) => this.send(i, 0, null, false)) },
+    ];
+  }
+
+  private all(run: (unit: number) => void): void {
+    this.info.azimuths.forEach((_, i) => run(i));
+  }
+
+  private each(from: number, run: (unit: number) => void): void {
+    if (this.together) this.all(run);
+    else run(from);
+  }
+
+  private send(unit: number, power: number | null, direction_rad: number | null, dragged: boolean): void {
+    const name = this.info.azimuths[unit]?.name;
+    if (name === undefined) return;
+    const action = { do: "azimuth", vessel: this.info.name, unit: name, power, direction_rad } as const;
+    if (dragged) this.page.drag(`azimuth ${unit} ${power === null ? "direction" : "power"}`, action);
+    else void this.page.order(action);
+    this.page.did("tug");
+  }
+
+  tick(frame: Frame): void {
+    const now = frame.vessels[this.index];
+    if (!now) return;
+    const before = this.now;
+    this.now = now;
+    now.azimuths.forEach((state, i) => {
+      const unit = this.units[i];
+      const info = this.info.azimuths[i];
+      if (!unit || !info) return;
+      if (before?.azimuths[i]?.direction_order_rad !== state.direction_order_rad) unit.ring.follow(state.direction_order_rad);
+      unit.power.show(state.power_order * 100, state.power * 100);
+      setText(unit.figure, `${fixed((state.power * info.bollard_n) / TONNE_N, 0)} t · ${percent(state.power)} at ${sided(state.direction_rad)}`);
+    });
+    const first = now.azimuths[0]?.power_order ?? 0;
+    this.powers.show(now.azimuths.every((a) => Math.abs(a.power_order - first) < 0.005) ? Math.round(first * 100) : null);
+  }
+
+  claims(): void {
+    const mine = this.claim.show();
+    setClass(this.root, "locked", !mine);
+    for (const unit of this.units) {
+      unit.ring.enable(mine);
+      unit.power.enable(mine);
+    }
+    for (const each of [this.togetherButton, this.stop, ...this.powers.buttons]) each.disabled = !mine;
+  }
+
+  draw(): void {
+    this.units.forEach(({ ring }, i) => {
+      const state = this.now?.azimuths[i];
+      ring.draw(state?.direction_rad ?? 0, state?.power ?? 0);
+    });
+  }
+}
+
+/** The helm of the tug that a role names; `null` where the scenario has none of that name. */
+export function tugHelm(page: Page, hello: Hello, name: string): Group | null {
+  const tug = hello.tugs.findIndex((t) => t.name === name);
+  const info = hello.tugs[tug];
+  if (info) return new VectorHelm(page, info, tug, hello.vessels[info.vessel]?.beam_m ?? 0);
+  const vessel = hello.vessels.findIndex((v) => v.name === name);
+  const own = hello.vessels[vessel];
+  return own ? new AzimuthHelm(page, own, vessel) : null;
+}

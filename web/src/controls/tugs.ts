@@ -1,0 +1,242 @@
+/** The pilot's orders to tugs: those that are forces, and those that are vessels and go there by themselves. */
+import type { Page } from "../page";
+import type { Action, Frame, Hello, TugInfo, VesselInfo } from "../protocol";
+import { choices, h, setClass, setText } from "../ui/dom";
+import { TONNE_N, fixed, percent, tonnes } from "../units";
+import type { Group, KeyAction } from "./group";
+import { type Lead, stations, tugDirection } from "./orders";
+
+const POWERS = [25, 50, 75, 100];
+/** A tug that stands by lies parallel to the ship, so far off her side [m]. */
+const STAND_OFF_M = 25;
+
+interface Card {
+  name: string;
+  root: HTMLElement;
+  push(): void;
+  pull(): void;
+  stop(): void;
+  power(percent: number): void;
+  tick(frame: Frame): void;
+  claims(): void;
+}
+
+abstract class Base implements Card {
+  abstract readonly name: string;
+  readonly root: HTMLElement;
+  protected readonly state = h("span", { class: "state" });
+  protected percent = 25;
+  private readonly powers;
+  protected readonly orders;
+
+  constructor(protected readonly page: Page, title: string, pulls: boolean) {
+    this.powers = choices(`Power of ${title}`, POWERS.map((p) => ({ value: p, label: String(p), name: `${title} ${p} %` })), (p) => this.power(p));
+    this.powers.show(this.percent);
+    this.orders = choices<"push" | "stop" | "pull">(
+      `Order to ${title}`,
+      [{ value: "push", label: "Push", name: `${title} push` }, { value: "stop", label: "Stop", name: `${title} stop` }, ...(pulls ? [{ value: "pull" as const, label: "Pull", name: `${title} pull` }] : [])],
+      (order) => (order === "push" ? this.push() : order === "pull" ? this.pull() : this.stop()),
+    );
+    this.root = h("section", { class: "card tug", "aria-label": `Tug ${title}` }, h("div", { class: "card-head" }, h("h3", {}, title), this.state), h("div", { class: "row" }, this.orders.root, this.powers.root, h("span", { class: "ordered" }, "%")));
+  }
+
+  abstract push(): void;
+  abstract pull(): void;
+  abstract stop(): void;
+  /** Orders again what is ordered, with another power. */
+  protected abstract again(): void;
+  abstract tick(frame: Frame): void;
+  protected abstract commanded(): boolean;
+  protected abstract heldBy(): string | null;
+
+  power(percent: number): void {
+    this.percent = percent;
+    this.powers.show(percent);
+    this.again();
+  }
+
+  protected send(action: Action): void {
+    void this.page.order(action).then((done) => done && this.page.did("tug"));
+  }
+
+  claims(): void {
+    const may = this.commanded();
+    setClass(this.root, "locked", !may);
+    for (const each of this.root.querySelectorAll<HTMLButtonElement | HTMLSelectElement>("button, select")) each.disabled = !may;
+    const holder = may ? null : this.heldBy();
+    this.root.title = holder ? `${holder} has her` : "";
+  }
+}
+
+/** A tug that is a force at the ship's side. */
+class VectorTug extends Base {
+  readonly name: string;
+  private lead: Lead = 0;
+  private ordered: "push" | "pull" | "stand_by" = "stand_by";
+  private readonly leads;
+
+  constructor(page: Page, private readonly info: TugInfo, private readonly index: number, private readonly beam_m: number) {
+    super(page, info.name, true);
+    this.name = info.name;
+    this.leads = choices<Lead>(
+      `Lead of ${info.name}`,
+      [{ value: -1, label: "↙ Aft", name: `${info.name} leading aft` }, { value: 0, label: "Square", name: `${info.name} square` }, { value: 1, label: "Fwd ↗", name: `${info.name} leading forward` }],
+      (lead) => {
+        this.lead = lead;
+        this.leads.show(lead);
+        this.again();
+      },
+    );
+    this.leads.show(0);
+    this.root.append(h("div", { class: "row lead" }, this.leads.root));
+  }
+
+  private go(order: "push" | "pull"): void {
+    this.ordered = order;
+    const force_n = (this.info.bollard_pull_n * this.percent) / 100;
+    this.send({ do: "tug", tug: this.info.name, order, force_n, direction_rad: tugDirection(this.info, order, this.lead, this.beam_m) });
+  }
+
+  push(): void {
+    this.go("push");
+  }
+
+  pull(): void {
+    this.go("pull");
+  }
+
+  stop(): void {
+    this.ordered = "stand_by";
+    this.send({ do: "tug", tug: this.info.name, order: "stand_by" });
+  }
+
+  protected again(): void {
+    if (this.ordered !== "stand_by") this.go(this.ordered);
+  }
+
+  protected commanded(): boolean {
+    return this.page.live.mine({ tug: this.info.name });
+  }
+
+  protected heldBy(): string | null {
+    return this.page.live.holder({ tug: this.info.name })?.holder ?? null;
+  }
+
+  tick(frame: Frame): void {
+    const now = frame.tugs[this.index];
+    if (!now) return;
+    this.ordered = now.order;
+    this.orders.show(now.order === "stand_by" ? "stop" : now.order);
+    const holder = this.commanded() ? null : this.heldBy();
+    const work = now.order === "stand_by" ? (now.force_n > 1e3 ? `easing, ${tonnes(now.force_n)}` : "stands by") : `${now.order}es ${tonnes(now.force_n)} of ${tonnes(now.order_n)}`.replace("pulles", "pulls");
+    setText(this.state, `${work}${now.limited ? " (all she has)" : ""}${holder ? ` · ${holder}` : ""}`);
+  }
+}
+
+/** A tug that is a vessel: told where to push, or to stand by off that side. */
+class VesselTug extends Base {
+  readonly name: string;
+  private readonly place: HTMLSelectElement;
+  private ordered: "push" | "stop" | null = null;
+  private readonly stations;
+  private readonly bollard_n: number;
+
+  constructor(page: Page, private readonly info: VesselInfo, private readonly index: number, private readonly ship: VesselInfo, hello: Hello) {
+    super(page, info.name, false);
+    this.name = info.name;
+    this.bollard_n = info.azimuths.reduce((sum, unit) => sum + unit.bollard_n, 0);
+    this.stations = stations(hello.bodies[ship.body]?.outline ?? [], ship.length_m);
+    this.place = h("select", { "aria-label": `Where ${info.name} works` }, ...this.stations.map((s, i) => h("option", { value: i }, s.name)));
+    this.place.addEventListener("change", () => this.again());
+    this.root.append(h("div", { class: "row lead" }, h("span", { class: "ordered" }, "at"), this.place));
+  }
+
+  private station() {
+    return this.stations[Number(this.place.value)] ?? null;
+  }
+
+  push(): void {
+    const station = this.station();
+    if (!station) return;
+    this.ordered = "push";
+    this.send({ do: "push_ship", vessel: this.info.name, ship: this.ship.name, at_m: station.at_m, force_n: (this.bollard_n * this.percent) / 100 });
+  }
+
+  pull(): void {
+    this.page.say(`${this.info.name} has no line to the ship`, "refusal");
+  }
+
+  stop(): void {
+    const station = this.station();
+    if (!station) return;
+    this.ordered = "stop";
+    const off = STAND_OFF_M + this.info.beam_m / 2;
+    this.send({ do: "follow_ship", vessel: this.info.name, ship: this.ship.name, at_m: [station.at_m[0], station.at_m[1] + station.side * off], heading_rad: 0 });
+  }
+
+  protected again(): void {
+    if (this.ordered === "push") this.push();
+    else if (this.ordered === "stop") this.stop();
+  }
+
+  protected commanded(): boolean {
+    return this.page.live.mine({ vessel: this.info.name });
+  }
+
+  protected heldBy(): string | null {
+    return this.page.live.holder({ vessel: this.info.name })?.holder ?? null;
+  }
+
+  tick(frame: Frame): void {
+    const now = frame.vessels[this.index];
+    if (!now) return;
+    const thrust = now.azimuths.reduce((sum, unit, i) => sum + unit.power * (this.info.azimuths[i]?.bollard_n ?? 0), 0);
+    const holder = this.commanded() ? null : this.heldBy();
+    this.orders.show(now.pilot === "assist" ? this.ordered : null);
+    setText(this.state, `${now.pilot === "assist" ? (this.ordered === "push" ? "pushing" : "under orders") : "by hand"}, ${fixed(thrust / TONNE_N, 0)} t (${percent(thrust / Math.max(1, this.bollard_n))})${holder ? ` · ${holder}` : ""}`);
+  }
+}
+
+export class Tugs implements Group {
+  readonly name = "Tugs";
+  readonly root: HTMLElement;
+  readonly keys: KeyAction[];
+  private readonly cards: Card[];
+  private selected = 0;
+
+  constructor(page: Page, hello: Hello) {
+    const ship = page.live.ship();
+    const own = hello.vessels[ship];
+    this.cards = [
+      ...hello.tugs.map((info, i) => new VectorTug(page, info, i, hello.vessels[info.vessel]?.beam_m ?? 0)),
+      ...hello.vessels.flatMap((info, i) => (info.is_tug && own && info.azimuths.length > 0 ? [new VesselTug(page, info, i, own, hello)] : [])),
+    ];
+    this.root = h("div", { class: "group tugs", role: "group", "aria-label": "Orders to tugs" }, ...this.cards.map((card) => card.root));
+    this.keys = this.cards.length === 0 ? [] : [
+      { key: "t", text: "Next tug", run: () => this.select((this.selected + 1) % this.cards.length) },
+      { key: "p", text: "The tug pushes", run: () => this.cards[this.selected]?.push() },
+      { key: "l", text: "The tug pulls", run: () => this.cards[this.selected]?.pull() },
+      { key: "o", text: "The tug stops", run: () => this.cards[this.selected]?.stop() },
+      ...POWERS.map((p, i) => ({ key: String(i + 1), text: `The tug's power ${p} %`, run: () => this.cards[this.selected]?.power(p) })),
+    ];
+    this.select(0);
+  }
+
+  get count(): number {
+    return this.cards.length;
+  }
+
+  private select(index: number): void {
+    this.selected = index;
+    this.cards.forEach((card, i) => setClass(card.root, "selected", i === index && this.cards.length > 1));
+  }
+
+  tick(frame: Frame): void {
+    for (const card of this.cards) card.tick(frame);
+  }
+
+  claims(): void {
+    for (const card of this.cards) card.claims();
+  }
+}
+

@@ -1,0 +1,282 @@
+/** Everything on the plan that belongs to the scene: earth, hulls, fenders, lines, tugs, forces, the way ahead. */
+import { type Camera, add, dot, length, minus, onEarth, times, toScreen, turned } from "../geometry";
+import type { Live } from "../live";
+import { type Palette, loadColour } from "../palette";
+import type { BodyNow, Frame, Hello, Pair } from "../protocol";
+import { fixed, force, tonnes } from "../units";
+import { arrow, label, polygon, stroke } from "./marks";
+
+export interface Scene {
+  to: CanvasRenderingContext2D;
+  camera: Camera;
+  colours: Palette;
+  hello: Hello;
+  frame: Frame;
+  bodies: BodyNow[];
+  live: Live;
+}
+
+/** Arrows of forces: a meganewton is so long [px]. */
+const PX_PER_MN = 70;
+/** Arrows of lateral speed: a metre a second is so long [px]. */
+const PX_PER_MPS = 220;
+
+const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(low, x));
+
+export function drawGrid({ to, camera, colours }: Scene): void {
+  to.fillStyle = colours.water;
+  to.fillRect(0, 0, camera.width, camera.height);
+  const pitch = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000].find((m) => m * camera.pixels_per_m >= 70) ?? 10_000;
+  const reach = Math.hypot(camera.width, camera.height) / 2 / camera.pixels_per_m;
+  to.lineWidth = 1;
+  for (const axis of [0, 1] as const) {
+    const from = Math.ceil((camera.centre[axis] - reach) / pitch) * pitch;
+    for (let at = from; at <= camera.centre[axis] + reach; at += pitch) {
+      const other = camera.centre[axis === 0 ? 1 : 0];
+      const ends: Pair[] = [other - reach, other + reach].map((o) => (axis === 0 ? [at, o] : [o, at]));
+      if (ends[0] && ends[1]) stroke(to, toScreen(camera, ends[0]), toScreen(camera, ends[1]), colours.grid, 1);
+    }
+  }
+}
+
+const outlineOnScreen = ({ camera, hello, bodies }: Scene, body: number): Pair[] => {
+  const [info, now] = [hello.bodies[body], bodies[body]];
+  return info && now ? info.outline.map((at) => toScreen(camera, onEarth(now, at))) : [];
+};
+
+export function drawLand(scene: Scene): void {
+  const { to, colours, hello } = scene;
+  hello.bodies.forEach((body, i) => {
+    if (!body.fixed) return;
+    polygon(to, outlineOnScreen(scene, i));
+    to.fillStyle = colours.land;
+    to.fill();
+    to.strokeStyle = colours.land_edge;
+    to.lineWidth = 2;
+    to.stroke();
+  });
+}
+
+/** Where she goes if nothing is ordered: the swept outline, her centre's way, and her hull at every minute. */
+export function drawPrediction({ to, camera, colours, hello, live }: Scene): void {
+  const { prediction, frame } = live;
+  if (!prediction || !frame) return;
+  const outline = hello.bodies[hello.vessels[prediction.vessel]?.body ?? -1]?.outline;
+  if (!outline) return;
+  const path = prediction.path.filter(([t]) => t >= frame.t_s);
+  const hullAt = ([, n, e, h]: [number, number, number, number]) =>
+    outline.map((at) => toScreen(camera, add([n, e], turned(h, at))));
+  to.save();
+  to.fillStyle = colours.path;
+  to.globalAlpha = Math.min(0.05, 1.2 / Math.max(1, path.length));
+  for (const point of path) {
+    polygon(to, hullAt(point));
+    to.fill();
+  }
+  to.strokeStyle = colours.path;
+  to.lineWidth = 1.5;
+  let minute = 0;
+  for (const point of path) {
+    const due = Math.floor((point[0] - frame.t_s) / 60);
+    if (due <= minute) continue;
+    minute = due;
+    to.globalAlpha = 0.75;
+    to.setLineDash([6, 4]);
+    polygon(to, hullAt(point));
+    to.stroke();
+    to.setLineDash([]);
+    to.globalAlpha = 1;
+    label(to, `${minute} min`, toScreen(camera, [point[1], point[2]]), { colour: colours.path, ground: colours.label, size: 12 });
+  }
+  to.globalAlpha = 1;
+  to.lineWidth = 2;
+  to.beginPath();
+  path.forEach(([, n, e], i) => (i === 0 ? to.moveTo(...toScreen(camera, [n, e])) : to.lineTo(...toScreen(camera, [n, e]))));
+  to.stroke();
+  to.restore();
+}
+
+export function drawHulls(scene: Scene): void {
+  const { to, colours, hello, bodies, camera } = scene;
+  const ownBody = hello.vessels[scene.live.ship()]?.body;
+  hello.bodies.forEach((body, i) => {
+    const now = bodies[i];
+    if (body.fixed || !now) return;
+    const vessel = hello.vessels.find((v) => v.body === i);
+    const tug = vessel?.is_tug ?? false;
+    polygon(to, outlineOnScreen(scene, i));
+    to.fillStyle = tug ? colours.tug : colours.own;
+    to.globalAlpha = 0.85;
+    to.fill();
+    to.globalAlpha = 1;
+    to.strokeStyle = tug ? colours.tug_edge : colours.own_edge;
+    to.lineWidth = i === ownBody ? 2.5 : 1.5;
+    to.stroke();
+    if (!vessel) return;
+    // Her centre line, on beyond the bow by a third of her length: where she points.
+    const half = vessel.length_m / 2;
+    stroke(to, toScreen(camera, onEarth(now, [half, 0])), toScreen(camera, onEarth(now, [half * (tug ? 1.3 : 1.5), 0])), tug ? colours.tug_edge : colours.own_edge, 1.5);
+    if (tug) label(to, vessel.name, toScreen(camera, onEarth(now, [-half - 6, 0])), { colour: colours.text, ground: colours.label, size: 13 });
+  });
+}
+
+export function drawFenders({ to, camera, colours, hello, frame, bodies }: Scene): void {
+  hello.fenders.forEach((info, i) => {
+    const [now, body] = [frame.fenders[i], bodies[info.body]];
+    if (!now || !body) return;
+    const out = Math.max(0.15, info.projection_m - now.deflection_m);
+    const half = Math.max(info.width_m / 2, 3 / camera.pixels_per_m);
+    const deep = Math.max(out, 3 / camera.pixels_per_m);
+    const corner = (across: number, ahead: number) =>
+      toScreen(camera, onEarth(body, add(info.at_m, turned(info.facing_rad, [ahead, across]))));
+    const load = Math.max(now.of_energy, now.of_reaction);
+    polygon(to, [corner(-half, 0), corner(half, 0), corner(half * 1.1, deep), corner(-half * 1.1, deep)]);
+    to.fillStyle = now.failed ? colours.alarm : now.reaction_n > 0 ? loadColour(load, colours) : colours.land_edge;
+    to.fill();
+    to.strokeStyle = colours.text;
+    to.lineWidth = 1;
+    to.stroke();
+    if (now.failed) {
+      stroke(to, corner(-half, 0), corner(half, deep), colours.text, 2);
+      stroke(to, corner(half, 0), corner(-half, deep), colours.text, 2);
+    }
+    if (now.reaction_n <= 0 || camera.pixels_per_m < 0.6) return;
+    const text = camera.pixels_per_m > 1.8 ? `${fixed(load * 100, 0)} %` : fixed(load * 100, 0);
+    label(to, text, corner(0, -16 / camera.pixels_per_m), { colour: loadColour(load, colours), ground: colours.label, size: 13, bold: true });
+    if (camera.pixels_per_m > 3.2) {
+      label(to, force(now.reaction_n), corner(0, -35 / camera.pixels_per_m), { colour: colours.text, ground: colours.label, size: 12 });
+    }
+  });
+}
+
+/** Forces at contacts: a disc where it sticks, a ring with a cross stroke where it slips. */
+export function drawContacts({ to, camera, colours, frame }: Scene): void {
+  for (const contact of frame.contacts) {
+    const size = length(contact.force_n);
+    if (size < 1e3) continue;
+    const from = toScreen(camera, contact.at_m);
+    const long = clamp((size / 1e6) * PX_PER_MN, 10, 140);
+    arrow(to, from, toScreen(camera, add(contact.at_m, times(contact.force_n, long / size / camera.pixels_per_m))), colours.force, 3);
+    to.beginPath();
+    to.arc(from[0], from[1], 4.5, 0, 2 * Math.PI);
+    to.strokeStyle = colours.force;
+    to.lineWidth = 2;
+    to.fillStyle = contact.slips ? colours.panel : colours.force;
+    to.fill();
+    to.stroke();
+    if (contact.slips) stroke(to, [from[0] - 7, from[1] + 3], [from[0] + 7, from[1] - 3], colours.force, 1.5);
+  }
+}
+
+export function drawLines({ to, camera, colours, hello, frame, bodies }: Scene): void {
+  hello.lines.forEach((info, i) => {
+    const [now, ship] = [frame.lines[i], bodies[info.ship]];
+    if (!now || !ship || now.state === "gone") return;
+    const end = "place_m" in info.end ? info.end.place_m : bodies[info.end.body] && onEarth(bodies[info.end.body] as BodyNow, info.end.at_m);
+    if (!end) return;
+    const [from, till] = [toScreen(camera, onEarth(ship, info.fairlead_m)), toScreen(camera, end)];
+    to.beginPath();
+    to.arc(till[0], till[1], 3.5, 0, 2 * Math.PI);
+    to.fillStyle = colours.text;
+    to.fill();
+    if (now.state === "ashore") return;
+    const share = now.tension_n / Math.max(1, info.working_n);
+    const colour = now.state === "parted" ? colours.alarm : share > 0.1 ? loadColour(share * 0.95, colours) : colours.line;
+    stroke(to, from, till, colour, share > 0.1 ? 3 : 1.8, now.state === "parted" ? [4, 8] : []);
+    if (now.state === "parted") {
+      label(to, "PARTED", [(from[0] + till[0]) / 2, (from[1] + till[1]) / 2], { colour: colours.alarm, ground: colours.label, size: 12, bold: true });
+    } else if (share > 0.1 && camera.pixels_per_m > 1.2) {
+      label(to, tonnes(now.tension_n), [(from[0] + till[0]) / 2, (from[1] + till[1]) / 2], { colour, ground: colours.label, size: 13 });
+    }
+  });
+}
+
+/** Tugs that are forces, drawn where they work; of those that are vessels the hull is drawn as any other. */
+export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Scene): void {
+  hello.tugs.forEach((info, i) => {
+    const now = frame.tugs[i];
+    const ship = bodies[hello.vessels[info.vessel]?.body ?? -1];
+    if (!now || !ship) return;
+    const pulls = now.order === "pull";
+    const at = pulls ? info.pull_at_m : info.push_at_m;
+    const side = Math.sign(at[1]) || 1;
+    const works = now.force_n > 1e3 || now.order !== "stand_by";
+    const toward = works ? now.direction_rad : (-side * Math.PI) / 2;
+    const half = info.length_m / 2;
+    // Pushing she stands off by her own half length, pulling at the end of her line, else a little off the side.
+    const off = pulls ? 45 + half : -(half + (works ? 0.5 : 14));
+    const centre = add(at, turned(toward, [off, 0]));
+    const heading = ship[2] + toward;
+    const place = onEarth(ship, centre);
+    const hull: Pair[] = [[-1, -0.75], [-0.8, -1], [0.35, -1], [0.8, -0.62], [1, 0], [0.8, 0.62], [0.35, 1], [-0.8, 1], [-1, 0.75]];
+    polygon(to, hull.map(([x, y]) => toScreen(camera, add(place, turned(heading, [x * half, (y * info.beam_m) / 2])))));
+    to.fillStyle = colours.tug;
+    to.globalAlpha = works ? 0.9 : 0.45;
+    to.fill();
+    to.globalAlpha = 1;
+    to.strokeStyle = colours.tug_edge;
+    to.lineWidth = 1.5;
+    to.stroke();
+    if (pulls) stroke(to, toScreen(camera, onEarth(ship, at)), toScreen(camera, onEarth(ship, add(at, turned(toward, [45, 0])))), colours.line, 2);
+    const working = onEarth(ship, at);
+    if (now.force_n > 1e3) {
+      const long = clamp((now.force_n / 1e6) * PX_PER_MN, 14, 120) / camera.pixels_per_m;
+      arrow(to, toScreen(camera, working), toScreen(camera, add(working, turned(heading, [long, 0]))), colours.force, 4);
+    }
+    const text = now.force_n > 1e3 ? `${info.name} ${tonnes(now.force_n)}${now.limited ? " max" : ""}` : info.name;
+    label(to, text, toScreen(camera, onEarth(ship, add(at, turned(toward, [off - (pulls ? -1 : 1) * (half + 9 / camera.pixels_per_m), 0])))), { colour: colours.text, ground: colours.label, size: 13 });
+  });
+}
+
+/** Lateral speed at bow and stern as arrows with figures, and the distances to the berth there. */
+export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, live }: Scene): void {
+  const index = live.ship();
+  const [info, now] = [hello.vessels[index], frame.vessels[index]];
+  const body = bodies[info?.body ?? -1];
+  const outline = hello.bodies[info?.body ?? -1]?.outline;
+  if (!info || !now || !body || !outline) return;
+  const half = info.length_m / 2;
+  const towardShore = hello.berth ? times(hello.berth.facing, -1) : null;
+  for (const [end, speed, berthDistance] of [
+    [1, now.bow_mps, now.berth?.bow_m],
+    [-1, now.stern_mps, now.berth?.stern_m],
+  ] as const) {
+    const place = onEarth(body, [end * half * 0.92, 0]);
+    const side = Math.sign(speed) || 1;
+    const across = turned(body[2], [0, side]);
+    const long = clamp(Math.abs(speed) * PX_PER_MPS, 0, 130);
+    const tip = add(place, times(across, long / camera.pixels_per_m));
+    if (long > 2) arrow(to, toScreen(camera, place), toScreen(camera, tip), colours.path, 5);
+    const text = `${fixed(Math.abs(speed), 2)} m/s`;
+    const textAt = add(place, turned(body[2], [end * (34 / camera.pixels_per_m), 0]));
+    label(to, text, toScreen(camera, textAt), { colour: colours.path, ground: colours.label, size: 16, bold: true }, camera);
+    if (!towardShore || berthDistance === undefined || berthDistance > 400) continue;
+    const nearest = outline
+      .filter(([along]) => along * end > half * 0.25)
+      .map((at) => onEarth(body, at))
+      .reduce<Pair | null>((best, at) => (best === null || dot(at, towardShore) > dot(best, towardShore) + 1e-6 ? at : best), null);
+    if (!nearest) continue;
+    const shore = add(nearest, times(towardShore, Math.max(0, berthDistance)));
+    stroke(to, toScreen(camera, nearest), toScreen(camera, shore), colours.text, 1.5, [5, 4]);
+    const inland = add(shore, times(towardShore, 46 / camera.pixels_per_m));
+    label(to, `${fixed(berthDistance, 1)} m`, toScreen(camera, inland), { colour: colours.text, ground: colours.label, size: 17, bold: true }, camera);
+  }
+}
+
+/** The berth's line that distances are to: between its ends, at the faces of its fenders. */
+export function drawBerth({ to, camera, colours, hello }: Scene): void {
+  if (!hello.berth) return;
+  stroke(to, toScreen(camera, hello.berth.from), toScreen(camera, hello.berth.to), colours.land_edge, 4);
+}
+
+/** Earth places that a first look shows: the ship, and the fenders or the berth that she is near. */
+export function firstLook(hello: Hello, bodies: BodyNow[], ship: number): Pair[] {
+  const info = hello.vessels[ship];
+  const now = bodies[info?.body ?? -1];
+  const outline = hello.bodies[info?.body ?? -1]?.outline ?? [];
+  if (!info || !now) return bodies.map((b) => [b[0], b[1]]);
+  const places = outline.map((at) => onEarth(now, at));
+  const berth = hello.fenders.map((f) => onEarth(bodies[f.body] ?? now, f.at_m));
+  const near = berth.filter((at) => length(minus(at, [now[0], now[1]])) < info.length_m * 3);
+  return [...places, ...near];
+}

@@ -1,0 +1,96 @@
+/** Plane geometry: bodies' places on the earth, the plan's camera. */
+import type { BodyNow, Pair } from "./protocol";
+import { wrapped } from "./units";
+
+export const add = (a: Pair, b: Pair): Pair => [a[0] + b[0], a[1] + b[1]];
+export const minus = (a: Pair, b: Pair): Pair => [a[0] - b[0], a[1] - b[1]];
+export const times = (a: Pair, by: number): Pair => [a[0] * by, a[1] * by];
+export const dot = (a: Pair, b: Pair): number => a[0] * b[0] + a[1] * b[1];
+export const length = (a: Pair): number => Math.hypot(a[0], a[1]);
+
+/** Turned by an angle, positive to starboard: body axes to the earth's. */
+export function turned(by_rad: number, [x, y]: Pair): Pair {
+  const [c, s] = [Math.cos(by_rad), Math.sin(by_rad)];
+  return [x * c - y * s, x * s + y * c];
+}
+
+/** Where a body-fixed place is on the earth. */
+export const onEarth = (body: BodyNow, at: Pair): Pair => add([body[0], body[1]], turned(body[2], at));
+
+/** A body between two ticks; its heading goes the short way. */
+export function between(from: BodyNow, to: BodyNow, share: number): BodyNow {
+  const mix = (a: number, b: number) => a + (b - a) * share;
+  return [
+    mix(from[0], to[0]),
+    mix(from[1], to[1]),
+    from[2] + wrapped(to[2] - from[2]) * share,
+    mix(from[3], to[3]),
+    mix(from[4], to[4]),
+    mix(from[5], to[5]),
+  ];
+}
+
+/** What of the earth the plan shows. */
+export interface Camera {
+  centre: Pair;
+  pixels_per_m: number;
+  /** The bearing that is up [rad]. */
+  up_rad: number;
+  width: number;
+  height: number;
+}
+
+export function toScreen(camera: Camera, place: Pair): Pair {
+  const [ahead, right] = turned(-camera.up_rad, minus(place, camera.centre));
+  return [camera.width / 2 + right * camera.pixels_per_m, camera.height / 2 - ahead * camera.pixels_per_m];
+}
+
+export function toEarth(camera: Camera, [x, y]: Pair): Pair {
+  const ahead = (camera.height / 2 - y) / camera.pixels_per_m;
+  const right = (x - camera.width / 2) / camera.pixels_per_m;
+  return add(camera.centre, turned(camera.up_rad, [ahead, right]));
+}
+
+/** The camera zoomed by a factor about a point of the screen, which stays over its place. */
+export function zoomed(camera: Camera, by: number, about: Pair): Camera {
+  const pixels_per_m = Math.min(60, Math.max(0.01, camera.pixels_per_m * by));
+  const place = toEarth(camera, about);
+  const after = { ...camera, pixels_per_m };
+  return { ...after, centre: add(after.centre, minus(place, toEarth(after, about))) };
+}
+
+/** The camera that shows all the places, with a margin about them in pixels. */
+export function fitted(camera: Camera, places: Pair[], margin_px: number): Camera {
+  const local = places.map((place) => turned(-camera.up_rad, place));
+  const range = (axis: 0 | 1): Pair => {
+    const all = local.map((p) => p[axis]);
+    return [Math.min(...all), Math.max(...all)];
+  };
+  if (local.length === 0) return camera;
+  const [ahead, right] = [range(0), range(1)];
+  const pixels_per_m = Math.min(
+    20,
+    Math.max(40, camera.width - 2 * margin_px) / Math.max(1, right[1] - right[0]),
+    Math.max(40, camera.height - 2 * margin_px) / Math.max(1, ahead[1] - ahead[0]),
+  );
+  const middle: Pair = [(ahead[0] + ahead[1]) / 2, (right[0] + right[1]) / 2];
+  return { ...camera, pixels_per_m, centre: turned(camera.up_rad, middle) };
+}
+
+/** The round length for a scale bar that is at most so many metres: 1, 2 or 5 times a power of ten. */
+export function roundLength(most_m: number): number {
+  const power = 10 ** Math.floor(Math.log10(most_m));
+  return [5, 2, 1].map((n) => n * power).find((n) => n <= most_m) ?? power;
+}
+
+/** Half-breadth of an outline at a place along it, on a side (−1 port, 1 starboard); `null` beyond its ends. */
+export function sideAt(outline: Pair[], along_m: number, side: -1 | 1): number | null {
+  let widest: number | null = null;
+  outline.forEach((a, i) => {
+    const b = outline[(i + 1) % outline.length] ?? a;
+    if ((a[0] - along_m) * (b[0] - along_m) > 0 || a[0] === b[0]) return;
+    const y = a[1] + ((b[1] - a[1]) * (along_m - a[0])) / (b[0] - a[0]);
+    if (widest === null || y * side > widest * side) widest = y;
+  });
+  return widest;
+}

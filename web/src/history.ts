@@ -1,0 +1,51 @@
+/** What the strip charts show: figures of the ship twice a second, kept from the moment the page was opened. */
+import type { Frame, Hello } from "./protocol";
+import { rateOfTurn, toKnots } from "./units";
+
+const EVERY_S = 0.5;
+const KEPT_S = 1800;
+
+export interface Sample {
+  t_s: number;
+  bow_mps: number | null;
+  stern_mps: number | null;
+  ahead_kn: number;
+  rot: number;
+  bow_m: number | null;
+  stern_m: number | null;
+  of_energy: number;
+  of_reaction: number;
+  tension: number;
+}
+
+export class History {
+  samples: Sample[] = [];
+
+  add(frame: Frame, hello: Hello, ship: number): void {
+    const last = this.samples.at(-1);
+    // Rewound: what was after is another branch's.
+    if (last && frame.t_s < last.t_s) this.samples = this.samples.filter((s) => s.t_s < frame.t_s);
+    if (last && frame.t_s >= last.t_s && frame.t_s - last.t_s < EVERY_S - 1e-6) return;
+    const now = frame.vessels[ship];
+    const body = frame.bodies[hello.vessels[ship]?.body ?? -1];
+    if (!now || !body) return;
+    this.samples.push({
+      t_s: frame.t_s,
+      bow_mps: now.berth?.bow_mps ?? now.bow_mps,
+      stern_mps: now.berth?.stern_mps ?? now.stern_mps,
+      ahead_kn: toKnots(now.ground_mps[0]),
+      rot: rateOfTurn(body[5]),
+      bow_m: now.berth?.bow_m ?? null,
+      stern_m: now.berth?.stern_m ?? null,
+      of_energy: Math.max(0, ...frame.fenders.map((f) => f.of_energy)) * 100,
+      of_reaction: Math.max(0, ...frame.fenders.map((f) => f.of_reaction)) * 100,
+      tension: Math.max(0, ...frame.lines.map((l, i) => l.tension_n / Math.max(1, hello.lines[i]?.working_n ?? 1))) * 100,
+    });
+    const from = frame.t_s - KEPT_S;
+    if ((this.samples[0]?.t_s ?? 0) < from - 60) this.samples = this.samples.filter((s) => s.t_s >= from);
+  }
+
+  clear(): void {
+    this.samples = [];
+  }
+}

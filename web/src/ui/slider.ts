@@ -1,0 +1,60 @@
+/** A slider with two pointers: the thumb is what is ordered, the bar below it what is. */
+import { h, setAttribute, setStyle } from "./dom";
+
+export interface SliderOptions {
+  label: string;
+  least: number;
+  most: number;
+  step: number;
+  /** How a value is said. */
+  say(value: number): string;
+  /** While dragged, and at its end. */
+  order(value: number): void;
+  /** The scale's marks: where, and what is written there. */
+  marks: { at: number; text: string; side?: "port" | "starboard" }[];
+}
+
+export class Slider {
+  private readonly input: HTMLInputElement;
+  private readonly actual = h("div", { class: "actual" });
+  readonly root: HTMLElement;
+  private dragged = false;
+
+  constructor(private readonly options: SliderOptions) {
+    const { label, least, most, step, marks } = options;
+    this.input = h("input", { type: "range", min: least, max: most, step, "aria-label": label, value: 0 });
+    const scale = h(
+      "div",
+      { class: "scale", "aria-hidden": "true" },
+      ...marks.map(({ at, text, side }) => h("span", { style: `left:${this.place(at)}%`, class: side }, text)),
+    );
+    this.root = h("div", { class: "slider" }, h("div", { class: "track" }, this.actual, this.input), scale);
+    this.input.addEventListener("pointerdown", () => (this.dragged = true));
+    for (const end of ["pointerup", "pointercancel", "blur"]) this.input.addEventListener(end, () => (this.dragged = false));
+    this.input.addEventListener("input", () => {
+      const value = Number(this.input.value);
+      this.options.order(value);
+      setAttribute(this.input, "aria-valuetext", this.options.say(value));
+    });
+  }
+
+  private place(value: number): number {
+    return ((value - this.options.least) / (this.options.most - this.options.least)) * 100;
+  }
+
+  show(order: number, actual: number): void {
+    const zero = this.place(Math.max(this.options.least, 0));
+    const now = Math.min(100, Math.max(0, this.place(actual)));
+    setStyle(this.actual, "left", `${Math.min(zero, now).toFixed(1)}%`);
+    setStyle(this.actual, "width", `${Math.abs(now - zero).toFixed(1)}%`);
+    this.actual.classList.toggle("port", now < zero && this.options.least < 0);
+    if (this.dragged) return;
+    const text = String(Math.round(order / this.options.step) * this.options.step);
+    if (Number(this.input.value) !== Number(text)) this.input.value = text;
+    setAttribute(this.input, "aria-valuetext", this.options.say(order));
+  }
+
+  enable(on: boolean): void {
+    this.input.disabled = !on;
+  }
+}

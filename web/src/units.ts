@@ -1,0 +1,60 @@
+/** Figures as they are written on a bridge. */
+
+export const KNOT_MPS = 1852 / 3600;
+/** Tugs and lines are talked of in tonnes of force. */
+export const TONNE_N = 9806.65;
+const DEG = 180 / Math.PI;
+
+export const toKnots = (mps: number): number => mps / KNOT_MPS;
+export const toDegrees = (rad: number): number => rad * DEG;
+export const toRadians = (deg: number): number => deg / DEG;
+
+/** An angle in (−π, π]. */
+export function wrapped(rad: number): number {
+  const turn = 2 * Math.PI;
+  const rest = ((rad % turn) + turn) % turn;
+  return rest > Math.PI ? rest - turn : rest;
+}
+
+/** A heading or a bearing: three digits before the point, never 360. */
+export function heading(rad: number, decimals = 1): string {
+  const degrees = (((rad * DEG) % 360) + 360) % 360;
+  const text = degrees.toFixed(decimals);
+  const shown = Number(text) >= 360 ? (0).toFixed(decimals) : text;
+  const width = decimals > 0 ? 4 + decimals : 3;
+  return `${shown.padStart(width, "0")}°`;
+}
+
+/** A number without a minus before zero. */
+export function fixed(value: number, decimals: number): string {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace("-", "") : text;
+}
+
+export const knots = (mps: number, decimals = 1): string => `${fixed(toKnots(mps), decimals)} kn`;
+export const tonnes = (newtons: number): string => `${fixed(newtons / TONNE_N, newtons < 10 * TONNE_N ? 1 : 0)} t`;
+export const percent = (share: number): string => `${fixed(share * 100, 0)} %`;
+
+/** A rudder angle, a turn: its size and its side. */
+export function sided(rad: number, decimals = 0): string {
+  const text = Math.abs(rad * DEG).toFixed(decimals);
+  if (Number(text) === 0) return `${text}°`;
+  return `${rad < 0 ? "P" : "S"} ${text}°`;
+}
+
+/** Rate of turn, degrees a minute. */
+export const rateOfTurn = (radPerS: number): number => radPerS * DEG * 60;
+
+/** Kilonewtons up to a thousand, then meganewtons. */
+export function force(newtons: number): string {
+  return Math.abs(newtons) < 1e6 ? `${fixed(newtons / 1e3, 0)} kN` : `${fixed(newtons / 1e6, 2)} MN`;
+}
+
+export const energy = (joules: number): string => `${fixed(joules / 1e3, 0)} kJ`;
+
+/** Time of a run: h:mm:ss. */
+export function clock(t_s: number): string {
+  const all = Math.max(0, Math.floor(t_s));
+  const two = (n: number) => String(n).padStart(2, "0");
+  return `${Math.floor(all / 3600)}:${two(Math.floor(all / 60) % 60)}:${two(all % 60)}`;
+}

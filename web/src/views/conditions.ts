@@ -1,0 +1,98 @@
+/** The instructor's weather and faults. */
+import type { Page } from "../page";
+import type { Fault, Frame, Hello } from "../protocol";
+import { button, h, setAttribute, setText } from "../ui/dom";
+import { Ring } from "../ui/ring";
+import { KNOT_MPS, fixed, heading, toKnots } from "../units";
+import type { View } from "./view";
+
+const FAULTS: { fault: Fault; text: string }[] = [
+  { fault: "rudder_stuck", text: "Rudder stuck" },
+  { fault: "engine_lost", text: "Engine lost" },
+  { fault: "thrusters_lost", text: "Thrusters lost" },
+  { fault: "blackout", text: "Blackout" },
+];
+
+/** A flow of air or water: set as a whole, by "Set", so that a half-turned ring blows nobody away. */
+class Flow {
+  private readonly speed = h("output", { class: "wanted" });
+  private readonly now = h("p", { class: "note" });
+  private readonly ring: Ring;
+  private kn = 0;
+  private touched = false;
+  readonly root: HTMLElement;
+
+  constructor(private readonly name: "Wind" | "Current", private readonly verb: string, step_kn: number, most_kn: number, apply: (mps: number, rad: number) => Promise<boolean>) {
+    const show = () => setText(this.speed, `${fixed(this.kn, step_kn < 1 ? 1 : 0)} kn ${verb} ${heading(this.ring.value, 0)}`);
+    this.ring = new Ring(`${name} ${verb}`, "north", () => {
+      this.touched = true;
+      show();
+    });
+    const change = (by: number) => () => {
+      this.kn = Math.min(most_kn, Math.max(0, this.kn + by));
+      this.touched = true;
+      show();
+    };
+    this.root = h(
+      "section",
+      { class: "card flow", "aria-label": name },
+      h("h3", {}, name),
+      this.ring.root,
+      this.speed,
+      h("div", { class: "row" }, button("−", change(-step_kn), { name: `Less ${name.toLowerCase()}` }), button("+", change(step_kn), { name: `More ${name.toLowerCase()}` }), button("Set", () => void apply(this.kn * KNOT_MPS, this.ring.value).then((done) => done && (this.touched = false)), { name: `Set the ${name.toLowerCase()}`, class: "take" })),
+      this.now,
+    );
+  }
+
+  tick(mps: number, rad: number): void {
+    setText(this.now, `now ${fixed(toKnots(mps), 1)} kn ${this.verb} ${heading(rad, 0)}`);
+    if (this.touched) return;
+    this.kn = Math.round(toKnots(mps) * 10) / 10;
+    this.ring.follow(rad);
+    setText(this.speed, `${fixed(this.kn, this.name === "Wind" ? 0 : 1)} kn ${this.verb} ${heading(rad, 0)}`);
+  }
+
+  draw(mps: number, rad: number, full_mps: number): void {
+    // The knob is where it is from or goes to; the arrow goes with the flow.
+    this.ring.draw(this.name === "Wind" ? rad + Math.PI : rad, Math.min(1, mps / full_mps));
+  }
+}
+
+export class Conditions implements View {
+  private readonly wind: Flow;
+  private readonly current: Flow;
+  private readonly faults: { vessel: number; fault: Fault; root: HTMLButtonElement; on: boolean }[] = [];
+  private frame: Frame | null = null;
+  readonly root: HTMLElement;
+
+  constructor(page: Page, hello: Hello) {
+    this.wind = new Flow("Wind", "from", 1, 80, (speed_mps, from_rad) => page.order({ do: "wind", speed_mps, from_rad }));
+    this.current = new Flow("Current", "to", 0.1, 6, (speed_mps, to_rad) => page.order({ do: "current", speed_mps, to_rad }));
+    const faults = hello.vessels.map((vessel, index) => {
+      const fits = FAULTS.filter(({ fault }) => (fault !== "rudder_stuck" || vessel.rudder_stop_rad !== null) && (fault !== "engine_lost" || vessel.full_rps !== null) && (fault !== "thrusters_lost" || vessel.thrusters.length + vessel.azimuths.length > 0));
+      const buttons = fits.map(({ fault, text }) => {
+        const entry = { vessel: index, fault, on: false, root: button(text, () => void page.order({ do: "fault", vessel: vessel.name, fault, on: !entry.on }), { name: `${vessel.name}: ${text}`, "aria-pressed": "false", class: "fault" }) };
+        this.faults.push(entry);
+        return entry.root;
+      });
+      return h("div", { class: "fault-row" }, h("b", {}, vessel.title), h("div", { class: "row" }, ...buttons));
+    });
+    this.root = h("div", { class: "conditions" }, h("div", { class: "flows" }, this.wind.root, this.current.root), h("p", { class: "note" }, "Rings are north up."), h("h3", {}, "Faults"), ...faults);
+  }
+
+  tick(frame: Frame): void {
+    this.frame = frame;
+    this.wind.tick(frame.wind.speed_mps, frame.wind.from_rad);
+    this.current.tick(frame.current.speed_mps, frame.current.to_rad);
+    for (const entry of this.faults) {
+      entry.on = frame.vessels[entry.vessel]?.faults.includes(entry.fault) ?? false;
+      setAttribute(entry.root, "aria-pressed", String(entry.on));
+    }
+  }
+
+  draw(): void {
+    if (!this.frame) return;
+    this.wind.draw(this.frame.wind.speed_mps, this.frame.wind.from_rad, 20);
+    this.current.draw(this.frame.current.speed_mps, this.frame.current.to_rad, 2);
+  }
+}

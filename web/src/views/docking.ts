@@ -1,0 +1,110 @@
+/** The docking board: what a laser docking system shows in digits that are read across a bridge wing. */
+import { dot, turned } from "../geometry";
+import type { Page } from "../page";
+import type { Frame, Hello } from "../protocol";
+import { button, h, setAttribute, setClass, setText } from "../ui/dom";
+import { fixed, toDegrees } from "../units";
+import { DEFAULT_LIMIT_MPS, type Light, light, limitAt } from "./limits";
+import type { View } from "./view";
+
+const WORDS: Record<Light, string> = { ok: "OK", caution: "CAUTION", alarm: "TOO FAST" };
+const STILL_MPS = 0.005;
+
+class End {
+  private readonly distance = h("output", { class: "digits distance" }, "–");
+  private readonly speed = h("output", { class: "digits speed" }, "–");
+  private readonly way = h("span", { class: "way" });
+  private readonly lamp = h("div", { class: "lamp" }, "–");
+  readonly root: HTMLElement;
+
+  constructor(private readonly name: "Bow" | "Stern") {
+    this.root = h(
+      "section",
+      { class: "end", "aria-label": name },
+      h("h3", {}, name),
+      h("div", { class: "figure" }, this.distance, h("span", { class: "unit" }, "m")),
+      h("div", { class: "figure" }, this.speed, h("span", { class: "unit" }, "m/s")),
+      this.way,
+      this.lamp,
+    );
+  }
+
+  show(off_m: number, closing_mps: number, limit_mps: number): Light {
+    const shown = light(closing_mps, off_m, limit_mps);
+    setText(this.distance, fixed(off_m, Math.abs(off_m) < 100 ? 1 : 0));
+    setText(this.speed, fixed(Math.abs(closing_mps), 2));
+    setText(this.way, closing_mps > STILL_MPS ? "▲ closing" : closing_mps < -STILL_MPS ? "▼ opening" : "■ still");
+    setText(this.lamp, off_m < 0.02 && shown === "ok" ? "AT FENDERS" : WORDS[shown]);
+    for (const name of ["ok", "caution", "alarm"] as const) setClass(this.root, name, shown === name);
+    setAttribute(this.distance, "aria-label", `${this.name} distance`);
+    setAttribute(this.speed, "aria-label", `${this.name} speed`);
+    // Read by tests and screen readers: closing is positive.
+    this.root.dataset.closing = closing_mps.toFixed(3);
+    this.root.dataset.off = off_m.toFixed(2);
+    return shown;
+  }
+}
+
+export class Docking implements View {
+  private readonly bow = new End("Bow");
+  private readonly stern = new End("Stern");
+  private readonly ends = h("div", { class: "ends" }, this.bow.root, this.stern.root);
+  private readonly angle = h("output", { class: "digits", "aria-label": "Angle to the berth" }, "–");
+  private readonly angleWay = h("span", { class: "way" });
+  private readonly along = h("output", { class: "digits", "aria-label": "Speed along the berth" }, "–");
+  private readonly alongWay = h("span", { class: "way" });
+  private readonly limit = h("output", { class: "limit", "aria-label": "Speed limit at the fenders" });
+  private readonly none = h("p", { class: "nothing" }, "No berth in this scenario.");
+  readonly root: HTMLElement;
+  private limit_mps: number;
+
+  constructor(private readonly page: Page) {
+    const kept = Number(localStorage.getItem("docking limit"));
+    this.limit_mps = kept > 0 ? kept : DEFAULT_LIMIT_MPS;
+    const change = (by: number) => () => {
+      this.limit_mps = Math.min(1, Math.max(0.05, Math.round((this.limit_mps + by) * 100) / 100));
+      localStorage.setItem("docking limit", String(this.limit_mps));
+      this.showLimit(0);
+    };
+    this.root = h(
+      "div",
+      { class: "docking" },
+      this.none,
+      this.ends,
+      h(
+        "div",
+        { class: "under" },
+        h("section", {}, h("h3", {}, "Angle"), h("div", { class: "figure" }, this.angle, h("span", { class: "unit" }, "°")), this.angleWay),
+        h("section", {}, h("h3", {}, "Along"), h("div", { class: "figure" }, this.along, h("span", { class: "unit" }, "m/s")), this.alongWay),
+      ),
+      h("div", { class: "limits" }, button("−", change(-0.01), { name: "Lower speed limit" }), this.limit, button("+", change(0.01), { name: "Higher speed limit" })),
+    );
+    this.showLimit(0);
+  }
+
+  private showLimit(off_m: number): void {
+    const now = off_m > 10 ? `, now ${fixed(limitAt(off_m, this.limit_mps), 2)}` : "";
+    setText(this.limit, `Red above ${fixed(this.limit_mps, 2)} m/s at the fenders${now}`);
+  }
+
+  tick(frame: Frame, hello: Hello): void {
+    const index = this.page.live.ship();
+    const now = frame.vessels[index];
+    const body = frame.bodies[hello.vessels[index]?.body ?? -1];
+    const berth = now?.berth;
+    setClass(this.root, "none", !berth);
+    if (!berth || !hello.berth || !body) return;
+    this.bow.show(berth.bow_m, berth.bow_mps, this.limit_mps);
+    this.stern.show(berth.stern_m, berth.stern_mps, this.limit_mps);
+    this.showLimit(Math.min(berth.bow_m, berth.stern_m));
+    // As she lies when one looks at the quay over her side: starboard side to, her bow is to the left.
+    const starboardTo = dot(turned(body[2], [0, 1]), hello.berth.facing) < 0;
+    setClass(this.ends, "starboard-to", starboardTo);
+    const degrees = Math.abs(toDegrees(berth.angle_rad));
+    setText(this.angle, fixed(degrees, 1));
+    const open = berth.bow_m - berth.stern_m;
+    setText(this.angleWay, degrees < 0.05 ? "parallel" : open > 0 ? "bow out" : "bow in");
+    setText(this.along, fixed(Math.abs(now.ground_mps[0]), 2));
+    setText(this.alongWay, now.ground_mps[0] > STILL_MPS ? "ahead" : now.ground_mps[0] < -STILL_MPS ? "astern" : "still");
+  }
+}

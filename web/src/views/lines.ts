@@ -1,0 +1,94 @@
+/** The lines: tension against working and breaking load; the winches, for who holds the ship. */
+import { loadColour, palette } from "../palette";
+import type { Page } from "../page";
+import type { Frame, Hello, LineInfo, LineNow } from "../protocol";
+import { button, choices, h, setAttribute, setClass, setStyle, setText } from "../ui/dom";
+import { fixed, percent, tonnes } from "../units";
+import type { View } from "./view";
+
+/** How fast a winch hauls or veers when told by hand: a usual speed for warping under load. */
+const WINCH_MPS = 0.15;
+const STATES: Record<LineNow["state"], string> = { ashore: "not yet fast", fast: "fast", parted: "PARTED", gone: "let go" };
+/** "Let go" is asked again within so long. */
+const SURE_MS = 3000;
+
+type Winch = LineNow["winch"];
+
+class Row {
+  private readonly fill = h("div", { class: "fill" });
+  private readonly bar: HTMLElement;
+  private readonly figures = h("span", { class: "figures" });
+  private readonly state = h("span", { class: "state" });
+  private readonly winch;
+  private readonly letGo: HTMLButtonElement;
+  readonly root: HTMLElement;
+  private sure = 0;
+
+  constructor(private readonly info: LineInfo, private readonly page: Page) {
+    const worked = (info.working_n / info.breaking_n) * 100;
+    this.bar = h("div", { class: "bar", role: "meter", "aria-label": `Tension of ${info.name}`, "aria-valuemin": 0, "aria-valuemax": 1 }, this.fill, h("div", { class: "full", title: "working load", style: `left:${worked}%` }));
+    this.winch = choices<Winch>(
+      `Winch of ${info.name}`,
+      [
+        { value: "heave", label: "Heave", name: `Heave ${info.name}` },
+        { value: "hold", label: "Hold", name: `Hold ${info.name}` },
+        { value: "pay_out", label: "Pay out", name: `Pay out ${info.name}` },
+      ],
+      (order) => void page.order({ do: "winch", line: info.name, order, rate_mps: order === "hold" ? 0 : WINCH_MPS }),
+    );
+    this.letGo = button("Let go", () => this.askLetGo(), { name: `Let go ${info.name}` });
+    this.root = h(
+      "li",
+      {},
+      h("div", { class: "row-head" }, h("b", {}, info.name.replaceAll("_", " ")), this.state, this.figures),
+      this.bar,
+      h("div", { class: "winch" }, info.has_winch && this.winch.root, this.letGo),
+    );
+  }
+
+  private askLetGo(): void {
+    const now = performance.now();
+    if (now - this.sure < SURE_MS) {
+      this.sure = 0;
+      void this.page.order({ do: "let_go", line: this.info.name });
+      return;
+    }
+    this.sure = now;
+    setText(this.letGo, "Sure?");
+    setTimeout(() => setText(this.letGo, "Let go"), SURE_MS);
+  }
+
+  show(now: LineNow, mayWinch: boolean): void {
+    const colours = palette();
+    const share = now.tension_n / this.info.breaking_n;
+    const worked = now.tension_n / this.info.working_n;
+    setStyle(this.fill, "width", `${Math.min(100, share * 100).toFixed(1)}%`);
+    setStyle(this.fill, "background", loadColour(worked, colours));
+    setAttribute(this.bar, "aria-valuenow", share.toFixed(2));
+    setText(this.figures, now.state === "fast" ? `${tonnes(now.tension_n)} · ${percent(share)} of ${fixed(this.info.breaking_n / 9806.65, 0)} t` : "");
+    setText(this.state, worked > 1 && now.state === "fast" ? "OVER WORKING LOAD" : STATES[now.state]);
+    setClass(this.root, "alarm", now.state === "parted");
+    setClass(this.root, "caution", now.state === "fast" && worked > 1);
+    setClass(this.root, "idle", now.state !== "fast");
+    this.winch.show(now.state === "fast" ? now.winch : null);
+    for (const each of [...this.winch.buttons, this.letGo]) each.disabled = !mayWinch || now.state !== "fast";
+  }
+}
+
+export class Lines implements View {
+  private readonly rows: Row[];
+  private readonly why = h("p", { class: "note" });
+  readonly root: HTMLElement;
+
+  constructor(private readonly page: Page, hello: Hello) {
+    this.rows = hello.lines.map((info) => new Row(info, page));
+    this.root = h("div", { class: "lines" }, hello.lines.length === 0 ? h("p", { class: "nothing" }, "No lines in this scenario.") : h("ul", { class: "rows" }, ...this.rows.map((row) => row.root)), this.why);
+  }
+
+  tick(frame: Frame, hello: Hello): void {
+    const holders = hello.lines.map((info) => hello.vessels.find((v) => v.body === info.ship));
+    const may = holders.map((vessel) => vessel !== undefined && this.page.live.mine({ vessel: vessel.name }));
+    frame.lines.forEach((now, i) => this.rows[i]?.show(now, may[i] ?? false));
+    setText(this.why, may.length > 0 && !may.some(Boolean) ? "Winches obey who holds the ship's helm." : "The stroke is the working load; the bar's end is the breaking load.");
+  }
+}

@@ -1,0 +1,264 @@
+/** The plan: an electronic chart of the harbour about the ship. */
+import * as scene from "../draw/scene";
+import { FONT, arrow, label, stroke } from "../draw/marks";
+import { type Camera, add, fitted, minus, roundLength, toEarth, zoomed } from "../geometry";
+import type { Live } from "../live";
+import { type Palette, palette } from "../palette";
+import type { BodyNow, Frame, Pair } from "../protocol";
+import { button, canvas, h, setAttribute, setClass, setText } from "../ui/dom";
+import { fixed, heading, knots, rateOfTurn, toKnots } from "../units";
+import type { View } from "./view";
+
+export type Up = "north" | "head" | "berth";
+const UP_NAMES: Record<Up, string> = { north: "North up", head: "Head up", berth: "Berth up" };
+const ZOOM_STEP = 1.35;
+
+export class Plan implements View {
+  readonly root: HTMLElement;
+  private readonly surface = canvas("Plan of ship, berth, tugs and lines");
+  private camera: Camera = { centre: [0, 0], pixels_per_m: 1, up_rad: 0, width: 1, height: 1 };
+  private looked = false;
+  private follows = true;
+  /** Of the ship from the screen's centre while she is followed, in her last place [m]. */
+  private lastShip: Pair | null = null;
+  private up: Up = "north";
+  private readonly pointers = new Map<number, Pair>();
+  private readonly readout = new Readout();
+  private readonly followButton = button("Follow", () => this.follow(), { name: "Follow the ship (F)", "aria-pressed": "true" });
+  private readonly upButton = button("North up", () => this.turnUp(), { name: "Which way is up (U)" });
+  private prediction = true;
+  private readonly pathButton = button("Path", () => this.togglePath(), { name: "Predicted path (P)", "aria-pressed": "true" });
+
+  constructor(private readonly live: Live) {
+    const tools = h(
+      "div",
+      { class: "plan-tools", role: "toolbar", "aria-label": "Plan" },
+      button("+", () => this.zoom(ZOOM_STEP), { name: "Zoom in (+)" }),
+      button("−", () => this.zoom(1 / ZOOM_STEP), { name: "Zoom out (−)" }),
+      button("Fit", () => this.fit(), { name: "Ship and berth (0)" }),
+      this.followButton,
+      this.upButton,
+      this.pathButton,
+    );
+    this.root = h("section", { class: "plan", "aria-label": "Plan view" }, this.surface.root, this.readout.root, tools);
+    this.listen();
+  }
+
+  tick(frame: Frame): void {
+    this.readout.tick(frame, this.live);
+  }
+
+  zoom(by: number, about?: Pair): void {
+    const middle: Pair = about ?? [this.camera.width / 2, this.camera.height / 2];
+    this.camera = zoomed(this.camera, by, middle);
+  }
+
+  fit(): void {
+    this.looked = false;
+    this.setFollow(true);
+  }
+
+  follow(): void {
+    this.setFollow(!this.follows);
+  }
+
+  togglePath(): void {
+    this.prediction = !this.prediction;
+    setAttribute(this.pathButton, "aria-pressed", String(this.prediction));
+  }
+
+  turnUp(): void {
+    const order: Up[] = this.live.hello?.berth ? ["north", "head", "berth"] : ["north", "head"];
+    this.setUp(order[(order.indexOf(this.up) + 1) % order.length] ?? "north");
+  }
+
+  private setUp(up: Up): void {
+    this.up = up;
+    setText(this.upButton, UP_NAMES[up]);
+    // The ship stays in the middle of what she was in the middle of.
+    this.turn();
+    const ship = this.shipNow(performance.now());
+    if (ship && this.follows) this.camera.centre = [ship[0], ship[1]];
+  }
+
+  private setFollow(on: boolean): void {
+    this.follows = on;
+    setAttribute(this.followButton, "aria-pressed", String(on));
+    const ship = this.shipNow(performance.now());
+    if (on && ship) this.camera.centre = [ship[0], ship[1]];
+    this.lastShip = null;
+  }
+
+  private shipNow(now_ms: number): BodyNow | null {
+    const info = this.live.vessel(this.live.ship());
+    return (info && this.live.bodies(now_ms)[info.body]) ?? null;
+  }
+
+  /** Turns the camera as the choice says. */
+  private turn(now_ms = performance.now()): void {
+    const { hello } = this.live;
+    if (this.up === "north") this.camera.up_rad = 0;
+    else if (this.up === "berth" && hello?.berth) this.camera.up_rad = Math.atan2(-hello.berth.facing[1], -hello.berth.facing[0]);
+    else this.camera.up_rad = this.shipNow(now_ms)?.[2] ?? 0;
+  }
+
+  draw(now_ms: number): void {
+    const begun = this.surface.begin();
+    const { hello, frame } = this.live;
+    if (!begun || !hello || !frame) return;
+    const { to, width, height } = begun;
+    const resized = width !== this.camera.width || height !== this.camera.height;
+    this.camera = { ...this.camera, width, height };
+    const bodies = this.live.bodies(now_ms);
+    if (!this.looked || (resized && this.follows)) this.firstLook(bodies);
+    this.turn(now_ms);
+    this.followShip(now_ms);
+    const colours = palette();
+    const all: scene.Scene = { to, camera: this.camera, colours, hello, frame, bodies, live: this.live };
+    scene.drawGrid(all);
+    scene.drawLand(all);
+    scene.drawBerth(all);
+    if (this.prediction) scene.drawPrediction(all);
+    scene.drawFenders(all);
+    scene.drawHulls(all);
+    scene.drawLines(all);
+    scene.drawVectorTugs(all);
+    scene.drawContacts(all);
+    scene.drawBowAndStern(all);
+    drawScale(to, this.camera, colours);
+    drawRose(to, this.camera, colours, frame);
+  }
+
+  private firstLook(bodies: BodyNow[]): void {
+    const { hello } = this.live;
+    if (!hello) return;
+    const first = !this.looked && this.lastShip === null && this.camera.pixels_per_m === 1;
+    this.looked = true;
+    const places = scene.firstLook(hello, bodies, this.live.ship());
+    if (first && hello.berth && hello.fenders.length > 0 && this.camera.width > this.camera.height * 1.2) this.setUp("berth");
+    this.turn();
+    this.camera = fitted(this.camera, places, 74);
+    // Followed, she keeps her place on the screen rather than its middle, so that berth and ship both stay in view.
+    const ship = this.shipNow(performance.now());
+    this.lastShip = ship ? [ship[0], ship[1]] : null;
+  }
+
+  private followShip(now_ms: number): void {
+    const ship = this.shipNow(now_ms);
+    if (!ship || !this.follows) return;
+    const place: Pair = [ship[0], ship[1]];
+    if (this.lastShip) this.camera.centre = add(this.camera.centre, minus(place, this.lastShip));
+    this.lastShip = place;
+  }
+
+  private listen(): void {
+    const surface = this.surface.root;
+    const at = (event: PointerEvent | WheelEvent): Pair => {
+      const box = surface.getBoundingClientRect();
+      return [event.clientX - box.left, event.clientY - box.top];
+    };
+    surface.addEventListener("pointerdown", (event) => {
+      surface.setPointerCapture(event.pointerId);
+      this.pointers.set(event.pointerId, at(event));
+    });
+    surface.addEventListener("pointermove", (event) => {
+      const before = this.pointers.get(event.pointerId);
+      if (!before) return;
+      const now = at(event);
+      const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
+      this.pointers.set(event.pointerId, now);
+      if (other) {
+        const [was, is] = [before, now].map((p) => Math.hypot(p[0] - other[0], p[1] - other[1]));
+        if (was && is && was > 10) this.zoom(is / was, [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2]);
+        return;
+      }
+      this.camera.centre = add(this.camera.centre, minus(toEarth(this.camera, before), toEarth(this.camera, now)));
+      // She runs out of sight only when she is dragged there: following goes on with the new offset.
+    });
+    for (const end of ["pointerup", "pointercancel"] as const) {
+      surface.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
+    }
+    surface.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        this.zoom(Math.exp(-event.deltaY * 0.0015), at(event));
+      },
+      { passive: false },
+    );
+  }
+}
+
+/** The figures in the plan's corner. */
+class Readout {
+  private readonly cells = new Map<string, HTMLElement>();
+  readonly root = h("dl", { class: "readout", "aria-label": "Motion of the ship" });
+
+  constructor() {
+    for (const [key, name] of [["HDG", "Heading"], ["ROT", "Rate of turn"], ["SOG", "Speed over ground"], ["COG", "Course over ground"], ["UKC", "Under-keel clearance"]] as const) {
+      const cell = h("dd", {}, "–");
+      this.cells.set(key, cell);
+      this.root.append(h("div", {}, h("dt", { title: name }, key), cell));
+    }
+  }
+
+  private set(key: string, text: string): void {
+    const cell = this.cells.get(key);
+    if (cell) setText(cell, text);
+  }
+
+  tick(frame: Frame, live: Live): void {
+    const index = live.ship();
+    const [now, info] = [frame.vessels[index], live.vessel(index)];
+    const body = frame.bodies[info?.body ?? -1];
+    if (!now || !body) return;
+    const [, , head, north, east, rate] = body;
+    const speed = Math.hypot(north, east);
+    const turn = rateOfTurn(rate);
+    this.set("HDG", heading(head));
+    this.set("ROT", `${Math.abs(turn) < 0.05 ? "" : turn < 0 ? "◀ " : "▶ "}${fixed(Math.abs(turn), 1)}°/min`);
+    this.set("SOG", knots(speed, 2));
+    this.set("COG", speed < 0.02 ? "–" : heading(Math.atan2(east, north)));
+    this.set("UKC", now.under_keel_m === null ? "–" : `${fixed(now.under_keel_m, 1)} m`);
+    const cell = this.cells.get("UKC");
+    if (cell) setClass(cell, "alarm", now.aground || (now.under_keel_m ?? 9) < 0.5);
+  }
+}
+
+function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palette): void {
+  const long = roundLength(Math.min(180, camera.width * 0.25) / camera.pixels_per_m);
+  const [left, top] = [14, camera.height - 16];
+  const right = left + long * camera.pixels_per_m;
+  stroke(to, [left, top], [right, top], colours.text, 3);
+  for (const x of [left, (left + right) / 2, right]) stroke(to, [x, top - 6], [x, top + 1.5], colours.text, 2);
+  label(to, long >= 1000 ? `${fixed(long / 1000, 0)} km` : `${long} m`, [right + 6, top - 2], { colour: colours.text, ground: "transparent", size: 13, align: "left" });
+}
+
+/** North, wind and current about one small rose, in the plan's corner. */
+function drawRose(to: CanvasRenderingContext2D, camera: Camera, colours: Palette, frame: Frame): void {
+  const radius = 34;
+  const centre: Pair = [camera.width - radius - 18, radius + 16];
+  const on = (bearing: number, far: number): Pair => {
+    const angle = bearing - camera.up_rad;
+    return [centre[0] + Math.sin(angle) * far, centre[1] - Math.cos(angle) * far];
+  };
+  to.beginPath();
+  to.arc(centre[0], centre[1], radius, 0, 2 * Math.PI);
+  to.fillStyle = colours.label;
+  to.fill();
+  to.strokeStyle = colours.dim;
+  to.lineWidth = 1;
+  to.stroke();
+  stroke(to, on(0, radius - 6), on(0, radius), colours.text, 2);
+  to.fillStyle = colours.text;
+  to.font = `600 13px ${FONT}`;
+  to.textAlign = "center";
+  to.textBaseline = "middle";
+  to.fillText("N", ...on(0, radius + 9));
+  const { wind, current } = frame;
+  if (wind.speed_mps > 0.1) arrow(to, on(wind.from_rad, radius), on(wind.from_rad, -radius * 0.25), colours.wind, 3.5);
+  if (current.speed_mps > 0.01) arrow(to, on(current.to_rad, -radius * 0.6), on(current.to_rad, radius * 0.7), colours.current, 3.5);
+  const style = { ground: colours.label, size: 13, align: "right" as const };
+  label(to, `Wind ${fixed(toKnots(wind.speed_mps), 0)} kn ${heading(wind.from_rad, 0)}`, [camera.width - 10, 2 * radius + 40], { ...style, colour: colours.wind });
+  label(to, `Current ${fixed(toKnots(current.speed_mps), 1)} kn ${heading(current.to_rad, 0)}`, [camera.width - 10, 2 * radius + 60], { ...style, colour: colours.current });
+}

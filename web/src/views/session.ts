@@ -1,0 +1,81 @@
+/** The instructor's view of the session: who is there and holds what, the links to hand out, scenarios, saving. */
+import type { Page } from "../page";
+import type { Control, Frame, Hello, Role } from "../protocol";
+import { button, h, setClass, setText } from "../ui/dom";
+import type { View } from "./view";
+
+const nameOf = (control: Control): string => ("vessel" in control ? control.vessel : "tug" in control ? control.tug : "session");
+const roleOf = (role: Role): string => (role.name === "tugmaster" ? `Tugmaster of ${role.tug}` : role.name.replace(/^./, (c) => c.toUpperCase()));
+
+export class Session implements View {
+  private readonly claimRows = h("ul", { class: "rows claims", "aria-label": "Who holds what" });
+  private readonly count = h("p", { class: "summary" });
+  readonly root: HTMLElement;
+
+  constructor(private readonly page: Page, hello: Hello) {
+    const name = h("input", { type: "text", "aria-label": "Name to save under", placeholder: "name", maxlength: 60 });
+    const save = button("Save session", () => {
+      const text = name.value.trim();
+      if (text === "") page.say("Give the session a name to save it under.", "refusal");
+      else void page.order({ do: "save", name: text });
+    });
+    this.root = h(
+      "div",
+      { class: "session" },
+      this.count,
+      h("h3", {}, "Who holds what"),
+      this.claimRows,
+      h("h3", {}, "Links to hand out"),
+      this.links(hello),
+      h("h3", {}, "Scenarios"),
+      h("ul", { class: "rows gallery" }, ...hello.gallery.map((entry) => this.scenario(entry, entry.file === hello.file))),
+      h("h3", {}, "Keep this session"),
+      h("form", { class: "row", onsubmit: (event) => event.preventDefault() }, name, save),
+    );
+  }
+
+  private links(hello: Hello): HTMLElement {
+    if (!hello.links || hello.links.length === 0) return h("p", { class: "note" }, "The server has printed the links of each role where it was started.");
+    return h("ul", { class: "rows" }, ...hello.links.map(({ role, path }) => {
+      const url = new URL(path, location.href).href;
+      return h("li", { class: "link" }, h("a", { href: url, target: "_blank", rel: "noopener" }, roleOf(role)), button("Copy", () => void this.copy(url), { name: `Copy the link of ${roleOf(role)}` }));
+    }));
+  }
+
+  private async copy(url: string): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(url);
+      this.page.say("Copied.");
+    } catch {
+      // Without a secure context there is no clipboard: the link is shown to be copied by hand.
+      window.prompt("Copy this link:", url);
+    }
+  }
+
+  private scenario(entry: Hello["gallery"][number], open: boolean): HTMLElement {
+    const load = button(open ? "Start anew" : "Open", () => {
+      if (load.dataset.sure) void this.page.order({ do: "load", file: entry.file });
+      else {
+        load.dataset.sure = "yes";
+        setText(load, "Sure?");
+        setTimeout(() => {
+          delete load.dataset.sure;
+          setText(load, open ? "Start anew" : "Open");
+        }, 3000);
+      }
+    }, { name: `Open ${entry.title}` });
+    return h("li", { class: open ? "chosen" : "" }, h("div", {}, h("b", {}, entry.title), h("p", { class: "note" }, entry.text)), load);
+  }
+
+  tick(frame: Frame): void {
+    setText(this.count, `${frame.run.clients} connected`);
+  }
+
+  claims(hello: Hello): void {
+    this.claimRows.replaceChildren(...hello.claims.map(({ control, holder, connected }) => {
+      const row = h("li", {}, h("b", {}, nameOf(control)), h("span", {}, holder === null ? "nobody" : `${holder}${connected ? "" : " — gone, controls stay as they were"}`));
+      setClass(row, "caution", holder !== null && !connected);
+      return row;
+    }));
+  }
+}

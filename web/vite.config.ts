@@ -1,0 +1,14 @@
+import { defineConfig } from "vitest/config";
+
+// The page asks the server that it came from; in development that is Vite, which hands the socket on to the mock.
+export default defineConfig({
+  base: "./",
+  build: { target: "es2022", assetsInlineLimit: 0, reportCompressedSize: true },
+  server: { host: "127.0.0.1", proxy: { "/live": { target: "ws://127.0.0.1:8090", ws: true } } },
+  test: {
+    projects: [
+      { test: { name: "unit", include: ["test/**/*.test.ts"] } },
+      { test: { name: "e2e", include: ["e2e/**/*.e2e.ts"], testTimeout: 300_000, hookTimeout: 60_000, fileParallelism: false } },
+    ],
+  },
+});
