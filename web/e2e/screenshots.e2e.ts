@@ -54,6 +54,8 @@ const faults = (page: Page) =>
       const name = each.getAttribute("aria-label") ?? each.textContent ?? "";
       // A slider's track may be thinner where its thumb is not alone in setting it.
       if (box.width < 43.5 || (box.height < 43.5 && !each.closest(".thruster .track"))) found.push(`${name}: ${box.width.toFixed(0)} × ${box.height.toFixed(0)}`);
+      const card = each.closest(".card")?.getBoundingClientRect();
+      if (card && (box.right > card.right + 1 || box.left < card.left - 1)) found.push(`${name} sticks out of its card`);
       if (box.right > innerWidth + 1 || box.left < -1) found.push(`${name} is out of the page`);
     }
     if (document.documentElement.scrollWidth > innerWidth) found.push("the page scrolls sideways");

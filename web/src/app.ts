@@ -53,6 +53,7 @@ export class App implements Page {
 
   private readonly title = h("h1", {}, "fenderline");
   private readonly role = h("span", { class: "badge" });
+  private readonly held = h("span", { class: "held" });
   private readonly time = h("span", { class: "time", role: "timer", "aria-label": "Simulated time" });
   private readonly run = h("span", { class: "run-state", "aria-label": "State of the run" });
   private readonly link = h("span", { class: "link-state", role: "status", "aria-label": "Link" }, "connecting");
@@ -64,7 +65,7 @@ export class App implements Page {
   private readonly strip = h("footer", { class: "controls" });
 
   constructor(root: HTMLElement, url: string) {
-    const bar = h("header", { class: "top" }, this.title, this.role, this.time, this.run, h("span", { class: "space" }), this.link, this.alarmButton, this.paletteButton, button("?", () => this.help.open(this.keys()), { name: "Help and keys (?)" }));
+    const bar = h("header", { class: "top" }, this.title, this.role, this.time, this.run, this.held, h("span", { class: "space" }), this.link, this.alarmButton, this.paletteButton, button("?", () => this.help.open(this.keys()), { name: "Help and keys (?)" }));
     root.replaceChildren(bar, this.banner, this.stage, this.strip, this.said, this.help.root);
     const kept = localStorage.getItem("palette") as PaletteName | null;
     this.setPalette(kept && PALETTE_NAMES.includes(kept) ? kept : "day");
@@ -226,6 +227,7 @@ export class App implements Page {
       ...(groups.length > 1 ? [h("nav", { class: "group-tabs", "aria-label": "Controls" }, ...buttons)] : []),
       ...(groups.length === 0 ? [h("p", { class: "nothing" }, nothing)] : [h("div", { class: "groups" }, ...groups.map((group) => group.root))]),
     );
+    this.held.replaceChildren(...groups.flatMap((group) => group.held ?? []));
     if (groups[0]) choose(groups[0]);
   }
 

@@ -59,8 +59,8 @@ export function zoomed(camera: Camera, by: number, about: Pair): Camera {
   return { ...after, centre: add(after.centre, minus(place, toEarth(after, about))) };
 }
 
-/** The camera that shows all the places, with a margin about them in pixels. */
-export function fitted(camera: Camera, places: Pair[], margin_px: number): Camera {
+/** The camera that shows all the places, with margins in pixels above, at the sides and below. */
+export function fitted(camera: Camera, places: Pair[], [above, sides, below]: [number, number, number]): Camera {
   const local = places.map((place) => turned(-camera.up_rad, place));
   const range = (axis: 0 | 1): Pair => {
     const all = local.map((p) => p[axis]);
@@ -70,10 +70,11 @@ export function fitted(camera: Camera, places: Pair[], margin_px: number): Camer
   const [ahead, right] = [range(0), range(1)];
   const pixels_per_m = Math.min(
     20,
-    Math.max(40, camera.width - 2 * margin_px) / Math.max(1, right[1] - right[0]),
-    Math.max(40, camera.height - 2 * margin_px) / Math.max(1, ahead[1] - ahead[0]),
+    Math.max(40, camera.width - 2 * sides) / Math.max(1, right[1] - right[0]),
+    Math.max(40, camera.height - above - below) / Math.max(1, ahead[1] - ahead[0]),
   );
-  const middle: Pair = [(ahead[0] + ahead[1]) / 2, (right[0] + right[1]) / 2];
+  const lower = (above - below) / 2 / pixels_per_m;
+  const middle: Pair = [(ahead[0] + ahead[1]) / 2 + lower, (right[0] + right[1]) / 2];
   return { ...camera, pixels_per_m, centre: turned(camera.up_rad, middle) };
 }
 

@@ -18,21 +18,26 @@ export interface Group {
   root: HTMLElement;
   tick(frame: Frame, hello: Hello): void;
   claims(hello: Hello): void;
+  /** What the bar shows while this page holds the helm. */
+  held?: HTMLElement;
   draw?(now_ms: number): void;
   keys: KeyAction[];
 }
 
-/** Takes and gives back one helm, and says who has it. */
+/** Takes and gives back one helm, and says who has it: laid over the controls until it is taken. */
 export class ClaimBar {
   private readonly who = h("span", { class: "who" });
-  private readonly take: HTMLButtonElement;
   private readonly release: HTMLButtonElement;
+  /** Over the controls. */
   readonly root: HTMLElement;
+  /** For the bar, while it is held. */
+  readonly held: HTMLElement;
 
   constructor(private readonly page: Page, private readonly control: Control, private readonly what: string) {
-    this.take = button(`Take ${what}`, () => void this.claim(), { class: "take" });
-    this.release = button("Release", () => void page.order({ do: "release", control }), { name: `Release ${what}`, class: "release" });
-    this.root = h("div", { class: "claim" }, this.take, this.who, this.release);
+    const take = button(`Take ${what}`, () => void this.claim(), { class: "take" });
+    this.release = button(`Release ${what.replace("the ", "")}`, () => void page.order({ do: "release", control }), { name: `Release ${what}`, class: "release" });
+    this.root = h("div", { class: "claim" }, take, this.who);
+    this.held = this.release;
   }
 
   private async claim(): Promise<void> {
@@ -44,12 +49,10 @@ export class ClaimBar {
     const { live } = this.page;
     const mine = live.mine(this.control);
     const claim = live.holder(this.control);
-    const other = mine ? null : (claim?.holder ?? null);
+    setClass(this.root, "hidden", mine);
     // A page may command a tug that nobody holds, without taking her: then there is nothing to give back.
-    const claimed = mine && claim?.holder !== null;
-    setClass(this.take, "hidden", mine);
-    setClass(this.release, "hidden", !claimed);
-    setText(this.who, mine ? (claimed ? `You have ${this.what}` : "") : other ? `${other} has ${this.what}${claim?.connected ? "" : " (gone)"}` : "");
+    setClass(this.release, "hidden", !mine || claim?.holder === null);
+    setText(this.who, claim?.holder ? `${claim.holder} has ${this.what}${claim.connected ? "" : ", but has gone"}` : `Nobody has ${this.what} now.`);
     return mine;
   }
 }

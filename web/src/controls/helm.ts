@@ -16,12 +16,14 @@ export class Helm implements Group {
   readonly root: HTMLElement;
   readonly keys: KeyAction[];
   private readonly claim: ClaimBar;
+  readonly held: HTMLElement;
   private readonly parts: { enable(on: boolean): void; show(now: VesselNow): void }[] = [];
   private now: VesselNow | null = null;
   private heading_rad = 0;
 
   constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number) {
     this.claim = new ClaimBar(page, { vessel: info.name }, "the helm");
+    this.held = this.claim.held;
     const cards: HTMLElement[] = [];
     if (info.rudder_stop_rad !== null) cards.push(this.rudder(info.rudder_stop_rad));
     if (info.full_rps !== null) cards.push(this.engine(info.full_rps));
@@ -198,7 +200,6 @@ export class Helm implements Group {
   private thrusters(): HTMLElement {
     const vessel = this.info.name;
     const rows = this.info.thrusters.map((thruster, i) => {
-      const set = (share: number) => this.order({ do: "thruster", vessel, thruster: thruster.name, share }, "thruster");
       const slider = new Slider({
         label: `${thruster.name} thruster order`,
         least: -100,
@@ -209,15 +210,11 @@ export class Helm implements Group {
         marks: [],
       });
       const figure = h("span", { class: "ordered" });
-      const buttons = [
-        button("◀ P", () => set(Math.max(-1, (this.now?.thrusters[i]?.order ?? 0) - 0.25)), { name: `${thruster.name} thruster more to port`, class: "port" }),
-        button("Stop", () => set(0), { name: `${thruster.name} thruster stop` }),
-        button("S ▶", () => set(Math.min(1, (this.now?.thrusters[i]?.order ?? 0) + 0.25)), { name: `${thruster.name} thruster more to starboard`, class: "starboard" }),
-      ];
+      const stop = button("Stop", () => this.order({ do: "thruster", vessel, thruster: thruster.name, share: 0 }, "thruster"), { name: `${thruster.name} thruster stop` });
       this.parts.push({
         enable: (on) => {
           slider.enable(on);
-          for (const each of buttons) each.disabled = !on;
+          stop.disabled = !on;
         },
         show: (now) => {
           const state = now.thrusters[i];
@@ -226,7 +223,7 @@ export class Helm implements Group {
           setText(figure, state.now === 0 && state.order === 0 ? "stopped" : `${state.now < 0 ? "P" : "S"} ${percent(Math.abs(state.now))}`);
         },
       });
-      return h("div", { class: "thruster" }, h("div", { class: "card-head" }, h("h3", {}, `${thruster.name} thruster`.replace(/^./, (c) => c.toUpperCase())), figure), slider.root, h("div", { class: "row" }, ...buttons));
+      return h("div", { class: "thruster" }, h("div", { class: "card-head" }, h("h3", {}, `${thruster.name} thr.`.replace(/^./, (c) => c.toUpperCase())), figure), h("div", { class: "row" }, slider.root, stop));
     });
     return h("section", { class: "card thrusters", "aria-label": "Thrusters" }, ...rows);
   }

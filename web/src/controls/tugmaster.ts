@@ -16,6 +16,7 @@ export class VectorHelm implements Group {
   readonly root: HTMLElement;
   readonly keys: KeyAction[];
   private readonly claim: ClaimBar;
+  readonly held: HTMLElement;
   private readonly ring: Ring;
   private readonly power: Slider;
   private readonly orders;
@@ -28,6 +29,7 @@ export class VectorHelm implements Group {
 
   constructor(private readonly page: Page, private readonly info: TugInfo, private readonly index: number, private readonly beam_m: number) {
     this.claim = new ClaimBar(page, { tug: info.name }, info.name);
+    this.held = this.claim.held;
     this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "ship", () => this.send(true));
     this.orders = choices<TugNow["order"]>(
       "Order",
@@ -135,6 +137,7 @@ export class AzimuthHelm implements Group {
   readonly root: HTMLElement;
   readonly keys: KeyAction[];
   private readonly claim: ClaimBar;
+  readonly held: HTMLElement;
   private readonly units: { ring: Ring; power: Slider; figure: HTMLElement }[];
   private readonly togetherButton: HTMLButtonElement;
   private readonly stop: HTMLButtonElement;
@@ -144,6 +147,7 @@ export class AzimuthHelm implements Group {
 
   constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number) {
     this.claim = new ClaimBar(page, { vessel: info.name }, info.title);
+    this.held = this.claim.held;
     this.togetherButton = button("Both together", () => {
       this.together = !this.together;
       setAttribute(this.togetherButton, "aria-pressed", String(this.together));

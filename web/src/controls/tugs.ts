@@ -1,7 +1,7 @@
 /** The pilot's orders to tugs: those that are forces, and those that are vessels and go there by themselves. */
 import type { Page } from "../page";
 import type { Action, Frame, Hello, TugInfo, VesselInfo } from "../protocol";
-import { choices, h, setClass, setText } from "../ui/dom";
+import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
 import { TONNE_N, fixed, percent, tonnes } from "../units";
 import type { Group, KeyAction } from "./group";
 import { type Lead, stations, tugDirection } from "./orders";
@@ -24,6 +24,7 @@ interface Card {
 abstract class Base implements Card {
   abstract readonly name: string;
   readonly root: HTMLElement;
+  protected readonly head = h("div", { class: "card-head" });
   protected readonly state = h("span", { class: "state" });
   protected percent = 25;
   private readonly powers;
@@ -37,7 +38,8 @@ abstract class Base implements Card {
       [{ value: "push", label: "Push", name: `${title} push` }, { value: "stop", label: "Stop", name: `${title} stop` }, ...(pulls ? [{ value: "pull" as const, label: "Pull", name: `${title} pull` }] : [])],
       (order) => (order === "push" ? this.push() : order === "pull" ? this.pull() : this.stop()),
     );
-    this.root = h("section", { class: "card tug", "aria-label": `Tug ${title}` }, h("div", { class: "card-head" }, h("h3", {}, title), this.state), h("div", { class: "row" }, this.orders.root, this.powers.root, h("span", { class: "ordered" }, "%")));
+    this.root = h("section", { class: "card tug", "aria-label": `Tug ${title}` }, this.head, h("div", { class: "row" }, this.orders.root, this.powers.root, h("span", { class: "ordered" }, "%")));
+    this.head.append(h("h3", {}, title), this.state);
   }
 
   abstract push(): void;
@@ -49,9 +51,13 @@ abstract class Base implements Card {
   protected abstract commanded(): boolean;
   protected abstract heldBy(): string | null;
 
-  power(percent: number): void {
+  protected showPower(percent: number): void {
     this.percent = percent;
     this.powers.show(percent);
+  }
+
+  power(percent: number): void {
+    this.showPower(percent);
     this.again();
   }
 
@@ -73,22 +79,25 @@ class VectorTug extends Base {
   readonly name: string;
   private lead: Lead = 0;
   private ordered: "push" | "pull" | "stand_by" = "stand_by";
-  private readonly leads;
+  private readonly leadButton: HTMLButtonElement;
+  private shownOrder = "";
 
   constructor(page: Page, private readonly info: TugInfo, private readonly index: number, private readonly beam_m: number) {
     super(page, info.name, true);
     this.name = info.name;
-    this.leads = choices<Lead>(
-      `Lead of ${info.name}`,
-      [{ value: -1, label: "↙ Aft", name: `${info.name} leading aft` }, { value: 0, label: "Square", name: `${info.name} square` }, { value: 1, label: "Fwd ↗", name: `${info.name} leading forward` }],
-      (lead) => {
-        this.lead = lead;
-        this.leads.show(lead);
-        this.again();
-      },
-    );
-    this.leads.show(0);
-    this.root.append(h("div", { class: "row lead" }, this.leads.root));
+    this.leadButton = button("Square", () => {
+      this.lead = this.lead === 0 ? 1 : this.lead === 1 ? -1 : 0;
+      this.showLead();
+      this.again();
+    });
+    this.showLead();
+    this.head.append(this.leadButton);
+  }
+
+  private showLead(): void {
+    const text = { [-1]: "Aft ↙", 0: "Square", 1: "Fwd ↗" }[this.lead];
+    setText(this.leadButton, text);
+    setAttribute(this.leadButton, "aria-label", `${this.info.name} leads ${{ [-1]: "aft", 0: "square to the side", 1: "forward" }[this.lead]}; change`);
   }
 
   private go(order: "push" | "pull"): void {
@@ -126,6 +135,12 @@ class VectorTug extends Base {
     const now = frame.tugs[this.index];
     if (!now) return;
     this.ordered = now.order;
+    // Orders may come from elsewhere: the tugmaster, another page, a rewind.
+    const order = `${now.order} ${now.order_n}`;
+    if (order !== this.shownOrder) {
+      this.shownOrder = order;
+      if (now.order !== "stand_by") this.showPower(Math.round((now.order_n / this.info.bollard_pull_n) * 100));
+    }
     this.orders.show(now.order === "stand_by" ? "stop" : now.order);
     const holder = this.commanded() ? null : this.heldBy();
     const work = now.order === "stand_by" ? (now.force_n > 1e3 ? `easing, ${tonnes(now.force_n)}` : "stands by") : `${now.order}es ${tonnes(now.force_n)} of ${tonnes(now.order_n)}`.replace("pulles", "pulls");
@@ -148,7 +163,7 @@ class VesselTug extends Base {
     this.stations = stations(hello.bodies[ship.body]?.outline ?? [], ship.length_m);
     this.place = h("select", { "aria-label": `Where ${info.name} works` }, ...this.stations.map((s, i) => h("option", { value: i }, s.name)));
     this.place.addEventListener("change", () => this.again());
-    this.root.append(h("div", { class: "row lead" }, h("span", { class: "ordered" }, "at"), this.place));
+    this.head.append(this.place);
   }
 
   private station() {

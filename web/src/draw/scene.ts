@@ -57,43 +57,82 @@ export function drawLand(scene: Scene): void {
   });
 }
 
-/** Where she goes if nothing is ordered: the swept outline, her centre's way, and her hull at every minute. */
-export function drawPrediction({ to, camera, colours, hello, live }: Scene): void {
+type PathPoint = [t_s: number, north: number, east: number, heading: number];
+
+/** What is still ahead of the way that was predicted, and the hull that goes it. */
+function way({ hello, live }: Scene): { path: PathPoint[]; outline: Pair[]; from_s: number } | null {
   const { prediction, frame } = live;
-  if (!prediction || !frame) return;
-  const outline = hello.bodies[hello.vessels[prediction.vessel]?.body ?? -1]?.outline;
-  if (!outline) return;
-  const path = prediction.path.filter(([t]) => t >= frame.t_s);
-  const hullAt = ([, n, e, h]: [number, number, number, number]) =>
-    outline.map((at) => toScreen(camera, add([n, e], turned(h, at))));
+  const outline = hello.bodies[hello.vessels[prediction?.vessel ?? -1]?.body ?? -1]?.outline;
+  if (!prediction || !frame || !outline) return null;
+  return { path: prediction.path.filter(([t]) => t >= frame.t_s), outline, from_s: frame.t_s };
+}
+
+/** The first point of each minute ahead. */
+function minutes(path: PathPoint[], from_s: number): { minute: number; point: PathPoint }[] {
+  const found: { minute: number; point: PathPoint }[] = [];
+  for (const point of path) {
+    const minute = Math.floor((point[0] - from_s) / 60 + 1e-6);
+    if (minute > (found.at(-1)?.minute ?? 0)) found.push({ minute, point });
+  }
+  return found;
+}
+
+/** Where she goes if nothing is ordered: the swept outline, her centre's way, and her hull at every minute. */
+export function drawPrediction(scene: Scene): void {
+  const { to, camera, colours } = scene;
+  const ahead = way(scene);
+  if (!ahead) return;
+  const { path, outline, from_s } = ahead;
+  const trace = ([, n, e, heading]: PathPoint) => outline.forEach((at, i) => {
+    const place = toScreen(camera, add([n, e], turned(heading, at)));
+    if (i === 0) to.moveTo(...place);
+    else to.lineTo(...place);
+  });
   to.save();
+  // All hulls are one shape of one winding: their union is filled, and evenly.
+  to.beginPath();
+  for (const point of path) {
+    trace(point);
+    to.closePath();
+  }
   to.fillStyle = colours.path;
-  to.globalAlpha = Math.min(0.05, 1.2 / Math.max(1, path.length));
-  for (const point of path) {
-    polygon(to, hullAt(point));
-    to.fill();
-  }
+  to.globalAlpha = 0.14;
+  to.fill("nonzero");
   to.strokeStyle = colours.path;
+  to.globalAlpha = 0.8;
   to.lineWidth = 1.5;
-  let minute = 0;
-  for (const point of path) {
-    const due = Math.floor((point[0] - frame.t_s) / 60);
-    if (due <= minute) continue;
-    minute = due;
-    to.globalAlpha = 0.75;
-    to.setLineDash([6, 4]);
-    polygon(to, hullAt(point));
+  to.setLineDash([6, 4]);
+  for (const { point } of minutes(path, from_s)) {
+    to.beginPath();
+    trace(point);
+    to.closePath();
     to.stroke();
-    to.setLineDash([]);
-    to.globalAlpha = 1;
-    label(to, `${minute} min`, toScreen(camera, [point[1], point[2]]), { colour: colours.path, ground: colours.label, size: 12 });
   }
-  to.globalAlpha = 1;
+  to.restore();
+}
+
+/** Her centre's way and its minutes: over the hulls, so that it can be read while she still lies on it. */
+export function drawMinutes(scene: Scene): void {
+  const { to, camera, colours } = scene;
+  const ahead = way(scene);
+  if (!ahead) return;
+  to.strokeStyle = colours.path;
   to.lineWidth = 2;
   to.beginPath();
-  path.forEach(([, n, e], i) => (i === 0 ? to.moveTo(...toScreen(camera, [n, e])) : to.lineTo(...toScreen(camera, [n, e]))));
+  ahead.path.forEach(([, n, e], i) => (i === 0 ? to.moveTo(...toScreen(camera, [n, e])) : to.lineTo(...toScreen(camera, [n, e]))));
   to.stroke();
-  to.restore();
+  let last: Pair | null = null;
+  for (const { minute, point } of minutes(ahead.path, ahead.from_s)) {
+    const at = toScreen(camera, [point[1], point[2]]);
+    to.beginPath();
+    to.arc(at[0], at[1], 3, 0, 2 * Math.PI);
+    to.fillStyle = colours.path;
+    to.fill();
+    // Figures that would lie on one another say nothing.
+    if (last && length(minus(at, last)) < 22) continue;
+    last = at;
+    label(to, `${minute} min`, [at[0] + 28, at[1]], { colour: colours.path, ground: colours.label, size: 12 });
+  }
 }
 
 export function drawHulls(scene: Scene): void {
@@ -278,5 +317,10 @@ export function firstLook(hello: Hello, bodies: BodyNow[], ship: number): Pair[]
   const places = outline.map((at) => onEarth(now, at));
   const berth = hello.fenders.map((f) => onEarth(bodies[f.body] ?? now, f.at_m));
   const near = berth.filter((at) => length(minus(at, [now[0], now[1]])) < info.length_m * 3);
-  return [...places, ...near];
+  const tugs = hello.vessels
+    .flatMap((v) => (v.is_tug ? [bodies[v.body]] : []))
+    .flatMap((b): Pair[] => (b && length(minus([b[0], b[1]], [now[0], now[1]])) < info.length_m * 0.75 ? [[b[0], b[1]]] : []));
+  // Tugs that are forces lie about a length of theirs off the side that they work at.
+  const alongside = hello.tugs.map((t) => onEarth(now, add(t.push_at_m, [0, Math.sign(t.push_at_m[1]) * (t.length_m + 14)])));
+  return [...places, ...near, ...tugs, ...alongside];
 }

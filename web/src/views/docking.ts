@@ -70,6 +70,7 @@ export class Docking implements View {
       "div",
       { class: "docking" },
       this.none,
+      h("div", { class: "board" },
       this.ends,
       h(
         "div",
@@ -77,7 +78,7 @@ export class Docking implements View {
         h("section", {}, h("h3", {}, "Angle"), h("div", { class: "figure" }, this.angle, h("span", { class: "unit" }, "°")), this.angleWay),
         h("section", {}, h("h3", {}, "Along"), h("div", { class: "figure" }, this.along, h("span", { class: "unit" }, "m/s")), this.alongWay),
       ),
-      h("div", { class: "limits" }, button("−", change(-0.01), { name: "Lower speed limit" }), this.limit, button("+", change(0.01), { name: "Higher speed limit" })),
+      h("div", { class: "limits" }, button("−", change(-0.01), { name: "Lower speed limit" }), this.limit, button("+", change(0.01), { name: "Higher speed limit" }))),
     );
     this.showLimit(0);
   }

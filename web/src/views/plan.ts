@@ -27,7 +27,7 @@ export class Plan implements View {
   private readonly followButton = button("Follow", () => this.follow(), { name: "Follow the ship (F)", "aria-pressed": "true" });
   private readonly upButton = button("North up", () => this.turnUp(), { name: "Which way is up (U)" });
   private prediction = true;
-  private readonly pathButton = button("Path", () => this.togglePath(), { name: "Predicted path (P)", "aria-pressed": "true" });
+  private readonly pathButton = button("Path", () => this.togglePath(), { name: "Predicted path (V)", "aria-pressed": "true" });
 
   constructor(private readonly live: Live) {
     const tools = h(
@@ -40,7 +40,7 @@ export class Plan implements View {
       this.upButton,
       this.pathButton,
     );
-    this.root = h("section", { class: "plan", "aria-label": "Plan view" }, this.surface.root, this.readout.root, tools);
+    this.root = h("section", { class: "plan", "aria-label": "Plan view" }, this.readout.root, h("div", { class: "plan-surface" }, this.surface.root, tools));
     this.listen();
   }
 
@@ -124,6 +124,7 @@ export class Plan implements View {
     scene.drawLines(all);
     scene.drawVectorTugs(all);
     scene.drawContacts(all);
+    if (this.prediction) scene.drawMinutes(all);
     scene.drawBowAndStern(all);
     drawScale(to, this.camera, colours);
     drawRose(to, this.camera, colours, frame);
@@ -137,7 +138,7 @@ export class Plan implements View {
     const places = scene.firstLook(hello, bodies, this.live.ship());
     if (first && hello.berth && hello.fenders.length > 0 && this.camera.width > this.camera.height * 1.2) this.setUp("berth");
     this.turn();
-    this.camera = fitted(this.camera, places, 74);
+    this.camera = fitted(this.camera, places, [58, 64, 74]);
     // Followed, she keeps her place on the screen rather than its middle, so that berth and ship both stay in view.
     const ship = this.shipNow(performance.now());
     this.lastShip = ship ? [ship[0], ship[1]] : null;
@@ -195,7 +196,7 @@ class Readout {
   readonly root = h("dl", { class: "readout", "aria-label": "Motion of the ship" });
 
   constructor() {
-    for (const [key, name] of [["HDG", "Heading"], ["ROT", "Rate of turn"], ["SOG", "Speed over ground"], ["COG", "Course over ground"], ["UKC", "Under-keel clearance"]] as const) {
+    for (const [key, name] of [["HDG", "Heading"], ["ROT", "Rate of turn"], ["SOG", "Speed over ground"], ["COG", "Course over ground"], ["UKC", "Under-keel clearance"], ["WIND", "Wind, from"], ["CURR", "Current, towards"]] as const) {
       const cell = h("dd", {}, "–");
       this.cells.set(key, cell);
       this.root.append(h("div", {}, h("dt", { title: name }, key), cell));
@@ -220,6 +221,8 @@ class Readout {
     this.set("SOG", knots(speed, 2));
     this.set("COG", speed < 0.02 ? "–" : heading(Math.atan2(east, north)));
     this.set("UKC", now.under_keel_m === null ? "–" : `${fixed(now.under_keel_m, 1)} m`);
+    this.set("WIND", `${fixed(toKnots(frame.wind.speed_mps), 0)} kn ${heading(frame.wind.from_rad, 0)}`);
+    this.set("CURR", `${fixed(toKnots(frame.current.speed_mps), 1)} kn ${heading(frame.current.to_rad, 0)}`);
     const cell = this.cells.get("UKC");
     if (cell) setClass(cell, "alarm", now.aground || (now.under_keel_m ?? 9) < 0.5);
   }
@@ -258,7 +261,4 @@ function drawRose(to: CanvasRenderingContext2D, camera: Camera, colours: Palette
   const { wind, current } = frame;
   if (wind.speed_mps > 0.1) arrow(to, on(wind.from_rad, radius), on(wind.from_rad, -radius * 0.25), colours.wind, 3.5);
   if (current.speed_mps > 0.01) arrow(to, on(current.to_rad, -radius * 0.6), on(current.to_rad, radius * 0.7), colours.current, 3.5);
-  const style = { ground: colours.label, size: 13, align: "right" as const };
-  label(to, `Wind ${fixed(toKnots(wind.speed_mps), 0)} kn ${heading(wind.from_rad, 0)}`, [camera.width - 10, 2 * radius + 40], { ...style, colour: colours.wind });
-  label(to, `Current ${fixed(toKnots(current.speed_mps), 1)} kn ${heading(current.to_rad, 0)}`, [camera.width - 10, 2 * radius + 60], { ...style, colour: colours.current });
 }

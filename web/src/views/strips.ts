@@ -4,7 +4,6 @@ import type { History, Sample } from "../history";
 import { palette } from "../palette";
 import type { Palette } from "../palette";
 import { choices, h } from "../ui/dom";
-import { clock } from "../units";
 import type { View } from "./view";
 
 interface Strip {
@@ -54,12 +53,13 @@ export class Strips implements View {
     const { samples } = this.history;
     const till = samples.at(-1)?.t_s ?? 0;
     const shown = samples.filter((s) => s.t_s >= till - this.minutes * 60);
-    const times = shown.map((s) => s.t_s);
+    // Minutes before now: what happened when is read backwards.
+    const times = shown.map((s) => (s.t_s - till) / 60);
     STRIPS.forEach((strip, i) => {
       const chart = this.charts[i];
       chart?.setData([times, ...strip.series.map(({ key }) => shown.map((s) => s[key]))], false);
       chart?.batch(() => {
-        chart.setScale("x", { min: till - this.minutes * 60, max: Math.max(till, 1) });
+        chart.setScale("x", { min: -this.minutes, max: 0 });
         const values = shown.flatMap((s) => strip.series.map(({ key }) => s[key])).filter((v) => v !== null);
         chart.setScale("y", { min: Math.min(strip.least[0], ...values), max: Math.max(strip.least[1], ...values) * 1.05 });
       });
@@ -77,7 +77,7 @@ export class Strips implements View {
         legend: { live: false },
         cursor: { y: false },
         scales: { x: { time: false, auto: false }, y: { auto: false } },
-        axes: [{ ...axis, values: (_, ticks) => ticks.map(clock), size: 24, space: 70 }, { ...axis, size: 46, space: 24 }],
+        axes: [{ ...axis, values: (_, ticks) => ticks.map((t) => (t === 0 ? "now" : `${t} min`)), size: 24, space: 70 }, { ...axis, size: 46, space: 24 }],
         series: [{}, ...strip.series.map(({ label, colour, dash }) => ({ label, stroke: () => palette()[colour], width: 2, points: { show: false }, ...(dash && { dash }) }))],
       },
       [[], ...strip.series.map(() => [])],
