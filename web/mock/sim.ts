@@ -117,12 +117,12 @@ function keepers(v: ToyVessel, s: ToyState) {
   const off = back(heading, [place[0] - v.state[0], place[1] - v.state[1]]);
   const force: Pair = [clamp(off[0] * 3e4 - surge * 1.6e5, -4e5, 4e5), clamp(off[1] * 2e4 - v.state[4] * 1.6e5, -2e5, 2e5)];
   if (v.job.kind === "push" && Math.hypot(...off) < 2.5) force[0] = v.job.force_n;
-  const turn = clamp(wrap(wanted - heading) * 2 - rate * 6, -0.4, 0.4);
+  // Her pilot turns her as if by hand of God, and her units work at her middle: a toy's shiphandling.
+  v.state[5] = toward(rate, clamp(wrap(wanted - heading) * 0.4, -0.08, 0.08), 0.05 * STEP_S);
   const total = clamp(Math.hypot(...force) / 600e3, 0, 1);
-  const direction = total < 0.02 ? 0 : Math.atan2(force[1], force[0]);
   for (const a of v.azimuths) {
-    a.power_order = Math.max(total, Math.abs(turn) * 0.5);
-    a.direction_order_rad = wrap(direction - turn);
+    a.power_order = total;
+    a.direction_order_rad = total < 0.02 ? a.direction_order_rad : Math.atan2(force[1], force[0]);
   }
 }
 
@@ -133,7 +133,7 @@ function actuators(v: ToyVessel) {
   for (const t of v.thrusters) t.now = toward(t.now, dead || v.faults.includes("thrusters_lost") ? 0 : t.order, 0.12 * STEP_S);
   for (const a of v.azimuths) {
     a.power = toward(a.power, dead || v.faults.includes("thrusters_lost") ? 0 : a.power_order, 0.15 * STEP_S);
-    a.direction_rad = wrap(a.direction_rad + clamp(wrap(a.direction_order_rad - a.direction_rad), -0.6 * STEP_S, 0.6 * STEP_S));
+    a.direction_rad = wrap(a.direction_rad + clamp(wrap(a.direction_order_rad - a.direction_rad), -1.2 * STEP_S, 1.2 * STEP_S));
   }
 }
 
@@ -151,7 +151,7 @@ function thrust(v: ToyVessel, index: number): Load[] {
   });
   v.azimuths.forEach((a, i) => {
     const info = VESSELS[index]?.azimuths[i];
-    if (info) loads.push([turned(a.direction_rad, [a.power * info.bollard_n, 0]), info.at_m]);
+    if (info) loads.push([turned(a.direction_rad, [a.power * info.bollard_n, 0]), v.job ? [0, 0] : info.at_m]);
   });
   return loads;
 }

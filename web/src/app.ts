@@ -48,7 +48,8 @@ export class App implements Page {
   private tabs: Tab[] = [];
   private groups: Group[] = [];
   private shownTab = "";
-  private everOpen = false;
+  /** Why the server closed the door, where it said so. */
+  private why = "";
   private fps = { since: 0, count: 0, shown: 0, jank: 0, last: 0 };
 
   private readonly title = h("h1", {}, "fenderline");
@@ -66,10 +67,10 @@ export class App implements Page {
 
   constructor(root: HTMLElement, url: string) {
     const bar = h("header", { class: "top" }, this.title, this.role, this.time, this.run, this.held, h("span", { class: "space" }), this.link, this.alarmButton, this.paletteButton, button("?", () => this.help.open(this.keys()), { name: "Help and keys (?)" }));
-    root.replaceChildren(bar, this.banner, this.stage, this.strip, this.said, this.help.root);
+    root.replaceChildren(bar, this.banner, this.stage, this.strip, this.help.root);
     const kept = localStorage.getItem("palette") as PaletteName | null;
     this.setPalette(kept && PALETTE_NAMES.includes(kept) ? kept : "day");
-    this.connection = new Connection(url, { message: (message) => this.heard(message), link: (state) => this.linked(state) });
+    this.connection = new Connection(url, { message: (message) => this.heard(message), link: (state, why) => this.linked(state, why) });
   }
 
   start(): void {
@@ -134,13 +135,14 @@ export class App implements Page {
     }
   }
 
-  private linked(state: LinkState): void {
-    if (state === "open") this.everOpen = true;
+  private linked(state: LinkState, why: string): void {
+    if (why !== "") this.why = why;
     setText(this.link, state === "open" ? "linked" : state === "connecting" ? "connecting" : "no link");
     this.watch();
   }
 
   private welcome(hello: Hello): void {
+    this.why = "";
     const fresh = this.live.hello?.file !== hello.file;
     this.live.welcome(hello);
     if (fresh) this.history.clear();
@@ -196,7 +198,7 @@ export class App implements Page {
       view.root.setAttribute("aria-label", name);
       panel.append(view.root);
     }
-    this.stage.replaceChildren(plan.root, panel);
+    this.stage.replaceChildren(plan.root, panel, this.said);
     this.show(this.tabs.some((tab) => tab.name === this.shownTab) ? this.shownTab : (this.tabs[0]?.name ?? ""));
   }
 
@@ -303,8 +305,8 @@ export class App implements Page {
       Object.assign(this.link.dataset, { median: late.median.toFixed(1), p99: late.p99.toFixed(1), fps: String(this.fps.shown) });
     }
     setClass(this.link, "alarm", !open || silent !== null);
-    const text = !open && this.connection.failures > 0
-      ? this.everOpen ? "NO LINK TO THE SERVER — what is shown is old. Trying again." : "The server does not answer, or does not accept this link. Trying again."
+    const text = this.connection.failures > 0
+      ? this.why !== "" ? `The server says: ${this.why}` : this.live.frame ? "NO LINK TO THE SERVER — what is shown is old. Trying again." : "The server does not answer. Trying again."
       : silent === null ? "" : `NO DATA FOR ${Math.round(silent / 1000)} s — what is shown is old.`;
     setText(this.banner, text);
     setClass(this.banner, "hidden", text === "");

@@ -5,7 +5,8 @@ export type LinkState = "connecting" | "open" | "broken";
 
 export interface Heard {
   message(message: FromServer): void;
-  link(state: LinkState): void;
+  /** `why`: what the server said when it closed the door; else empty. */
+  link(state: LinkState, why: string): void;
 }
 
 const FIRST_WAIT_MS = 400;
@@ -34,25 +35,26 @@ export class Connection {
   ) {}
 
   open(): void {
-    this.heard.link("connecting");
+    this.heard.link("connecting", "");
     const socket = new WebSocket(this.url);
     this.socket = socket;
     socket.addEventListener("open", () => {
-      this.wait_ms = FIRST_WAIT_MS;
-      this.failures = 0;
-      this.heard.link("open");
+      this.heard.link("open", "");
     });
     socket.addEventListener("message", (event) => {
       if (typeof event.data !== "string") return;
+      // A door that opens only to be shut again is no success: what counts is that something is said.
+      this.wait_ms = FIRST_WAIT_MS;
+      this.failures = 0;
       const message = JSON.parse(event.data) as FromServer;
       if (message.type === "ack") this.answered(message.id, null);
       else if (message.type === "refused" && message.id !== null) this.answered(message.id, message.reason);
       else this.heard.message(message);
     });
-    socket.addEventListener("close", () => {
+    socket.addEventListener("close", (event) => {
       this.failures += 1;
       for (const id of this.waiting.keys()) this.answered(id, "the connection broke before an answer came");
-      this.heard.link("broken");
+      this.heard.link("broken", event.reason);
       setTimeout(() => this.open(), this.wait_ms);
       this.wait_ms = Math.min(LONGEST_WAIT_MS, this.wait_ms * 2);
     });

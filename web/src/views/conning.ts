@@ -148,7 +148,7 @@ function drawTurn(sheet: Sheet, body: BodyNow): void {
   }
   sheet.text("ROT", middle - half - 8, top + 8, 15, colours.dim, "right");
   sheet.text(fixed(Math.abs(rot), 1), middle + half + 8, top + 8, 18, colours.text, "left", true);
-  sheet.text("°/min", middle + half + 8, top + 26, 13, colours.dim, "left");
+  sheet.text("°/min", middle + half + 16, top + 26, 13, colours.dim, "left");
 }
 
 /** Her outline seen from above with speeds along it and at its ends, and her thrusters. */
@@ -161,7 +161,7 @@ function drawShip(sheet: Sheet, info: VesselInfo, now: VesselNow): void {
   to.strokeStyle = colours.own_edge;
   to.lineWidth = 2;
   to.stroke();
-  for (const [y, speed] of [[bow + 4, now.bow_mps], [stern - 8, now.stern_mps]] as const) {
+  for (const [y, speed] of [[bow + 4, now.bow_mps], [stern - 16, now.stern_mps]] as const) {
     const side = Math.sign(speed) || 1;
     const long = Math.min(34, Math.abs(speed) * 110);
     if (Math.abs(speed) >= 0.005) arrow(to, [x + side * (half + 2), y], [x + side * (half + 8 + long), y], colours.path, 5);
@@ -178,7 +178,7 @@ function drawShip(sheet: Sheet, info: VesselInfo, now: VesselNow): void {
   info.thrusters.forEach((thruster, i) => {
     const state = now.thrusters[i];
     if (!state) return;
-    const level = thruster.along_m > 0 ? bow + 50 : stern - 48;
+    const level = thruster.along_m > 0 ? bow + 42 : stern - 40;
     const reach = 66;
     sheet.box(x - reach, level - 6, reach * 2, 12);
     sheet.bar(x, level - 4, state.now * reach, 8, state.now < 0 ? colours.port : colours.starboard);

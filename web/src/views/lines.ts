@@ -75,20 +75,26 @@ class Row {
   }
 }
 
+/** Pilot and instructor work every line, a tugmaster those that end on his tug. */
+function mayWork(info: LineInfo, { role, vessels }: Hello): boolean {
+  if (role.name !== "tugmaster") return role.name !== "observer";
+  const body = vessels.find((v) => v.name === role.tug)?.body;
+  return body !== undefined && (info.ship === body || ("body" in info.end && info.end.body === body));
+}
+
 export class Lines implements View {
   private readonly rows: Row[];
   private readonly why = h("p", { class: "note" });
   readonly root: HTMLElement;
 
-  constructor(private readonly page: Page, hello: Hello) {
+  constructor(page: Page, hello: Hello) {
     this.rows = hello.lines.map((info) => new Row(info, page));
     this.root = h("div", { class: "lines" }, hello.lines.length === 0 ? h("p", { class: "nothing" }, "No lines in this scenario.") : h("ul", { class: "rows" }, ...this.rows.map((row) => row.root)), this.why);
   }
 
   tick(frame: Frame, hello: Hello): void {
-    const holders = hello.lines.map((info) => hello.vessels.find((v) => v.body === info.ship));
-    const may = holders.map((vessel) => vessel !== undefined && this.page.live.mine({ vessel: vessel.name }));
+    const may = hello.lines.map((info) => mayWork(info, hello));
     frame.lines.forEach((now, i) => this.rows[i]?.show(now, may[i] ?? false));
-    setText(this.why, may.length > 0 && !may.some(Boolean) ? "Winches obey who holds the ship's helm." : "The stroke is the working load; the bar's end is the breaking load.");
+    setText(this.why, may.length > 0 && !may.some(Boolean) ? hello.role.name === "tugmaster" ? "A tugmaster works the lines of her own tug." : "An observer works no line." : "The stroke is the working load; the bar's end is the breaking load.");
   }
 }

@@ -26,7 +26,8 @@ export class Strips implements View {
   private readonly box = h("div", { class: "charts" });
   private readonly span;
   private minutes = 5;
-  private asked = false;
+  /** The palette that the charts were built for; they keep their colours. */
+  private built = "";
   private drawn_ms = 0;
   readonly root: HTMLElement;
 
@@ -44,8 +45,9 @@ export class Strips implements View {
   tick(): void {}
 
   draw(now_ms: number): void {
-    if (!this.asked) {
-      this.asked = true;
+    const wanted = document.documentElement.dataset.palette ?? "";
+    if (this.built !== wanted) {
+      this.built = wanted;
       void this.build();
     }
     if (now_ms - this.drawn_ms < 500 || this.charts.length === 0) return;
@@ -68,6 +70,8 @@ export class Strips implements View {
 
   private async build(): Promise<void> {
     const [{ default: Chart }] = await Promise.all([import("uplot"), import("uplot/dist/uPlot.min.css")]);
+    for (const chart of this.charts) chart.destroy();
+    this.drawn_ms = 0;
     const font = "12px system-ui, 'DejaVu Sans', sans-serif";
     const axis = { stroke: () => palette().dim, grid: { stroke: () => palette().edge, width: 0.5 }, ticks: { show: false }, font };
     this.charts = STRIPS.map((strip) => new Chart(

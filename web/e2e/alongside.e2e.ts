@@ -1,0 +1,170 @@
+/**
+ * A pilot and a tugmaster, each in a page of their own, bring the ship alongside through what the pages show and
+ * offer; the instructor hurries time, pauses, rewinds, branches. Two people who read a board and press buttons.
+ */
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { type Browser, type Served, browse, open, serve } from "./browser";
+
+/** Where the tugmaster's tug works, and where the pilot's others are told to. */
+const MASTERS_END = process.env.FENDERLINE_TUG_END === "stern" ? "stern" : "bow";
+const PACE = process.env.FENDERLINE_PACE ?? "4";
+const LONGEST_S = 280;
+
+const errors: string[] = [];
+let served: Served;
+let browser: Browser;
+let pilot: Page;
+let tug: Page;
+let instructor: Page;
+
+beforeAll(async () => {
+  served = await serve();
+  browser = await browse({ width: 1280, height: 800 });
+  pilot = await open(browser.context, served, "pilot", errors);
+  tug = await open(browser.context, served, "tugmaster", errors);
+  instructor = await open(browser.context, served, "instructor", errors);
+});
+afterAll(async () => {
+  await browser.close();
+  await served.close();
+});
+
+interface End { off: number; closing: number }
+
+/** What the docking board shows. */
+async function board(page: Page): Promise<{ bow: End; stern: End }> {
+  return page.evaluate(() => {
+    const end = (name: string) => {
+      const root = document.querySelector<HTMLElement>(`.end[aria-label="${name}"]`);
+      return { off: Number(root?.dataset.off), closing: Number(root?.dataset.closing) };
+    };
+    return { bow: end("Bow"), stern: end("Stern") };
+  });
+}
+
+type Word = { order: "Push" | "Stop" | "Pull"; percent: 25 | 50 | 75 };
+
+/** What a careful pilot would have the tug at an end do: close by a fiftieth of the distance a second, landing slowly. */
+function word({ off, closing }: End): Word {
+  const wanted = off < 0.15 ? 0.02 : Math.min(0.2, Math.max(0.05, off * 0.02));
+  const short = wanted - closing;
+  if (short > 0.08) return { order: "Push", percent: 50 };
+  if (short > 0.015 || off < 0.2) return { order: "Push", percent: 25 };
+  if (short < -0.1) return { order: "Pull", percent: 50 };
+  if (short < -0.04) return { order: "Pull", percent: 25 };
+  return { order: "Stop", percent: 25 };
+}
+
+const said = new Map<string, string>();
+/** Presses only what differs from what was last ordered, as a hand does. */
+async function once(key: string, order: string, press: () => Promise<void>): Promise<void> {
+  if (said.get(key) === order) return;
+  said.set(key, order);
+  await press();
+}
+
+async function masterObeys({ order, percent }: Word): Promise<void> {
+  const steers = await tug.getByRole("button", { name: order, exact: true }).count();
+  if (steers === 0) return;
+  await once("master power", String(percent), () => tug.getByRole("button", { name: `${percent} %`, exact: true }).click());
+  await once("master", order, () => tug.getByRole("button", { name: order, exact: true }).click());
+}
+
+async function pilotOrders(end: "bow" | "stern", { order, percent }: Word): Promise<void> {
+  for (const card of await pilot.getByRole("region", { name: /^Tug / }).all()) {
+    const name = (await card.getAttribute("aria-label"))?.replace("Tug ", "") ?? "";
+    if (!(await card.getByRole("button", { name: `${name} push` }).isEnabled())) continue;
+    // The tug that is told where to go is sent to the end that is hers.
+    const place = card.getByRole("combobox");
+    if ((await place.count()) > 0) await once(`${name} place`, end, async () => void (await place.selectOption({ label: end === "bow" ? "port shoulder" : "port quarter" })));
+    const pulls = (await card.getByRole("button", { name: `${name} pull` }).count()) > 0;
+    const verb = order === "Pull" && !pulls ? "Stop" : order;
+    await once(`${name} power`, String(percent), () => card.getByRole("button", { name: `${name} ${percent} %` }).click());
+    await once(name, verb, () => card.getByRole("button", { name: `${name} ${verb.toLowerCase()}`, exact: true }).click());
+  }
+}
+
+test("nobody commands before taking the helm, and two cannot hold it", async () => {
+  expect(await pilot.getByRole("button", { name: "Rudder port 10", exact: true }).isDisabled()).toBe(true);
+  await pilot.getByRole("button", { name: "Take the helm" }).click();
+  await pilot.getByRole("button", { name: "Release the helm" }).waitFor();
+  await tug.getByRole("button", { name: /^Take / }).click();
+  await tug.getByRole("button", { name: /^Release / }).waitFor();
+  const second = await open(browser.context, served, "pilot", errors);
+  await second.getByText(/has the helm/).waitFor();
+  await second.getByRole("button", { name: "Take the helm" }).click();
+  await second.getByText(/^Refused: .*has it/).waitFor();
+  await second.close();
+});
+
+test("a pilot and a tugmaster bring her alongside", async () => {
+  await instructor.getByRole("button", { name: `Pace ${PACE}`, exact: true }).click();
+  await pilot.bringToFront();
+  await pilot.getByRole("tab", { name: "Docking" }).click();
+  await pilot.getByRole("button", { name: "Midships (M)" }).click();
+  const others = MASTERS_END === "bow" ? "stern" : "bow";
+  const begun = Date.now();
+  let [landing, settled] = [0, 0];
+  while (Date.now() - begun < LONGEST_S * 1000) {
+    const now = await board(pilot);
+    // Each end for itself would turn her: who is ahead of the other waits.
+    const lead = now.bow.off - now.stern.off;
+    const held = { bow: { ...now.bow, closing: now.bow.closing + Math.max(0, -lead) * 0.02 }, stern: { ...now.stern, closing: now.stern.closing + Math.max(0, lead) * 0.02 } };
+    await masterObeys(word(held[MASTERS_END]));
+    await pilotOrders(others, word(held[others]));
+    for (const end of [now.bow, now.stern]) if (end.off < 0.4) landing = Math.max(landing, end.closing);
+    const still = [now.bow, now.stern].every((end) => end.off < 0.25 && Math.abs(end.closing) < 0.04);
+    settled = still ? settled + 1 : 0;
+    if (settled > 6) break;
+    await pilot.waitForTimeout(200);
+  }
+  const last = await board(pilot);
+  const minutes = ((Date.now() - begun) / 60_000) * Number(PACE);
+  console.log(`alongside after ${minutes.toFixed(1)} min of her time; landed at ${landing.toFixed(2)} m/s; bow ${last.bow.off} m, stern ${last.stern.off} m`);
+  expect(Math.max(last.bow.off, last.stern.off)).toBeLessThan(0.3);
+  expect(landing).toBeLessThan(0.3);
+  await pilot.getByRole("tab", { name: "Fenders" }).click();
+  expect(await pilot.locator(".fenders .summary").textContent()).toMatch(/touched · highest so far \d+ % of rated/);
+  expect(await pilot.locator(".fenders li.alarm").count()).toBe(0);
+});
+
+test("the instructor pauses, steps, rewinds and branches", async () => {
+  await instructor.bringToFront();
+  await instructor.getByRole("button", { name: "Pace 1", exact: true }).click();
+  await instructor.getByRole("button", { name: "Pause (K)" }).click();
+  await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
+  // The others see it too.
+  await pilot.bringToFront();
+  await pilot.locator(".run-state", { hasText: "PAUSED" }).waitFor();
+  await instructor.bringToFront();
+  const slider = instructor.getByRole("slider", { name: "Timeline" });
+  const before = Number(await slider.inputValue());
+  await instructor.getByRole("button", { name: "Single step (.)" }).click();
+  await expect.poll(async () => Number(await slider.inputValue())).toBe(before + 1);
+  await instructor.getByRole("button", { name: "Back ten seconds" }).click();
+  await instructor.locator(".run-state", { hasText: "REWOUND" }).waitFor();
+  const lanes = instructor.getByRole("group", { name: "Branches" }).getByRole("button");
+  const branches = await lanes.count();
+  await instructor.getByRole("button", { name: "Go on from here as a new branch" }).click();
+  await expect.poll(() => lanes.count()).toBe(branches + 1);
+  await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
+  await instructor.getByRole("button", { name: "Resume (K)" }).click();
+  await instructor.locator(".run-state", { hasText: "1×" }).waitFor();
+  await expect.poll(async () => Number(await slider.inputValue())).toBeGreaterThan(before - 100);
+  await instructor.screenshot({ path: new URL("../screenshots/instructor-branches.png", import.meta.url).pathname });
+  await lanes.first().click();
+  await expect.poll(() => lanes.first().getAttribute("aria-pressed")).toBe("true");
+});
+
+test("frames are on the page within 100 ms, and it draws smoothly", async () => {
+  await instructor.bringToFront();
+  await instructor.getByRole("button", { name: "To the end of the branch" }).click();
+  await instructor.getByRole("button", { name: "Resume (K)" }).click();
+  // Only the page in front is drawn: the others' clocks would stand.
+  await instructor.waitForTimeout(12_000);
+  const { median, p99, fps } = await instructor.locator(".link-state").evaluate((each: HTMLElement) => ({ ...each.dataset }));
+  console.log(`tick to drawing: median ${median} ms, 99 of 100 within ${p99} ms; ${fps} drawings a second`);
+  expect(Number(median)).toBeLessThan(100);
+  expect(errors).toEqual([]);
+});

@@ -1,0 +1,69 @@
+/** Somebody who has never seen the page: hints alone lead to a ship that steers; and a page whose data stops says so. */
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { type Browser, type Served, browse, open, serve } from "./browser";
+
+const errors: string[] = [];
+let served: Served;
+let browser: Browser;
+
+beforeAll(async () => {
+  served = await serve();
+  browser = await browse({ width: 1024, height: 768 }, true);
+});
+afterAll(async () => {
+  await browser.close();
+  await served.close();
+});
+
+test("hints lead a newcomer to the helm, the rudder, the engine and a tug within a minute", async () => {
+  const begun = Date.now();
+  const page = await open(browser.context, served, "pilot", errors, true);
+  const hint = page.getByRole("status", { name: "Hint" });
+  await hint.getByText("Start here").waitFor();
+  await page.screenshot({ path: new URL("../screenshots/newcomer-1.png", import.meta.url).pathname });
+  await page.getByRole("button", { name: "Take the helm" }).tap();
+  await hint.getByText("Steer:").waitFor();
+  await page.screenshot({ path: new URL("../screenshots/newcomer-2.png", import.meta.url).pathname });
+  await page.getByRole("button", { name: "Rudder starboard 20", exact: true }).tap();
+  await expect.poll(() => page.getByRole("status", { name: "Rudder now" }).textContent()).toMatch(/^S \d/);
+  await hint.getByText("telegraph").waitFor();
+  await page.getByRole("button", { name: "Slow ahead", exact: true }).tap();
+  await hint.getByText("Tell a tug").waitFor();
+  await page.screenshot({ path: new URL("../screenshots/newcomer-3.png", import.meta.url).pathname });
+  await page.getByRole("button", { name: "Tugs", exact: true }).tap();
+  await page.getByRole("button", { name: / push$/ }).first().tap();
+  await hint.getByText("docking board").waitFor();
+  await page.getByRole("tab", { name: "Docking" }).tap();
+  await hint.waitFor({ state: "hidden" });
+  expect(Date.now() - begun).toBeLessThan(60_000);
+  await page.close();
+});
+
+test("a page whose data stops says so, and goes on when they come again", async () => {
+  const page = await browser.context.newPage();
+  let [cut, dropped] = [false, 0];
+  await page.routeWebSocket(/\/live/, (socket) => {
+    const server = socket.connectToServer();
+    server.onMessage((message) => (cut ? (dropped += 1) : socket.send(message)));
+  });
+  await page.goto(`${served.url}/?token=${encodeURIComponent(served.tokens.observer ?? served.tokens.pilot ?? "")}`);
+  await page.waitForFunction(() => (document.querySelector(".readout dd")?.textContent ?? "–") !== "–");
+  const alert = page.getByRole("alert");
+  expect(await alert.isVisible()).toBe(false);
+  cut = true;
+  await alert.getByText("NO DATA FOR").waitFor();
+  await page.screenshot({ path: new URL("../screenshots/no-data.png", import.meta.url).pathname });
+  cut = false;
+  await alert.waitFor({ state: "hidden" });
+  expect(dropped).toBeGreaterThan(5);
+  await page.close();
+});
+
+test("a link that opens nothing is told so, and one without a token what a link looks like", async () => {
+  const page = await browser.context.newPage();
+  await page.goto(`${served.url}/?token=nonsense`);
+  await page.getByRole("alert").getByText(/The server says: /).waitFor();
+  await page.goto(`${served.url}/`);
+  await page.getByText("Ask the instructor for yours").waitFor();
+  await page.close();
+});

@@ -1,0 +1,69 @@
+import { describe, expect, test } from "vitest";
+import { type Camera, between, fitted, onEarth, roundLength, sideAt, toEarth, toScreen, zoomed } from "../src/geometry";
+import type { BodyNow, Pair } from "../src/protocol";
+
+const camera = (up_rad: number): Camera => ({ centre: [100, 50], pixels_per_m: 2, up_rad, width: 800, height: 600 });
+const near = (a: Pair, b: Pair) => {
+  expect(a[0]).toBeCloseTo(b[0], 9);
+  expect(a[1]).toBeCloseTo(b[1], 9);
+};
+
+test("bodies are placed by their heading, from north, positive to starboard", () => {
+  const eastward: BodyNow = [10, 20, Math.PI / 2, 0, 0, 0];
+  near(onEarth(eastward, [5, 0]), [10, 25]);
+  near(onEarth(eastward, [0, 5]), [5, 20]);
+});
+
+test("between two ticks a heading goes the short way through north", () => {
+  const at = (heading: number): BodyNow => [0, 0, heading, 0, 0, 0];
+  const half = between(at(6.2), at(0.1), 0.5)[2];
+  expect(Math.cos(half)).toBeCloseTo(Math.cos((6.2 - 2 * Math.PI + 0.1) / 2), 12);
+  expect(Math.sin(half)).toBeCloseTo(Math.sin((6.2 - 2 * Math.PI + 0.1) / 2), 12);
+});
+
+describe("the camera", () => {
+  test("north up: north is up, east is right", () => {
+    near(toScreen(camera(0), [110, 50]), [400, 280]);
+    near(toScreen(camera(0), [100, 60]), [420, 300]);
+  });
+
+  test("head up: the bearing that is up is up", () => {
+    near(toScreen(camera(Math.PI / 2), [100, 60]), [400, 280]);
+  });
+
+  test("screen and earth are each other's inverse, however it is turned", () => {
+    for (const up of [0, 1, 2.5, -2]) near(toEarth(camera(up), toScreen(camera(up), [123, -45])), [123, -45]);
+  });
+
+  test("zooming keeps the place under the finger", () => {
+    for (const up of [0, 1.2]) {
+      const before = toEarth(camera(up), [700, 100]);
+      near(toEarth(zoomed(camera(up), 3, [700, 100]), [700, 100]), before);
+    }
+  });
+
+  test("fitted, all places are within the margins", () => {
+    const places: Pair[] = [[0, 0], [230, 10], [100, -60]];
+    for (const up of [0, 0.7, 3]) {
+      const fit = fitted(camera(up), places, [40, 50, 80]);
+      for (const place of places) {
+        const [x, y] = toScreen(fit, place);
+        expect(x).toBeGreaterThan(49.9);
+        expect(x).toBeLessThan(750.1);
+        expect(y).toBeGreaterThan(39.9);
+        expect(y).toBeLessThan(520.1);
+      }
+    }
+  });
+});
+
+test("a scale bar has a round length", () => {
+  expect([0.9, 1.5, 3, 99, 100, 730].map(roundLength)).toEqual([0.5, 1, 2, 50, 100, 500]);
+});
+
+test("a ship's side is found on her outline, and nothing beyond her ends", () => {
+  const outline: Pair[] = [[-50, -8], [30, -8], [50, 0], [30, 8], [-50, 8]];
+  expect(sideAt(outline, 0, -1)).toBe(-8);
+  expect(sideAt(outline, 40, 1)).toBeCloseTo(4, 12);
+  expect(sideAt(outline, 60, 1)).toBeNull();
+});

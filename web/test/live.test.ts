@@ -1,0 +1,57 @@
+import { expect, test } from "vitest";
+import { bodiesNow, initialState, vesselsNow } from "../mock/sim";
+import { Latency, Live, STALE_MS } from "../src/live";
+import type { BodyNow, Frame } from "../src/protocol";
+import { light, limitAt } from "../src/views/limits";
+
+function frame(tick: number, north: number, paused = false): Frame {
+  const state = initialState();
+  const bodies = bodiesNow(state).map(([, e, h], i): BodyNow => [i === 0 ? north : 0, e, h, 0, 0, 0]);
+  return {
+    type: "frame", tick, t_s: tick / 10, at_ms: 0, bodies, vessels: vesselsNow(state), fenders: [], contacts: [], lines: [], tugs: [],
+    run: { paused, pace: 1, late_ticks: 0, latest_ms: 0, branch: 0, branches: [], last_tick: tick, clients: 1 },
+    wind: state.wind, current: state.current, waves: null, alarms: [], events: [],
+  };
+}
+
+test("bodies are drawn between the last two ticks, and stand at the last when no more come", () => {
+  const live = new Live();
+  live.tick(frame(1, 0), 1000);
+  live.tick(frame(2, 10), 1100);
+  expect(live.bodies(1100)[0]?.[0]).toBe(0);
+  expect(live.bodies(1150)[0]?.[0]).toBeCloseTo(5, 6);
+  expect(live.bodies(1300)[0]?.[0]).toBe(10);
+});
+
+test("a rewind is jumped to, not glided to", () => {
+  const live = new Live();
+  live.tick(frame(500, 90), 1000);
+  live.tick(frame(100, 10), 1100);
+  expect(live.bodies(1100)[0]?.[0]).toBe(10);
+});
+
+test("silence counts while the run goes, and not while it is paused", () => {
+  const live = new Live();
+  live.tick(frame(1, 0), 0);
+  expect(live.silence(STALE_MS)).toBeNull();
+  expect(live.silence(STALE_MS + 1)).toBe(STALE_MS + 1);
+  live.tick(frame(2, 0, true), STALE_MS + 2);
+  expect(live.silence(100_000)).toBeNull();
+});
+
+test("latency is told as such where clocks agree, and as a spread where they do not", () => {
+  const together = new Latency();
+  for (const ms of [10, 12, 14]) together.add(ms);
+  expect(together.figures()).toEqual({ median: 12, p99: 14, clocks: false });
+  const apart = new Latency();
+  for (const ms of [-50_000, -49_990, -49_980]) apart.add(ms);
+  expect(apart.figures()).toEqual({ median: 10, p99: 20, clocks: true });
+});
+
+test("the docking lights: the limit holds near the fenders and grows further off; opening is never too fast", () => {
+  expect(limitAt(0, 0.15)).toBe(0.15);
+  expect(limitAt(10, 0.15)).toBe(0.15);
+  expect(limitAt(20, 0.15)).toBeCloseTo(0.23, 12);
+  expect([0.09, 0.11, 0.16].map((v) => light(v, 2, 0.15))).toEqual(["ok", "caution", "alarm"]);
+  expect(light(-1, 0, 0.15)).toBe("ok");
+});
