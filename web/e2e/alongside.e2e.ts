@@ -2,6 +2,7 @@
  * A pilot and a tugmaster, each in a page of their own, bring the ship alongside through what the pages show and
  * offer; the instructor hurries time, pauses, rewinds, branches. Two people who read a board and press buttons.
  */
+import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Browser, type Served, browse, open, serve } from "./browser";
@@ -10,6 +11,7 @@ import { type Browser, type Served, browse, open, serve } from "./browser";
 const MASTERS_END = process.env.FENDERLINE_TUG_END === "stern" ? "stern" : "bow";
 const PACE = process.env.FENDERLINE_PACE ?? "4";
 const LONGEST_S = 280;
+const SHOTS = process.env.SCREENSHOTS ?? new URL("../screenshots/", import.meta.url).pathname;
 
 const errors: string[] = [];
 let served: Served;
@@ -124,7 +126,21 @@ test("a pilot and a tugmaster bring her alongside", async () => {
   console.log(`alongside after ${minutes.toFixed(1)} min of her time; landed at ${landing.toFixed(2)} m/s; bow ${last.bow.off} m, stern ${last.stern.off} m`);
   expect(Math.max(last.bow.off, last.stern.off)).toBeLessThan(0.3);
   expect(landing).toBeLessThan(0.3);
-  await pilot.getByRole("tab", { name: "Fenders" }).click();
+  // What a ship at her fenders looks like, close by and with her lines; for a person to look at.
+  await pilot.getByRole("button", { name: "Ship and berth (0)" }).click();
+  await pilot.waitForTimeout(Number(PACE) > 1 ? 3000 : 8000);
+  for (const tab of ["Docking", "Lines", "Alarms", "Charts", "Fenders"]) {
+    await pilot.getByRole("tab", { name: tab }).click();
+    await pilot.waitForTimeout(tab === "Charts" ? 1200 : 200);
+    await pilot.screenshot({ path: join(SHOTS, `alongside-${tab.toLowerCase()}.png`) });
+  }
+  await tug.bringToFront();
+  await tug.waitForTimeout(300);
+  await tug.screenshot({ path: join(SHOTS, "alongside-tugmaster.png") });
+  await pilot.bringToFront();
+  for (let i = 0; i < 4; i++) await pilot.getByRole("button", { name: "Zoom in (+)" }).click();
+  await pilot.waitForTimeout(200);
+  await pilot.screenshot({ path: join(SHOTS, "alongside-close.png") });
   expect(await pilot.locator(".fenders .summary").textContent()).toMatch(/touched · highest so far \d+ % of rated/);
   expect(await pilot.locator(".fenders li.alarm").count()).toBe(0);
 });
@@ -152,7 +168,7 @@ test("the instructor pauses, steps, rewinds and branches", async () => {
   await instructor.getByRole("button", { name: "Resume (K)" }).click();
   await instructor.locator(".run-state", { hasText: "1×" }).waitFor();
   await expect.poll(async () => Number(await slider.inputValue())).toBeGreaterThan(before - 100);
-  await instructor.screenshot({ path: new URL("../screenshots/instructor-branches.png", import.meta.url).pathname });
+  await instructor.screenshot({ path: join(SHOTS, "instructor-branches.png") });
   await lanes.first().click();
   await expect.poll(() => lanes.first().getAttribute("aria-pressed")).toBe("true");
 });
