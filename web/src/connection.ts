@@ -12,7 +12,7 @@ export interface Heard {
 const FIRST_WAIT_MS = 400;
 const LONGEST_WAIT_MS = 4000;
 /** A dragged control says where it is this often, the last place always. */
-const DRAG_MS = 80;
+const DRAG_MS = 100;
 const ANSWER_MS = 5000;
 
 interface Waiting {

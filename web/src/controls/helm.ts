@@ -7,6 +7,8 @@ import { KNOT_MPS, fixed, heading, percent, sided, toDegrees, toKnots, toRadians
 import { ClaimBar, type Group, type KeyAction } from "./group";
 
 const RUDDER_STEPS_DEG = [5, 10, 20, 35];
+/** So long after a key the next one counts on from it. */
+const KEY_HELD_MS = 500;
 /** The telegraph's detents as shares of full. */
 const AHEAD = [{ share: 0.25, text: "Dead slow" }, { share: 0.45, text: "Slow" }, { share: 0.7, text: "Half" }, { share: 1, text: "Full" }];
 const DETENTS = [...AHEAD.map((d) => -d.share).toReversed(), 0, ...AHEAD.map((d) => d.share)];
@@ -229,9 +231,14 @@ export class Helm implements Group {
   }
 
   private keyboard(): KeyAction[] {
+    // A key that is held repeats faster than ticks come: it counts on from what it last asked for.
+    let asked = { degrees: 0, until_ms: 0 };
     const stepRudder = (degrees: number) => () => {
-      const now = Math.round(toDegrees(this.now?.rudder.order_rad ?? 0) / degrees) * degrees;
-      this.setRudder(toRadians(now + degrees));
+      const stop = Math.round(toDegrees(this.info.rudder_stop_rad ?? 0));
+      const from = performance.now() < asked.until_ms ? asked.degrees : Math.round(toDegrees(this.now?.rudder.order_rad ?? 0) / degrees) * degrees;
+      asked = { degrees: Math.min(stop, Math.max(-stop, from + degrees)), until_ms: performance.now() + KEY_HELD_MS };
+      this.page.drag("rudder", { do: "rudder", vessel: this.info.name, angle_rad: toRadians(asked.degrees) });
+      this.page.did("rudder");
     };
     const detent = (by: 1 | -1) => () => {
       const order = this.now?.shaft.order ?? 0;

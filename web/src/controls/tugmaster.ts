@@ -67,8 +67,8 @@ export class VectorHelm implements Group {
     this.keys = [
       { key: "ArrowLeft", text: "Force 5° to port", repeats: true, run: () => this.ring.nudge(-1) },
       { key: "ArrowRight", text: "Force 5° to starboard", repeats: true, run: () => this.ring.nudge(1) },
-      { key: "ArrowUp", text: "Power up 5 %", repeats: true, run: () => this.setPower(this.percent + 5) },
-      { key: "ArrowDown", text: "Power down 5 %", repeats: true, run: () => this.setPower(this.percent - 5) },
+      { key: "ArrowUp", text: "Power up 5 %", repeats: true, run: () => this.setPower(this.percent + 5, true) },
+      { key: "ArrowDown", text: "Power down 5 %", repeats: true, run: () => this.setPower(this.percent - 5, true) },
       { key: "p", text: "Push", run: () => this.choose("push") },
       { key: "l", text: "Pull", run: () => this.choose("pull") },
       { key: "o", text: "Stop", run: () => this.choose("stand_by") },
@@ -82,9 +82,9 @@ export class VectorHelm implements Group {
     this.send(false);
   }
 
-  private setPower(percent: number): void {
+  private setPower(percent: number, held = false): void {
     this.percent = Math.min(100, Math.max(0, percent));
-    this.send(false);
+    this.send(held);
   }
 
   private send(dragged: boolean): void {
@@ -182,7 +182,13 @@ export class AzimuthHelm implements Group {
       h("section", { class: "card both", "aria-label": "Both units" }, h("h3", {}, "Units"), this.togetherButton, this.powers.root, this.stop, h("p", { class: "note" }, "The rings are about the tug, her bow up: the knob is where the thrust goes.")),
     );
     const turn = (by: number) => () => this.units[0]?.ring.nudge(by);
-    const power = (by: number) => () => this.all((i) => this.send(i, Math.min(1, Math.max(0, (this.now?.azimuths[i]?.power_order ?? 0) + by)), null, false));
+    // A key that is held repeats faster than ticks come: it counts on from what it last asked for.
+    let asked = { powers: [] as number[], until_ms: 0 };
+    const power = (by: number) => () => {
+      const from = performance.now() < asked.until_ms ? asked.powers : (this.now?.azimuths.map((unit) => unit.power_order) ?? []);
+      asked = { powers: from.map((share) => Math.min(1, Math.max(0, share + by))), until_ms: performance.now() + 500 };
+      asked.powers.forEach((share, i) => this.send(i, share, null, true));
+    };
     this.keys = [
       { key: "ArrowLeft", text: "Thrust 5° to port", repeats: true, run: turn(-1) },
       { key: "ArrowRight", text: "Thrust 5° to starboard", repeats: true, run: turn(1) },
