@@ -35,6 +35,9 @@ export function arrow(to: CanvasRenderingContext2D, from: Pair, end: Pair, colou
   to.fill();
 }
 
+/** A label is moved onto the canvas from no farther off its edge than this. */
+const EDGE_PX = 60;
+
 export interface LabelStyle {
   colour: string;
   ground: string;
@@ -43,8 +46,9 @@ export interface LabelStyle {
   align?: "left" | "center" | "right";
 }
 
-/** A text on its own ground, so that it reads over anything; keeps within the canvas. */
+/** A text on its own ground, so that it reads over anything. `within`: kept on the canvas while its place is about there. */
 export function label(to: CanvasRenderingContext2D, text: string, at: Pair, style: LabelStyle, within?: { width: number; height: number }): void {
+  if (within && (at[0] < -EDGE_PX || at[1] < -EDGE_PX || at[0] > within.width + EDGE_PX || at[1] > within.height + EDGE_PX)) return;
   const size = style.size ?? 14;
   to.font = `${style.bold ? 600 : 400} ${size}px ${FONT}`;
   const width = to.measureText(text).width + 8;

@@ -308,8 +308,8 @@ export function drawBerth({ to, camera, colours, hello }: Scene): void {
   stroke(to, toScreen(camera, hello.berth.from), toScreen(camera, hello.berth.to), colours.land_edge, 4);
 }
 
-/** Earth places that a first look shows: the ship, and the fenders or the berth that she is near. */
-export function firstLook(hello: Hello, bodies: BodyNow[], ship: number): Pair[] {
+/** Earth places that a first look shows: the ship, the fenders that she is near, her tugs and where her lines go. */
+export function firstLook(hello: Hello, bodies: BodyNow[], ship: number, frame: Frame | null): Pair[] {
   const info = hello.vessels[ship];
   const now = bodies[info?.body ?? -1];
   const outline = hello.bodies[info?.body ?? -1]?.outline ?? [];
@@ -322,5 +322,6 @@ export function firstLook(hello: Hello, bodies: BodyNow[], ship: number): Pair[]
     .flatMap((b): Pair[] => (b && length(minus([b[0], b[1]], [now[0], now[1]])) < info.length_m * 0.75 ? [[b[0], b[1]]] : []));
   // Tugs that are forces lie about a length of theirs off the side that they work at.
   const alongside = hello.tugs.map((t) => onEarth(now, add(t.push_at_m, [0, Math.sign(t.push_at_m[1]) * (t.length_m + 14)])));
-  return [...places, ...near, ...tugs, ...alongside];
+  const moored = hello.lines.flatMap((l, i): Pair[] => ("place_m" in l.end && frame?.lines[i]?.state === "fast" ? [l.end.place_m] : []));
+  return [...places, ...near, ...tugs, ...alongside, ...moored];
 }

@@ -119,8 +119,8 @@ export class Plan implements View {
     scene.drawLand(all);
     scene.drawBerth(all);
     if (this.prediction) scene.drawPrediction(all);
-    scene.drawFenders(all);
     scene.drawHulls(all);
+    scene.drawFenders(all);
     scene.drawLines(all);
     scene.drawVectorTugs(all);
     scene.drawContacts(all);
@@ -135,7 +135,7 @@ export class Plan implements View {
     if (!hello) return;
     const first = !this.looked && this.lastShip === null && this.camera.pixels_per_m === 1;
     this.looked = true;
-    const places = scene.firstLook(hello, bodies, this.live.ship());
+    const places = scene.firstLook(hello, bodies, this.live.ship(), this.live.frame);
     if (first && hello.berth && hello.fenders.length > 0 && this.camera.width > this.camera.height * 1.2) this.setUp("berth");
     this.turn();
     this.camera = fitted(this.camera, places, [58, 64, 74]);
