@@ -36,6 +36,8 @@ export interface Hello {
   /** The berth that distances are to: a line [m], and the side where the water is; `null` where there is none. */
   berth: { from: Pair; to: Pair; facing: Pair } | null;
   depth_m: number | null;
+  /** To the instructor only: the links that open each role, to be handed out; paths on this server. */
+  links?: { role: Role; path: string }[];
 }
 
 export type Role =
@@ -170,6 +172,7 @@ export interface VesselNow {
   under_keel_m: number | null;
   aground: boolean;
   /** To the berth's line of fenders, at bow and stern [m], where there is a berth. */
+  // Distances of the ends of the flat of her side; speeds positive towards the berth; angle positive, bow nearer.
   berth: { bow_m: number; stern_m: number; bow_mps: number; stern_mps: number; angle_rad: number } | null;
   faults: Fault[];
 }

@@ -183,7 +183,7 @@ fn an_order_that_cannot_be_is_refused_and_changes_nothing() {
 fn what_has_failed_does_not_move_and_comes_back_when_it_is_repaired() {
     let (setup, _) = kvlcc2(35.0, Vec2::ZERO, 0.5);
     let mut run = Simulation::new(setup).expect("a good set-up");
-    let mut go = |run: &mut Simulation, seconds: f64| {
+    let go = |run: &mut Simulation, seconds: f64| {
         for _ in 0..(seconds / 0.5) as u32 {
             run.step().expect("a good step");
         }
