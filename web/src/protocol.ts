@@ -172,6 +172,7 @@ export interface VesselNow {
   under_keel_m: number | null;
   aground: boolean;
   /** To the berth's line of fenders, at bow and stern [m], where there is a berth. */
+  // Distances of the ends of the flat of her side; speeds positive towards the berth; angle positive, bow nearer.
   berth: { bow_m: number; stern_m: number; bow_mps: number; stern_mps: number; angle_rad: number } | null;
   faults: Fault[];
 }

@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::net::IpAddr;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
@@ -34,6 +35,51 @@ pub(crate) enum Command {
     Schema(SchemaArgs),
     /// Parse and check a scenario without running it
     Check(CheckArgs),
+    /// Run a scenario in real time and let people steer it in their browsers
+    Serve(ServeArgs),
+    /// Play a session that `serve` recorded again: exit code 1 where it does not come to the same bits
+    Replay(ReplayArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ServeArgs {
+    /// Scenario file, or a recorded session to go on with
+    #[arg(value_name = "SCENARIO.toml")]
+    pub(crate) scenario: PathBuf,
+    /// Port; 0 takes a free one
+    #[arg(long, value_name = "N", default_value_t = 8090)]
+    pub(crate) port: u16,
+    /// Address to listen on
+    #[arg(long, value_name = "ADDR", default_value = "127.0.0.1")]
+    pub(crate) bind: IpAddr,
+    /// Let other machines in; needed with any --bind but loopback
+    #[arg(long)]
+    pub(crate) allow_remote: bool,
+    /// A name that other machines know this one by; repeatable
+    #[arg(long, value_name = "NAME")]
+    pub(crate) host: Vec<String>,
+    /// Folder with a page that was built [default: the repository's, built where need be]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) page: Option<PathBuf>,
+    /// Folder with scenarios to open from the page [default: that of the scenario]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) gallery: Option<PathBuf>,
+    /// Folder that sessions are recorded to
+    #[arg(long, value_name = "DIR", default_value = "out/sessions")]
+    pub(crate) sessions: PathBuf,
+    /// Begin paused; else it begins when the first page comes
+    #[arg(long)]
+    pub(crate) paused: bool,
+    /// Override one key of the scenario, such as environment.wind.speed="9 m/s"; repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(crate) set: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReplayArgs {
+    /// Recorded session
+    #[arg(value_name = "SESSION")]
+    pub(crate) session: PathBuf,
 }
 
 #[derive(Debug, Args)]

@@ -16,6 +16,7 @@ mod progress;
 mod provider;
 mod report;
 mod run;
+mod serve;
 mod terminal;
 mod touched;
 mod validate;
@@ -44,6 +45,8 @@ fn main() -> ExitCode {
         Command::Validate(args) => validate::validate(args),
         Command::Manoeuvre(args) => manoeuvre::manoeuvre(args),
         Command::Vessels(args) => vessels::vessels(args),
+        Command::Serve(args) => serve::serve(args),
+        Command::Replay(args) => serve::replay(args),
         Command::Schema(args) => check::schema(args.of),
     };
     match done {

@@ -87,8 +87,8 @@ pub use setup::{
 pub use simulation::Simulation;
 pub use summary::PairSummary;
 pub use world::{
-    Action, Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Float, Job,
-    LineEnd, Mooring, MooringSetup, NotAtTheSide, Order, Pilots, ProviderSetup, PushJob, Station,
-    ThrusterSetup, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState,
-    WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
+    Action, Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Faults,
+    Float, Job, LineEnd, Mooring, MooringSetup, NotAtTheSide, Order, Pilots, ProviderSetup,
+    PushJob, Station, ThrusterSetup, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup,
+    VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
 };

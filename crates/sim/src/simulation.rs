@@ -6,6 +6,8 @@ use fenderline_contact::{
 };
 
 use crate::berthing::{BerthingError, BerthingOutcome, Study, StudyStep};
+use crate::environment::current::Current;
+use crate::environment::wind::Wind;
 use crate::error::{SetupError, SimError};
 use crate::fender::{FenderSetup, FenderSummaries, FenderSummary};
 use crate::gather::{add_external, gather, gather_loads};
@@ -16,7 +18,7 @@ use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
-use crate::world::{LineEnd, Order, VesselState, World, mass_matrix};
+use crate::world::{Faults, LineEnd, Mooring, Order, TugAtWork, VesselState, World, mass_matrix};
 
 /// Weights of the four stages of classical Runge–Kutta.
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
@@ -201,6 +203,46 @@ impl Simulation {
         check_order(&order, &self.setup)?;
         self.world.order(order);
         Ok(())
+    }
+
+    /// Forgets orders that are not carried out yet, the set-up's among them, unless `keep` says otherwise: who
+    /// takes a control in hand does not want it moved by a plan.
+    pub fn keep_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
+        self.world.keep_orders(keep);
+    }
+
+    /// Another wind from the next step on; `None`: none. No step in between: a jump is a jump.
+    pub fn set_wind(&mut self, wind: Option<Wind>) {
+        self.setup.world.environment.wind = wind;
+    }
+
+    /// Another current from the next step on; `None`: none. The jump itself accelerates nobody, as a current
+    /// that came up in no time would: ships drift into it by their drag.
+    pub fn set_current(&mut self, current: Option<Current>) {
+        self.setup.world.environment.current = current;
+    }
+
+    /// What has failed on a vessel, from the next step on.
+    ///
+    /// # Errors
+    /// [`SetupError::BadBody`] where there is no such vessel.
+    pub fn set_faults(&mut self, vessel: usize, faults: Faults) -> Result<(), SetupError> {
+        let state = self.world.vessels.get_mut(vessel);
+        let state = state.ok_or(SetupError::BadBody { owner: "fault", body: vessel })?;
+        state.faults = faults;
+        Ok(())
+    }
+
+    /// The tugs now, in the order of the set-up.
+    #[must_use]
+    pub fn tugs(&self) -> &[TugAtWork] {
+        &self.world.tugs
+    }
+
+    /// The lines now, in the order of the set-up.
+    #[must_use]
+    pub fn lines(&self) -> &[Mooring] {
+        &self.world.lines
     }
 
     /// Takes one step; beyond the run's duration it simply goes on.

@@ -98,6 +98,7 @@ fn a_regular_wave_runs_where_it_should() {
     assert!((sea.elevation_m(vec2(77.0, length_m), 0.0) - 1.0).abs() < 1e-9);
     assert!((sea.elevation_m(vec2(0.0, 0.25 * length_m), 2.0) - 1.0).abs() < 1e-9);
     assert!((sea.variance_m2() - 0.5).abs() < 1e-12);
+    assert!((sea.mean_period_s() - 8.0).abs() < 1e-12);
 }
 
 /// The container ship of the design sheet: 298 × 46 × 9 m, Cb 0.694, roll 16.5 s at GM 5 m.

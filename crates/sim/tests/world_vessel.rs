@@ -11,8 +11,8 @@ use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::Origin;
 use fenderline_sim::hydro::{Model3, Water, manoeuvres};
 use fenderline_sim::{
-    Action, Environment, Integrator, MassProperties, Method, Order, Setup, Simulation, VesselSetup,
-    WorldSetup,
+    Action, Environment, Faults, Integrator, MassProperties, Method, Order, Setup, Simulation,
+    VesselSetup, WorldSetup,
 };
 use support::{fixed, rectangle};
 
@@ -177,4 +177,65 @@ fn an_order_that_cannot_be_is_refused_and_changes_nothing() {
         bothered.step().expect("a good step");
         assert_eq!(left_alone.states(), bothered.states());
     }
+}
+
+#[test]
+fn what_has_failed_does_not_move_and_comes_back_when_it_is_repaired() {
+    let (setup, _) = kvlcc2(35.0, Vec2::ZERO, 0.5);
+    let mut run = Simulation::new(setup).expect("a good set-up");
+    let go = |run: &mut Simulation, seconds: f64| {
+        for _ in 0..(seconds / 0.5) as u32 {
+            run.step().expect("a good step");
+        }
+        (run.vessels()[0].rudder.value, run.vessels()[0].shaft.value)
+    };
+    let (stuck_rad, full_rps) = go(&mut run, 5.0);
+    assert!(stuck_rad > 0.0 && stuck_rad < 0.5 && full_rps > 0.0, "on its way: {stuck_rad}");
+    run.set_faults(0, Faults { rudder_stuck: true, ..Faults::default() }).expect("she is there");
+    assert_eq!(go(&mut run, 60.0), (stuck_rad, full_rps));
+    run.set_faults(0, Faults { blackout: true, ..Faults::default() }).expect("she is there");
+    assert_eq!(go(&mut run, 200.0), (stuck_rad, 0.0));
+    run.set_faults(0, Faults::default()).expect("she is there");
+    let (over_rad, again_rps) = go(&mut run, 200.0);
+    assert!(over_rad > 0.6 && again_rps == full_rps, "{over_rad}, {again_rps}");
+    assert!(run.set_faults(1, Faults::default()).is_err(), "there is one vessel");
+}
+
+#[test]
+fn a_current_set_during_a_run_takes_a_drifting_ship_along_as_one_from_the_start() {
+    let drift = |at_start: bool| {
+        let current_mps = vec2(0.0, 0.5);
+        let (mut setup, _) = kvlcc2(0.0, if at_start { current_mps } else { Vec2::ZERO }, 0.5);
+        setup.bodies[0].velocity = fenderline_sim::BodyVelocity::default();
+        setup.world.orders = vec![Order { at_s: 0.0, vessel: 0, action: Action::Engine(0.0) }];
+        setup.duration_s = 600.0;
+        let mut run = Simulation::new(setup).expect("a good set-up");
+        if !at_start {
+            run.set_current(Some(Current::uniform(current_mps).expect("a current")));
+        }
+        while !run.is_done() {
+            run.step().expect("a good step");
+        }
+        run.states()[0]
+    };
+    let (one, other) = (drift(true), drift(false));
+    assert!(other.velocity_mps.y > 0.1, "{other:?}");
+    assert_eq!(one, other);
+}
+
+#[test]
+fn orders_that_are_forgotten_are_not_carried_out_and_the_others_are() {
+    let (mut setup, _) = kvlcc2(0.0, Vec2::ZERO, 0.5);
+    setup.duration_s = 60.0;
+    setup.world.orders = vec![
+        Order { at_s: 10.0, vessel: 0, action: Action::Rudder(0.3) },
+        Order { at_s: 20.0, vessel: 0, action: Action::Engine(0.2) },
+    ];
+    let mut run = Simulation::new(setup).expect("a good set-up");
+    run.keep_orders(|order| matches!(order.action, Action::Engine(_)));
+    while !run.is_done() {
+        run.step().expect("a good step");
+    }
+    let orders = &run.vessels()[0].orders;
+    assert_eq!((orders.rudder_rad, orders.shaft), (0.0, 0.2));
 }

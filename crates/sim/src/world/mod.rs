@@ -10,6 +10,7 @@ mod azimuth;
 mod azimuth_pilot;
 mod environment;
 mod event;
+mod fault;
 mod line;
 mod order;
 mod pilot;
@@ -27,6 +28,7 @@ pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
 pub use azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 pub use environment::Environment;
 pub use event::{WorldEvent, WorldEventKind};
+pub use fault::Faults;
 pub use line::{LineEnd, Mooring, MooringSetup};
 pub use order::{Action, Order, Station};
 pub use pilot::Pilots;
@@ -140,6 +142,13 @@ impl World {
         self.taken = 0;
         let place = self.orders.partition_point(|other| other.at_s <= order.at_s);
         self.orders.insert(place, order);
+    }
+
+    /// Forgets those orders that are not taken yet and that `keep` does not want.
+    pub(crate) fn keep_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
+        self.orders.drain(..self.taken);
+        self.taken = 0;
+        self.orders.retain(keep);
     }
 
     fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64, step_s: f64) {

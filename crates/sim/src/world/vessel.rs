@@ -4,6 +4,7 @@ use fenderline_contact::{BodyState, Rotation, Wrench, vec2};
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::environment::Environment;
+use super::fault::Faults;
 use super::pilot::Pilots;
 use crate::attitude::{Attitude, Drive, Hydrostatics};
 use crate::environment::waves::{
@@ -92,6 +93,8 @@ pub struct VesselState {
     pub squat_m: f64,
     /// She is on the bottom.
     pub aground: bool,
+    /// What has failed on her.
+    pub faults: Faults,
 }
 
 /// Where the forces on a vessel come from, in her axes about midship.
@@ -156,21 +159,34 @@ impl VesselState {
             wave_motion: FirstOrderMotion::default(),
             squat_m: 0.0,
             aground: false,
+            faults: Faults::default(),
         }
     }
 
-    /// Moves rudder, shaft and thrusters towards their orders; true where an order was beyond a stop.
+    /// Moves rudder, shaft and thrusters towards their orders, as far as nothing has failed; true where an
+    /// order was beyond a stop.
     pub(crate) fn act(&mut self, step_s: f64) -> bool {
-        let mut clamped = self.rudder.step(self.orders.rudder_rad, step_s) == Order::Clamped;
-        let shaft_rps = self.orders.shaft * self.shaft.stop;
+        let faults = self.faults;
+        let rudder_rad =
+            if faults.steering_stands() { self.rudder.value } else { self.orders.rudder_rad };
+        let mut clamped = self.rudder.step(rudder_rad, step_s) == Order::Clamped;
+        let shaft_rps = if faults.no_engine() { 0.0 } else { self.orders.shaft * self.shaft.stop };
         clamped |= self.shaft.step(shaft_rps, step_s) == Order::Clamped;
         for (lag, &order) in self.thrusters.iter_mut().zip(&self.orders.thrusters) {
+            let order = if faults.no_thrusters() { 0.0 } else { order };
             let within = if order.is_nan() { lag.value } else { order.clamp(-1.0, 1.0) };
             clamped |= within != order;
             lag.step(within, step_s);
         }
         for (unit, order) in self.azimuths.iter_mut().zip(&self.orders.azimuths) {
-            clamped |= unit.act(order, step_s);
+            let mut order = *order;
+            if faults.no_engine() {
+                order.power = 0.0;
+            }
+            if faults.steering_stands() {
+                order.direction_rad = unit.direction.angle_rad;
+            }
+            clamped |= unit.act(&order, step_s);
         }
         clamped
     }

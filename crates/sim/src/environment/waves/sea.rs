@@ -122,6 +122,17 @@ impl Sea {
         self.components.iter().map(|c| 0.5 * c.amplitude_m * c.amplitude_m).sum()
     }
 
+    /// T₀₁ = 2π m₀/m₁, the mean period [s]; that of a regular wave is its own.
+    #[must_use]
+    pub fn mean_period_s(&self) -> f64 {
+        let m1: f64 = self
+            .components
+            .iter()
+            .map(|c| 0.5 * c.amplitude_m * c.amplitude_m * c.frequency_radps)
+            .sum();
+        core::f64::consts::TAU * self.variance_m2() / m1
+    }
+
     /// 4√m₀ [m].
     #[must_use]
     pub fn significant_height_m(&self) -> f64 {

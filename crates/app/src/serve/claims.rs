@@ -1,0 +1,118 @@
+//! Who holds which helm: one client each.
+
+use std::collections::BTreeMap;
+
+use fenderline_live::message::Claim;
+use fenderline_live::{Control, Refusal};
+
+/// Number of a client; never used twice.
+pub(crate) type ClientId = u64;
+
+#[derive(Clone, Debug, PartialEq)]
+struct Holder {
+    client: ClientId,
+    label: String,
+    /// Who has vanished keeps nobody from the helm.
+    connected: bool,
+}
+
+/// Helms and their holders.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Claims(BTreeMap<Control, Holder>);
+
+impl Claims {
+    /// Nobody holds anything.
+    pub(crate) fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    /// Is it free, vacated, or this client's?
+    ///
+    /// # Errors
+    /// Who has it.
+    pub(crate) fn may_use(&self, control: &Control, client: ClientId) -> Result<(), Refusal> {
+        match self.0.get(control) {
+            Some(holder) if holder.connected && holder.client != client => {
+                Err(Refusal::new(format_args!("{} has it", holder.label)))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(crate) fn holds(&self, control: &Control, client: ClientId) -> bool {
+        self.0.get(control).is_some_and(|holder| holder.client == client)
+    }
+
+    /// Gives a helm to a client: one that is free or vacated, any where `by_force`. The former holder, where there was
+    /// another; `None` where nothing changed.
+    ///
+    /// # Errors
+    /// Who has it.
+    pub(crate) fn take(
+        &mut self,
+        control: Control,
+        (client, label): (ClientId, &str),
+        by_force: bool,
+    ) -> Result<Option<ClientId>, Refusal> {
+        if !by_force {
+            self.may_use(&control, client)?;
+        }
+        let holder = Holder { client, label: label.to_owned(), connected: true };
+        let former = self.0.insert(control, holder);
+        Ok(former.filter(|f| f.connected && f.client != client).map(|f| f.client))
+    }
+
+    /// Gives a helm back; true where this client had it.
+    pub(crate) fn release(&mut self, control: &Control, client: ClientId) -> bool {
+        let held = self.holds(control, client);
+        if held {
+            self.0.remove(control);
+        }
+        held
+    }
+
+    /// A client has gone; the helms that it held, which stay in its name until somebody takes them.
+    pub(crate) fn gone(&mut self, client: ClientId) -> Vec<Control> {
+        let mut left = Vec::new();
+        for (control, holder) in self.0.iter_mut().filter(|(_, holder)| holder.client == client) {
+            holder.connected = false;
+            left.push(control.clone());
+        }
+        left
+    }
+
+    /// As pages are told.
+    pub(crate) fn told(&self, controls: &[Control]) -> Vec<Claim> {
+        let told = |control: &Control| {
+            let holder = self.0.get(control);
+            Claim {
+                control: control.clone(),
+                holder: holder.map(|holder| holder.label.clone()),
+                connected: holder.is_some_and(|holder| holder.connected),
+            }
+        };
+        controls.iter().map(told).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_client_has_a_helm_until_it_gives_it_back_goes_or_is_relieved() {
+        let mut claims = Claims::default();
+        let helm = || Control::Vessel("ship".into());
+        assert_eq!(claims.take(helm(), (1, "pilot 1"), false), Ok(None));
+        assert!(claims.may_use(&helm(), 1).is_ok());
+        let refused = claims.take(helm(), (2, "pilot 2"), false).expect_err("it is held");
+        assert_eq!(refused.to_string(), "pilot 1 has it");
+        assert!(!claims.release(&helm(), 2) && claims.holds(&helm(), 1));
+        assert_eq!(claims.take(helm(), (3, "instructor 3"), true), Ok(Some(1)));
+        assert_eq!(claims.gone(3), [helm()]);
+        assert_eq!(claims.told(&[helm()])[0].holder.as_deref(), Some("instructor 3"));
+        assert!(claims.may_use(&helm(), 2).is_ok(), "nobody is at it");
+        assert_eq!(claims.take(helm(), (2, "pilot 2"), false), Ok(None));
+        assert!(claims.release(&helm(), 2) && !claims.holds(&helm(), 2));
+    }
+}

@@ -1,0 +1,156 @@
+//! `fenderline serve`: a scenario in real time, steered from browsers.
+//!
+//! `engine` is the simulation's thread and the only one that touches the session; `pacer` is its clock, `claims` and
+//! `permit` decide who may do what, `recorder` writes the session down, `gallery` opens scenarios and sessions. `http`
+//! answers requests, `door` and `tokens` let people in, `page` is what browsers get; `client` is the task of one
+//! websocket. `hub` is what lies between: the latest frame for everybody, no queue that grows.
+
+mod claims;
+mod client;
+mod door;
+mod engine;
+mod gallery;
+mod http;
+mod hub;
+mod log;
+mod pacer;
+mod page;
+mod permit;
+mod rate;
+mod recorder;
+mod tokens;
+
+use std::net::{IpAddr, SocketAddr};
+use std::path::Path;
+use std::sync::{Arc, mpsc};
+
+use fenderline_live::message::{Link, Role};
+use fenderline_live::{Recording, Session};
+use tokio::net::TcpListener;
+
+use self::door::Door;
+use self::engine::Engine;
+use self::gallery::Gallery;
+use self::http::Site;
+use self::hub::{Hub, Told};
+use self::page::Page;
+use crate::cli::{ReplayArgs, ServeArgs};
+use crate::failure::Failure;
+use crate::load::read;
+use crate::terminal::{say, tell};
+
+/// Threads for the network. The simulation has its own.
+const NETWORK_THREADS: usize = 2;
+
+/// Serves until it is interrupted.
+///
+/// # Errors
+/// Bad input: a scenario, an address or a page that cannot be used. A port that is taken.
+pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
+    let remote = !args.bind.is_loopback();
+    if remote && !args.allow_remote {
+        return Err(Failure::input(format_args!(
+            "error: {} is not loopback: others could reach the server. Say --allow-remote if they shall",
+            args.bind
+        )));
+    }
+    let set: Vec<String> = args.set.clone();
+    let opened = gallery::open(&args.scenario, &set)
+        .map_err(|why| Failure::input(format_args!("error: {why}")))?;
+    for notice in &opened.notices {
+        tell(&format!("notice: {notice}"));
+    }
+    let mut gallery = Gallery::default();
+    gallery.add(&args.scenario);
+    let beside = args.scenario.parent().unwrap_or(Path::new(""));
+    let beside = if beside.as_os_str().is_empty() { Path::new(".") } else { beside };
+    gallery.fill(&[args.gallery.as_deref().unwrap_or(beside), &args.sessions]);
+    let page = match &args.page {
+        Some(folder) => {
+            Page::read(folder).map_err(|why| Failure::input(format_args!("error: {why}")))?
+        }
+        None => Page::of_repository(),
+    };
+    let (to_engine, told) = mpsc::channel();
+    let hub = Arc::new(Hub::new(to_engine));
+    let engine = Engine::new(Arc::clone(&hub), opened, gallery, args.sessions.clone(), args.paused)
+        .map_err(|why| Failure::case(format_args!("error: {why}")))?;
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .worker_threads(NETWORK_THREADS)
+        .enable_all()
+        .build()
+        .map_err(|e| Failure::case(format_args!("error: no threads for the network: {e}")))?;
+    let address = SocketAddr::new(args.bind, args.port);
+    let listener = runtime.block_on(TcpListener::bind(address)).map_err(|e| {
+        Failure::case(format_args!("error: cannot listen on {address}: {e} (another --port?)"))
+    })?;
+    let address = listener.local_addr().unwrap_or(address);
+    let (links, recording) = (engine.links(), engine.recording().display().to_string());
+    let simulation = std::thread::Builder::new()
+        .name("simulation".into())
+        .spawn(move || engine.run(&told))
+        .map_err(|e| Failure::case(format_args!("error: no thread for the simulation: {e}")))?;
+    let door = Door { remote, names: args.host.clone() };
+    let site = Arc::new(Site { hub: Arc::clone(&hub), page, door });
+    say(&greeting(address, &links, &recording))?;
+    runtime.block_on(async {
+        tokio::select! {
+            () = http::serve(listener, site) => {}
+            _ = tokio::signal::ctrl_c() => {}
+        }
+    });
+    hub.tell_engine(Told::Stop);
+    if simulation.join().is_err() {
+        return Err(Failure::case("error: the simulation's thread panicked: see above"));
+    }
+    say(&format!("recorded: {recording}\n"))
+}
+
+/// What the user is told when the server is there.
+fn greeting(address: SocketAddr, links: &[Link], recording: &str) -> String {
+    // Every address of this machine is no address to go to.
+    let shown = match address.ip() {
+        IpAddr::V4(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
+        IpAddr::V6(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
+        _ => address.to_string(),
+    };
+    let name = |role: &Role| match role {
+        Role::Instructor => "instructor".to_owned(),
+        Role::Pilot => "pilot".to_owned(),
+        Role::Tugmaster { tug } => format!("master of {tug}"),
+        Role::Observer => "observer".to_owned(),
+    };
+    let width = links.iter().map(|link| name(&link.role).len()).max().unwrap_or(0);
+    let mut text =
+        format!("fenderline is on http://{shown} (Ctrl-C ends it). Open one of these:\n");
+    for Link { role, path } in links {
+        text += &format!("  {:width$}  http://{shown}{path}\n", name(role));
+    }
+    text + &format!("Who has a link has its role. Recorded to {recording}\n")
+}
+
+/// Plays a recorded session again and holds every recorded state against it.
+///
+/// # Errors
+/// A file that is no recording; a session that does not come to the same bits.
+pub(crate) fn replay(args: &ReplayArgs) -> Result<(), Failure> {
+    let name = args.session.display();
+    let text = read(&args.session)
+        .map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
+    let recording =
+        Recording::parse(&text).map_err(|e| Failure::input(format_args!("error: {name}, {e}")))?;
+    if recording.torn_bytes > 0 {
+        tell(&format!(
+            "notice: {name}: {} bytes of a torn last line are dropped",
+            recording.torn_bytes
+        ));
+    }
+    let (session, same) = Session::replay(&recording)
+        .map_err(|e| Failure::case(format_args!("error: {name}, {e}")))?;
+    let ticks: u64 = session.branches().iter().map(|b| b.ends_tick - b.from_tick).sum();
+    say(&format!(
+        "{}: {} branches, {ticks} ticks; the same bits in all {same} recorded states\n",
+        session.title(),
+        session.branches().len(),
+    ))
+}

@@ -1,0 +1,48 @@
+//! How often something may happen.
+
+use std::time::Instant;
+
+/// A bucket of permissions that fills at a rate.
+#[derive(Clone, Debug)]
+pub(crate) struct Bucket {
+    per_s: f64,
+    most: f64,
+    left: f64,
+    at: Instant,
+}
+
+impl Bucket {
+    /// Full: so many at once, so many a second.
+    pub(crate) fn new(per_s: f64, most: f64, now: Instant) -> Bucket {
+        Bucket { per_s, most, left: most, at: now }
+    }
+
+    /// May it happen now?
+    pub(crate) fn take(&mut self, now: Instant) -> bool {
+        let seconds = now.saturating_duration_since(self.at).as_secs_f64();
+        self.at = now;
+        self.left = (self.left + seconds * self.per_s).min(self.most);
+        if self.left < 1.0 {
+            return false;
+        }
+        self.left -= 1.0;
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+
+    #[test]
+    fn so_many_at_once_and_so_many_a_second() {
+        let start = Instant::now();
+        let mut bucket = Bucket::new(10.0, 5.0, start);
+        let taken = |bucket: &mut Bucket, at| (0..100).filter(|_| bucket.take(at)).count();
+        assert_eq!(taken(&mut bucket, start), 5);
+        assert_eq!(taken(&mut bucket, start + Duration::from_millis(310)), 3);
+        assert_eq!(taken(&mut bucket, start + Duration::from_secs(60)), 5);
+    }
+}

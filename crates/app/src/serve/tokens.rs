@@ -1,0 +1,89 @@
+//! Tokens: what a link carries, and which role it opens.
+
+use fenderline_live::message::{Link, Role};
+
+/// A role's secret: 128 bits from the operating system, in hexadecimal.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Token {
+    role: Role,
+    secret: String,
+}
+
+/// The tokens of a server, in the order in which their links are shown.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Tokens(Vec<Token>);
+
+impl Tokens {
+    /// Makes tokens for the roles that have none yet. A role that is no longer needed keeps its own: its tug may
+    /// come back with the next scenario.
+    ///
+    /// # Errors
+    /// The operating system has no random numbers.
+    pub(crate) fn add(&mut self, roles: &[Role]) -> Result<(), getrandom::Error> {
+        for role in roles {
+            if self.0.iter().any(|token| token.role == *role) {
+                continue;
+            }
+            let mut bytes = [0_u8; 16];
+            getrandom::fill(&mut bytes)?;
+            let secret = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
+            self.0.push(Token { role: role.clone(), secret });
+        }
+        Ok(())
+    }
+
+    /// The role that a token opens. The time that this takes depends on nothing but the text's length and the number
+    /// of tokens.
+    pub(crate) fn role(&self, text: &str) -> Option<Role> {
+        let mut found = None;
+        for token in &self.0 {
+            if same(token.secret.as_bytes(), text.as_bytes()) {
+                found = Some(&token.role);
+            }
+        }
+        found.cloned()
+    }
+
+    /// Links for these roles, as paths.
+    pub(crate) fn links(&self, roles: &[Role]) -> Vec<Link> {
+        let wanted = self.0.iter().filter(|token| roles.contains(&token.role));
+        let link = |token: &Token| Link {
+            role: token.role.clone(),
+            path: format!("/?token={}", token.secret),
+        };
+        wanted.map(link).collect()
+    }
+}
+
+/// Equal, without telling by its time where they differ.
+fn same(one: &[u8], other: &[u8]) -> bool {
+    if one.len() != other.len() {
+        return false;
+    }
+    let differing = one.iter().zip(other).fold(0, |sum, (a, b)| sum | (a ^ b));
+    std::hint::black_box(differing) == 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_token_opens_its_role_and_nothing_else_does() {
+        let tug = Role::Tugmaster { tug: "a".into() };
+        let mut tokens = Tokens::default();
+        let roles = [Role::Instructor, Role::Pilot, tug.clone()];
+        tokens.add(&roles).expect("random numbers");
+        tokens.add(&roles).expect("random numbers");
+        let links = tokens.links(&roles);
+        assert_eq!(links.len(), 3);
+        for link in &links {
+            let secret = link.path.strip_prefix("/?token=").expect("a token");
+            assert_eq!((secret.len(), tokens.role(secret)), (32, Some(link.role.clone())));
+            assert_eq!(tokens.role(&secret[1..]), None);
+            assert_eq!(tokens.role(&secret.to_uppercase().replace('A', "b")), None);
+        }
+        assert_eq!(tokens.role(""), None);
+        assert_eq!(tokens.links(&[tug]).len(), 1);
+    }
+}

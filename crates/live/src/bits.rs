@@ -1,0 +1,40 @@
+//! A state's fingerprint: equal where every bit that matters is.
+
+use fenderline_sim::Simulation;
+
+/// FNV-1a over 64 bits (Fowler, Noll, Vo) of all bodies' states, the vessels' machinery, the lines and the tugs: a
+/// replay that differs anywhere shows here within a step or two. No protection against malice.
+pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    let mut add = |number: f64| {
+        for byte in number.to_bits().to_le_bytes() {
+            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    };
+    for state in simulation.states() {
+        add(state.position_m.x);
+        add(state.position_m.y);
+        add(state.heading_rad);
+        add(state.velocity_mps.x);
+        add(state.velocity_mps.y);
+        add(state.yaw_rate_radps);
+    }
+    for vessel in simulation.vessels() {
+        add(vessel.rudder.value);
+        add(vessel.shaft.value);
+        vessel.thrusters.iter().for_each(|lag| add(lag.value));
+        for unit in &vessel.azimuths {
+            add(unit.power.value);
+            add(unit.direction.angle_rad);
+        }
+        add(vessel.attitude.roll.value);
+    }
+    for line in simulation.lines() {
+        add(line.load.tension_n);
+    }
+    for tug in simulation.tugs() {
+        add(tug.state.force_n);
+        add(tug.state.direction_rad);
+    }
+    hash
+}

@@ -1,0 +1,117 @@
+//! Who is who in a scenario: the pilot's own ship, the tugs, and which helm a command is for.
+
+use fenderline_sim::{LineEnd, Setup, VesselSetup};
+
+use crate::action::Action;
+use crate::request::Control;
+
+/// A vessel is a tug where she goes by azimuth units alone and is no longer than this [m]. The longest harbour
+/// and escort tugs are about 50 m (recalled); our choice.
+const LONGEST_TUG_M: f64 = 60.0;
+
+/// The parts in a scenario, by names.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cast {
+    /// Index of the pilot's own ship among the vessels: the largest that is no tug; `None` without vessels.
+    pub own: Option<usize>,
+    /// Names of the vessels, in the order of the set-up.
+    pub vessels: Vec<String>,
+    /// Which of them are tugs.
+    pub is_tug: Vec<bool>,
+    /// Names of the vector tugs, in the order of the set-up.
+    pub tugs: Vec<String>,
+    /// Of each line the name, and the vessels that its ends are on.
+    lines: Vec<(String, Vec<usize>)>,
+}
+
+/// What a command is for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Helm {
+    /// A vessel or a vector tug.
+    Of(Control),
+    /// A line, with the vessels that its ends are on.
+    Line(Vec<String>),
+    /// Weather and faults.
+    World,
+}
+
+impl Cast {
+    /// Of a set-up.
+    #[must_use]
+    pub fn of(setup: &Setup) -> Cast {
+        let vessels = &setup.world.vessels;
+        let size = |vessel: &VesselSetup| vessel.ship.particulars.volume_m3;
+        let mut own: Option<usize> = None;
+        for (index, vessel) in vessels.iter().enumerate() {
+            if own.is_none_or(|best| size(vessel) > size(&vessels[best])) {
+                own = Some(index);
+            }
+        }
+        let is_tug = |(index, vessel): (usize, &VesselSetup)| {
+            own != Some(index)
+                && vessel.steers_with_azimuths()
+                && vessel.ship.particulars.length_m <= LONGEST_TUG_M
+        };
+        let name = |vessel: &VesselSetup| setup.bodies[vessel.body].name.clone();
+        let on = |body: usize| vessels.iter().position(|vessel| vessel.body == body);
+        let lines = setup.world.lines.iter().map(|line| {
+            let far = match line.end {
+                LineEnd::OnBody { body, .. } => on(body),
+                LineEnd::Fixed(_) => None,
+            };
+            (line.line.name.clone(), on(line.ship).into_iter().chain(far).collect())
+        });
+        Cast {
+            own,
+            vessels: vessels.iter().map(name).collect(),
+            is_tug: vessels.iter().enumerate().map(is_tug).collect(),
+            tugs: setup.world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
+            lines: lines.collect(),
+        }
+    }
+
+    /// Every helm there is: vessels, then vector tugs.
+    #[must_use]
+    pub fn controls(&self) -> Vec<Control> {
+        let vessels = self.vessels.iter().cloned().map(Control::Vessel);
+        vessels.chain(self.tugs.iter().cloned().map(Control::Tug)).collect()
+    }
+
+    /// Names of all that a tug master can be on: tugs that are vessels, then vector tugs.
+    #[must_use]
+    pub fn tug_names(&self) -> Vec<String> {
+        let vessels = self.vessels.iter().zip(&self.is_tug);
+        let vessels = vessels.filter(|(_, is_tug)| **is_tug).map(|(name, _)| name.clone());
+        vessels.chain(self.tugs.iter().cloned()).collect()
+    }
+
+    /// Is this vessel a tug?
+    #[must_use]
+    pub fn is_tug(&self, vessel: &str) -> bool {
+        let index = self.vessels.iter().position(|name| name == vessel);
+        index.is_some_and(|index| self.is_tug[index])
+    }
+
+    /// The helm that a command is for; names that are not there are told when it is carried out.
+    #[must_use]
+    pub fn helm(&self, action: &Action) -> Helm {
+        match action {
+            Action::Rudder { vessel, .. }
+            | Action::Engine { vessel, .. }
+            | Action::Thruster { vessel, .. }
+            | Action::Azimuth { vessel, .. }
+            | Action::Course { vessel, .. }
+            | Action::Speed { vessel, .. }
+            | Action::Hands { vessel }
+            | Action::PushShip { vessel, .. }
+            | Action::FollowShip { vessel, .. } => Helm::Of(Control::Vessel(vessel.clone())),
+            Action::Tug { tug, .. } => Helm::Of(Control::Tug(tug.clone())),
+            Action::Winch { line, .. } | Action::LetGo { line } => {
+                let ends = self.lines.iter().find(|(name, _)| name == line);
+                let ends = ends.map(|(_, ends)| ends.as_slice()).unwrap_or_default();
+                Helm::Line(ends.iter().map(|&vessel| self.vessels[vessel].clone()).collect())
+            }
+            Action::Wind { .. } | Action::Current { .. } | Action::Fault { .. } => Helm::World,
+        }
+    }
+}

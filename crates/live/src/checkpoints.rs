@@ -1,0 +1,63 @@
+//! States kept so that a session can be rewound without playing it from its start.
+
+/// Ticks between two checkpoints at first; doubled each time that there are too many.
+const FIRST_INTERVAL: u64 = 100;
+/// The most that are kept. A state of a harbour scene is some 100 kB.
+const MOST: usize = 48;
+
+/// States of one or more branches, bounded in number: the longer a session, the farther apart they are.
+#[derive(Clone, Debug)]
+pub(crate) struct Checkpoints<S> {
+    interval: u64,
+    /// Branch, tick, state before the commands of that tick.
+    kept: Vec<(usize, u64, S)>,
+}
+
+impl<S: Clone> Checkpoints<S> {
+    /// With the state at the very start, which is kept for good.
+    pub(crate) fn new(start: S) -> Checkpoints<S> {
+        Checkpoints { interval: FIRST_INTERVAL, kept: vec![(0, 0, start)] }
+    }
+
+    /// Offers a state; it is kept where it is due.
+    pub(crate) fn offer(&mut self, branch: usize, tick: u64, state: &S) {
+        if !tick.is_multiple_of(self.interval)
+            || self.kept.iter().any(|(b, t, _)| (*b, *t) == (branch, tick))
+        {
+            return;
+        }
+        self.kept.push((branch, tick, state.clone()));
+        while self.kept.len() > MOST {
+            self.interval *= 2;
+            let interval = self.interval;
+            // Tick 0 is a multiple of everything.
+            self.kept.retain(|(_, tick, _)| tick.is_multiple_of(interval));
+            if self.kept.len() > MOST && interval > u64::MAX / 4 {
+                self.kept.truncate(1);
+            }
+        }
+    }
+
+    /// The latest state of a branch at a tick or before.
+    pub(crate) fn latest(&self, branch: usize, from: u64, to: u64) -> Option<(u64, &S)> {
+        let own = self.kept.iter().filter(|(b, t, _)| *b == branch && (from..=to).contains(t));
+        own.max_by_key(|(_, tick, _)| *tick).map(|(_, tick, state)| (*tick, state))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn they_stay_few_and_the_start_stays() {
+        let mut kept = Checkpoints::new(0_u64);
+        for tick in 0..1_000_000 {
+            kept.offer(usize::from(tick > 500_000), tick, &tick);
+            assert!(kept.kept.len() <= MOST);
+        }
+        assert_eq!(kept.latest(0, 0, 99), Some((0, &0)));
+        let (tick, state) = kept.latest(1, 0, 1_000_000).expect("there are some");
+        assert!(tick == *state && tick > 900_000);
+    }
+}

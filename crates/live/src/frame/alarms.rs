@@ -1,0 +1,149 @@
+//! Alarms: what a person at a control has to know at once. One stands for one thing; it goes when its reason
+//! goes.
+
+use fenderline_sim::Simulation;
+
+use crate::info::Info;
+use crate::message::{Alarm, ContactNow, FenderNow, LineNow, TugNow, VesselNow};
+
+/// A fender at this part of its rating is a caution; at all of it an alarm, because that is what it is rated for.
+const FENDER_CAUTION: f64 = 0.8;
+/// A line at this part of its working load is a caution; at all of it an alarm.
+const LINE_CAUTION: f64 = 0.8;
+/// The fastest closing speed that is not told [m/s], at a distance from the fenders [m]:
+/// √(v₀² + 2ad), what a ship has that loses 0.002 m/s² and touches with 0.15 m/s. Our choice, no port's rule and no
+/// standard's; 0.15 m/s is about what design tables give a large ship in a sheltered berth (recalled, not read).
+const TOUCH_MPS: f64 = 0.15;
+const SLOWING_MPS2: f64 = 0.002;
+/// Beyond that by this factor it is an alarm.
+const MUCH_TOO_FAST: f64 = 1.5;
+/// Approach speeds are told from here on [m].
+const NEAR_M: f64 = 100.0;
+/// Less water under the keel than this part of the draught is a caution; our choice.
+const UNDER_KEEL_SHARE: f64 = 0.1;
+
+/// What alarms are made of.
+pub(super) struct Shown<'a> {
+    pub(super) simulation: &'a Simulation,
+    pub(super) info: &'a Info,
+    pub(super) vessels: &'a [VesselNow],
+    pub(super) fenders: &'a [FenderNow],
+    pub(super) contacts: &'a [ContactNow],
+    pub(super) lines: &'a [LineNow],
+    pub(super) tugs: &'a [TugNow],
+}
+
+/// All alarms that stand, alarms before cautions.
+pub(super) fn alarms(of: &Shown<'_>) -> Vec<Alarm> {
+    let mut all = Vec::new();
+    vessels(of, &mut all);
+    fenders(of, &mut all);
+    contacts(of, &mut all);
+    lines(of, &mut all);
+    for (tug, now) in of.info.tugs.iter().zip(of.tugs) {
+        if now.limited {
+            let text = format!("Tug {} cannot give what is ordered", tug.name);
+            all.push(caution(format!("tug {}", tug.name), text));
+        }
+    }
+    // Stable: within a level in the order above.
+    all.sort_by_key(|alarm| alarm.level != "alarm");
+    all
+}
+
+fn alarm(key: String, text: String) -> Alarm {
+    Alarm { level: "alarm", key, text }
+}
+
+fn caution(key: String, text: String) -> Alarm {
+    Alarm { level: "caution", key, text }
+}
+
+fn of_level(is_alarm: bool, key: String, text: String) -> Alarm {
+    if is_alarm { alarm(key, text) } else { caution(key, text) }
+}
+
+/// Closing speed that is not told at a distance [m/s].
+fn allowed_mps(off_m: f64) -> f64 {
+    libm::sqrt(TOUCH_MPS * TOUCH_MPS + 2.0 * SLOWING_MPS2 * off_m.max(0.0))
+}
+
+fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
+    for (vessel, now) in of.info.vessels.iter().zip(of.vessels) {
+        let name = &vessel.name;
+        if now.aground {
+            all.push(alarm(format!("aground {name}"), format!("{name} is aground")));
+        } else if let Some(clear_m) = now.under_keel_m
+            && clear_m < UNDER_KEEL_SHARE * vessel.draught_m
+        {
+            let text = format!("{name}: {clear_m:.1} m under the keel");
+            all.push(caution(format!("under keel {name}"), text));
+        }
+        for fault in &now.faults {
+            let what = match fault {
+                crate::Fault::RudderStuck => "rudder stuck",
+                crate::Fault::EngineLost => "engine lost",
+                crate::Fault::ThrustersLost => "thrusters lost",
+                crate::Fault::Blackout => "blackout",
+            };
+            all.push(alarm(format!("{what} {name}"), format!("{name}: {what}")));
+        }
+        let (Some(berth), Some(near), false) = (&of.info.berth, &now.berth, vessel.is_tug) else {
+            continue;
+        };
+        let setup = of.simulation.setup();
+        let (body, state) = (&setup.bodies[vessel.body], &of.simulation.states()[vessel.body]);
+        if !berth.is_near(&body.outline, state, NEAR_M) {
+            continue;
+        }
+        let ends = [("bow", near.bow_m, near.bow_mps), ("stern", near.stern_m, near.stern_mps)];
+        for (end, off_m, closing_mps) in ends {
+            let allowed_mps = allowed_mps(off_m);
+            // On the fenders a ship moves in them; what they take is their own alarm.
+            if off_m > 0.0 && closing_mps > allowed_mps {
+                let text = format!(
+                    "{name}: {end} closes at {closing_mps:.2} m/s, {off_m:.0} m off (limit {allowed_mps:.2})"
+                );
+                let much = closing_mps > MUCH_TOO_FAST * allowed_mps;
+                all.push(of_level(much, format!("approach {name} {end}"), text));
+            }
+        }
+    }
+}
+
+fn fenders(of: &Shown<'_>, all: &mut Vec<Alarm>) {
+    for (fender, now) in of.info.fenders.iter().zip(of.fenders) {
+        let key = format!("fender {}", fender.name);
+        let share = now.of_energy.max(now.of_reaction);
+        if now.failed {
+            all.push(alarm(key, format!("Fender {} has failed", fender.name)));
+        } else if share >= FENDER_CAUTION {
+            let text = format!("Fender {}: {:.0} % of its rating", fender.name, 100.0 * share);
+            all.push(of_level(share >= 1.0, key, text));
+        }
+    }
+}
+
+/// Hull on structure, or hull on hull: what no fender is between.
+fn contacts(of: &Shown<'_>, all: &mut Vec<Alarm>) {
+    for contact in of.contacts.iter().filter(|contact| contact.fender.is_none()) {
+        let [one, two] = contact.bodies.map(|body| &*of.info.bodies[body].name);
+        let key = format!("touch {one} {two}");
+        if all.iter().all(|other| other.key != key) {
+            all.push(alarm(key, format!("{one} touches {two} without a fender")));
+        }
+    }
+}
+
+fn lines(of: &Shown<'_>, all: &mut Vec<Alarm>) {
+    for (line, now) in of.info.lines.iter().zip(of.lines) {
+        let key = format!("line {}", line.name);
+        let share = now.tension_n / line.working_n;
+        if now.state == "parted" {
+            all.push(alarm(key, format!("Line {} has parted", line.name)));
+        } else if now.state == "fast" && share >= LINE_CAUTION {
+            let text = format!("Line {}: {:.0} % of its working load", line.name, 100.0 * share);
+            all.push(of_level(share >= 1.0, key, text));
+        }
+    }
+}

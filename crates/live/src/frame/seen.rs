@@ -1,0 +1,121 @@
+//! What a step showed that the simulation does not keep: contacts and events.
+
+use fenderline_contact::{Event, EventKind, Friction};
+use fenderline_sim::{Setup, SimError, Simulation, WorldEvent, WorldEventKind};
+
+use crate::info::pair;
+use crate::message::{ContactNow, FenderNow};
+
+/// Of the last step.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Seen {
+    contacts: Vec<ContactNow>,
+    /// Stored in each fender [J].
+    stored_j: Vec<f64>,
+    contact_events: Vec<Event>,
+    world_events: Vec<WorldEvent>,
+}
+
+impl Seen {
+    pub(crate) fn before_the_first_step(simulation: &Simulation) -> Seen {
+        Seen { stored_j: vec![0.0; simulation.setup().fenders.len()], ..Seen::default() }
+    }
+
+    /// Takes a step and looks at it.
+    ///
+    /// # Errors
+    /// As [`Simulation::step`]; nothing is changed then.
+    pub(crate) fn step(&mut self, simulation: &mut Simulation) -> Result<(), SimError> {
+        let record = simulation.step()?;
+        self.contacts.clear();
+        self.stored_j.fill(0.0);
+        for contact in record.contacts {
+            let fender = contact.fender.map(|id| id.0 as usize);
+            if let Some(fender) = fender {
+                self.stored_j[fender] += contact.stored_j;
+            }
+            self.contacts.push(ContactNow {
+                bodies: [contact.body_1.0 as usize, contact.body_2.0 as usize],
+                fender,
+                at_m: pair(contact.point_m),
+                force_n: pair(contact.force_on_body_1_n()),
+                slips: contact.friction == Friction::Slip,
+            });
+        }
+        self.contact_events.clear();
+        self.contact_events.extend_from_slice(record.events);
+        self.world_events.clear();
+        self.world_events.extend_from_slice(record.world_events);
+        Ok(())
+    }
+
+    pub(crate) fn contacts(&self) -> &[ContactNow] {
+        &self.contacts
+    }
+
+    /// Every fender as it is now.
+    pub(crate) fn fenders(&self, simulation: &Simulation) -> Vec<FenderNow> {
+        let setup = simulation.setup();
+        let mut all = vec![FenderNow::default(); setup.fenders.len()];
+        for touched in simulation.fender_summaries() {
+            let rated = setup.fenders[touched.fender].rated;
+            let energy_j = self.stored_j[touched.fender];
+            let reaction_n = touched.last_reaction_n;
+            let share = |of: Option<f64>, value: f64| of.map_or(0.0, |most| value / most);
+            all[touched.fender] = FenderNow {
+                deflection_m: touched.last_deflection_m,
+                reaction_n,
+                energy_j,
+                of_energy: share(touched.capacity_j, energy_j),
+                of_reaction: share(rated.map(|r| r.reaction_n * touched.factor), reaction_n),
+                peak_of_energy: touched.share_of_rated_energy.unwrap_or(0.0),
+                peak_of_reaction: touched.share_of_rated_reaction.unwrap_or(0.0),
+                failed: touched.failed,
+            };
+        }
+        all
+    }
+
+    /// What happened, in words.
+    pub(crate) fn events(&self, setup: &Setup) -> impl Iterator<Item = String> {
+        let contact = self.contact_events.iter().filter_map(|event| contact_text(event, setup));
+        contact.chain(self.world_events.iter().map(|event| world_text(event, setup)))
+    }
+}
+
+fn contact_text(event: &Event, setup: &Setup) -> Option<String> {
+    let [one, two] = event.bodies.map(|body| &*setup.bodies[body.0 as usize].name);
+    Some(match event.kind {
+        EventKind::ContactBegan => format!("{one} touches {two}"),
+        EventKind::ContactEnded => format!("{one} and {two} part"),
+        EventKind::PatchSplit | EventKind::PatchesMerged => return None,
+        EventKind::Contained => format!("{one} lies wholly within {two}"),
+        EventKind::DeepOverlap => format!("{one} and {two} overlap so far that forces mean little"),
+        EventKind::Teleported => format!("{one} was moved by more than its speed"),
+        EventKind::FenderOverRated(fender) => {
+            format!("fender {} is over its rating", setup.fenders[fender.0 as usize].name)
+        }
+        EventKind::FenderFailed(fender) => {
+            format!("FENDER {} HAS FAILED", setup.fenders[fender.0 as usize].name)
+        }
+        EventKind::NotConverged => format!("the contact of {one} and {two} did not settle"),
+    })
+}
+
+fn world_text(event: &WorldEvent, setup: &Setup) -> String {
+    let world = &setup.world;
+    let vessel = || &*setup.bodies[world.vessels[event.who].body].name;
+    let tug = || &*world.tugs[event.who].tug.name;
+    let line = || &*world.lines[event.who].line.name;
+    match event.kind {
+        WorldEventKind::OrderClamped => format!("{}: an order beyond its stop", vessel()),
+        WorldEventKind::Aground => format!("{} IS AGROUND", vessel()),
+        WorldEventKind::TugLimited => {
+            format!("tug {} cannot give that much at this speed and angle", tug())
+        }
+        WorldEventKind::TugOrderRefused => format!("tug {} refused an order", tug()),
+        WorldEventKind::LineNotMadeFast => format!("line {} could not be made fast", line()),
+        WorldEventKind::LineParted => format!("LINE {} HAS PARTED", line()),
+        WorldEventKind::LineRenders => format!("line {}: the winch's brake renders", line()),
+    }
+}

@@ -1,0 +1,143 @@
+//! What pages are told of a scenario once: hulls, machinery, fenders, lines, tugs.
+
+use fenderline_contact::Vec2;
+use fenderline_sim::mooring::{Holding, LineKind};
+use fenderline_sim::{LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
+
+use crate::berth::Berth;
+use crate::cast::Cast;
+use crate::message::{
+    AzimuthInfo, BodyInfo, FenderInfo, LineEndInfo, LineInfo, Pair, ThrusterInfo, TugInfo,
+    VesselInfo,
+};
+
+/// A line works up to this part of its breaking load: half, as the protocol says; mooring guidelines give the
+/// like for the working load limit (recalled, not read).
+pub(crate) const WORKING_SHARE: f64 = 0.5;
+
+/// The constant part of what a page shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Info {
+    /// As in [`crate::message::Hello`].
+    pub bodies: Vec<BodyInfo>,
+    /// As in [`crate::message::Hello`].
+    pub vessels: Vec<VesselInfo>,
+    /// As in [`crate::message::Hello`].
+    pub fenders: Vec<FenderInfo>,
+    /// As in [`crate::message::Hello`].
+    pub lines: Vec<LineInfo>,
+    /// As in [`crate::message::Hello`].
+    pub tugs: Vec<TugInfo>,
+    /// The berth that distances are to.
+    pub berth: Option<Berth>,
+    /// Depth of the water [m].
+    pub depth_m: Option<f64>,
+}
+
+impl Info {
+    /// Of a set-up.
+    #[must_use]
+    pub fn of(setup: &Setup, cast: &Cast) -> Info {
+        let world = &setup.world;
+        let bodies = setup.bodies.iter().map(|body| BodyInfo {
+            name: body.name.clone(),
+            fixed: body.mass.is_none(),
+            outline: body.outline.vertices().iter().map(|&at| pair(at)).collect(),
+        });
+        let vessels = world.vessels.iter().zip(&cast.is_tug);
+        let fenders = setup.fenders.iter().map(|fender| FenderInfo {
+            name: fender.name.clone(),
+            body: fender.body,
+            at_m: pair(fender.position_m),
+            facing_rad: fender.facing_rad,
+            width_m: fender.width_m,
+            projection_m: fender.projection_m,
+            rated_deflection_m: fender.rated.map(|rated| rated.deflection_m),
+            rated_reaction_n: fender.rated.map(|rated| rated.reaction_n),
+            rated_energy_j: fender.rated.map(|rated| rated.energy_j),
+        });
+        Info {
+            bodies: bodies.collect(),
+            vessels: vessels.map(|(vessel, &is_tug)| vessel_info(setup, vessel, is_tug)).collect(),
+            fenders: fenders.collect(),
+            lines: world.lines.iter().map(line_info).collect(),
+            tugs: world.tugs.iter().map(|tug| tug_info(tug, &world.vessels)).collect(),
+            berth: Berth::of(setup, cast),
+            depth_m: world.environment.depth_m,
+        }
+    }
+}
+
+pub(crate) fn pair(of: Vec2) -> Pair {
+    [of.x, of.y]
+}
+
+fn vessel_info(setup: &Setup, vessel: &VesselSetup, is_tug: bool) -> VesselInfo {
+    let hull = &vessel.ship.particulars;
+    let name = setup.bodies[vessel.body].name.clone();
+    let title = if vessel.origin.title.is_empty() { &name } else { &vessel.origin.title };
+    let propelled = vessel.ship.propulsion.is_some();
+    // From midship to the body's origin, which is her centre of gravity.
+    let ahead_m = hull.centre_of_gravity_m;
+    let thrusters = vessel.thrusters.iter().map(|thruster| ThrusterInfo {
+        name: thruster.name.clone(),
+        along_m: thruster.tunnel.along_m - ahead_m,
+        force_n: thruster.tunnel.bollard_n,
+    });
+    let azimuths = vessel.azimuths.iter().map(|azimuth| AzimuthInfo {
+        name: azimuth.name.clone(),
+        at_m: [azimuth.unit.along_m - ahead_m, azimuth.unit.across_m],
+        bollard_n: azimuth.bollard_n,
+    });
+    VesselInfo {
+        title: title.clone(),
+        name,
+        body: vessel.body,
+        length_m: hull.length_m,
+        beam_m: hull.beam_m,
+        draught_m: hull.draught_m,
+        rudder_stop_rad: propelled.then_some(vessel.rudder.stop),
+        full_rps: propelled.then_some(vessel.shaft.stop),
+        thrusters: thrusters.collect(),
+        azimuths: azimuths.collect(),
+        is_tug,
+    }
+}
+
+fn line_info(line: &MooringSetup) -> LineInfo {
+    let breaking_n = match &line.line.kind {
+        LineKind::Light { main, tail } => {
+            let tail_n = tail.as_ref().map_or(f64::INFINITY, |tail| tail.rope.break_load_n);
+            main.break_load_n.min(tail_n)
+        }
+        LineKind::Heavy { break_load_n, .. } => *break_load_n,
+    };
+    LineInfo {
+        name: line.line.name.clone(),
+        ship: line.ship,
+        fairlead_m: pair(line.fairlead_m),
+        end: match line.end {
+            LineEnd::Fixed([north_m, east_m, _]) => {
+                LineEndInfo::Fixed { place_m: [north_m, east_m] }
+            }
+            LineEnd::OnBody { body, at_m, .. } => LineEndInfo::OnBody { body, at_m: pair(at_m) },
+        },
+        breaking_n,
+        working_n: WORKING_SHARE * breaking_n,
+        has_winch: matches!(line.line.holding, Holding::Winch(_)),
+    }
+}
+
+fn tug_info(tug: &TugSetup, vessels: &[VesselSetup]) -> TugInfo {
+    let ahead_m = vessels[tug.vessel].ship.particulars.centre_of_gravity_m;
+    let from_gravity = |at_m: Vec2| [at_m.x - ahead_m, at_m.y];
+    TugInfo {
+        name: tug.tug.name.clone(),
+        vessel: tug.vessel,
+        length_m: tug.tug.envelope.length_m,
+        beam_m: tug.tug.envelope.beam_m,
+        bollard_pull_n: tug.tug.envelope.bollard_pull_n,
+        push_at_m: from_gravity(tug.tug.push_at_m),
+        pull_at_m: from_gravity(tug.tug.pull_at_m),
+    }
+}

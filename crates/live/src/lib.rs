@@ -1,0 +1,35 @@
+//! A session under people's hands, as a deterministic thing: no clock, no threads, no sockets, no files.
+//!
+//! A [`Session`] has a scenario ([`Source`]) and a log of commands, each with the tick in which it counts and
+//! who gave it; from these two alone every state can be made again, bit for bit. So it can be rewound, branched
+//! from any tick, recorded line by line and replayed ([`Recording`]). What the pages are shown is made here too
+//! ([`message`]), and what they say is read here ([`Request`]).
+//!
+//! Whoever owns a session decides when it steps: `fenderline serve` paces it to wall time.
+#![forbid(unsafe_code)]
+
+mod action;
+mod berth;
+mod bits;
+mod carry_out;
+mod cast;
+mod checkpoints;
+mod frame;
+mod info;
+pub mod message;
+mod prediction;
+mod recording;
+mod refusal;
+mod request;
+mod session;
+mod source;
+
+pub use action::{Action, Fault, TugWord, WinchWord};
+pub use cast::{Cast, Helm};
+pub use info::Info;
+pub use prediction::Prediction;
+pub use recording::{Line, Recording, RecordingError};
+pub use refusal::Refusal;
+pub use request::{Conduct, Control, Request};
+pub use session::{Branch, Session, SessionError};
+pub use source::Source;

@@ -1,0 +1,333 @@
+//! What pages are told, field by field as `web/src/protocol.ts` has it: there each is explained. `tests/protocol.rs`
+//! holds the names here against that file.
+#![allow(missing_docs, reason = "protocol.ts tells every field")]
+
+use serde::{Deserialize, Serialize};
+
+use crate::action::Fault;
+use crate::request::Control;
+
+/// A place or a vector.
+pub type Pair = [f64; 2];
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "type", rename = "hello")]
+pub struct Hello<'a> {
+    pub protocol: u32,
+    pub role: &'a Role,
+    pub title: &'a str,
+    pub file: &'a str,
+    pub step_s: f64,
+    pub bodies: &'a [BodyInfo],
+    pub vessels: &'a [VesselInfo],
+    pub fenders: &'a [FenderInfo],
+    pub lines: &'a [LineInfo],
+    pub tugs: &'a [TugInfo],
+    pub mine: Vec<Control>,
+    pub claims: &'a [Claim],
+    pub gallery: &'a [GalleryEntry],
+    pub berth: Option<BerthInfo>,
+    pub depth_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub links: Option<&'a [Link]>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(tag = "name", rename_all = "snake_case")]
+pub enum Role {
+    Instructor,
+    Pilot,
+    Tugmaster { tug: String },
+    Observer,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Claim {
+    pub control: Control,
+    pub holder: Option<String>,
+    pub connected: bool,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct GalleryEntry {
+    pub file: String,
+    pub title: String,
+    pub text: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Link {
+    pub role: Role,
+    pub path: String,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BerthInfo {
+    pub from: Pair,
+    pub to: Pair,
+    pub facing: Pair,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BodyInfo {
+    pub name: String,
+    pub fixed: bool,
+    pub outline: Vec<Pair>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VesselInfo {
+    pub name: String,
+    pub body: usize,
+    pub title: String,
+    pub length_m: f64,
+    pub beam_m: f64,
+    pub draught_m: f64,
+    pub rudder_stop_rad: Option<f64>,
+    pub full_rps: Option<f64>,
+    pub thrusters: Vec<ThrusterInfo>,
+    pub azimuths: Vec<AzimuthInfo>,
+    pub is_tug: bool,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ThrusterInfo {
+    pub name: String,
+    pub along_m: f64,
+    pub force_n: f64,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AzimuthInfo {
+    pub name: String,
+    pub at_m: Pair,
+    pub bollard_n: f64,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FenderInfo {
+    pub name: String,
+    pub body: usize,
+    pub at_m: Pair,
+    pub facing_rad: f64,
+    pub width_m: f64,
+    pub projection_m: f64,
+    pub rated_deflection_m: Option<f64>,
+    pub rated_reaction_n: Option<f64>,
+    pub rated_energy_j: Option<f64>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LineInfo {
+    pub name: String,
+    pub ship: usize,
+    pub fairlead_m: Pair,
+    pub end: LineEndInfo,
+    pub breaking_n: f64,
+    pub working_n: f64,
+    pub has_winch: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum LineEndInfo {
+    Fixed { place_m: Pair },
+    OnBody { body: usize, at_m: Pair },
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TugInfo {
+    pub name: String,
+    pub vessel: usize,
+    pub length_m: f64,
+    pub beam_m: f64,
+    pub bollard_pull_n: f64,
+    pub push_at_m: Pair,
+    pub pull_at_m: Pair,
+}
+
+/// A frame but for its `events`, which differ from client to client.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "type", rename = "frame")]
+pub struct Frame {
+    pub tick: u64,
+    pub t_s: f64,
+    pub at_ms: u64,
+    pub run: RunState,
+    pub bodies: Vec<[f64; 6]>,
+    pub vessels: Vec<VesselNow>,
+    pub fenders: Vec<FenderNow>,
+    pub contacts: Vec<ContactNow>,
+    pub lines: Vec<LineNow>,
+    pub tugs: Vec<TugNow>,
+    pub wind: WindNow,
+    pub current: CurrentNow,
+    pub waves: Option<WavesNow>,
+    pub alarms: Vec<Alarm>,
+}
+
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct RunState {
+    pub paused: bool,
+    pub pace: f64,
+    pub late_ticks: u64,
+    pub latest_ms: f64,
+    pub branch: usize,
+    pub branches: Vec<BranchNow>,
+    pub last_tick: u64,
+    pub clients: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct BranchNow {
+    pub id: usize,
+    pub from_tick: u64,
+    pub ends_tick: u64,
+    pub parent: Option<usize>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct VesselNow {
+    pub rudder: RudderNow,
+    pub shaft: ShareNow,
+    pub thrusters: Vec<ShareNow>,
+    pub azimuths: Vec<AzimuthNow>,
+    pub pilot: &'static str,
+    pub course_rad: Option<f64>,
+    pub speed_order_mps: Option<f64>,
+    pub ground_mps: Pair,
+    pub water_mps: Pair,
+    pub bow_mps: f64,
+    pub stern_mps: f64,
+    pub heel_rad: f64,
+    pub trim_rad: f64,
+    pub squat_m: f64,
+    pub under_keel_m: Option<f64>,
+    pub aground: bool,
+    pub berth: Option<BerthNow>,
+    pub faults: Vec<Fault>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RudderNow {
+    pub order_rad: f64,
+    pub now_rad: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ShareNow {
+    pub order: f64,
+    pub now: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct AzimuthNow {
+    pub power_order: f64,
+    pub power: f64,
+    pub direction_order_rad: f64,
+    pub direction_rad: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BerthNow {
+    pub bow_m: f64,
+    pub stern_m: f64,
+    pub bow_mps: f64,
+    pub stern_mps: f64,
+    pub angle_rad: f64,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct FenderNow {
+    pub deflection_m: f64,
+    pub reaction_n: f64,
+    pub energy_j: f64,
+    pub of_energy: f64,
+    pub of_reaction: f64,
+    pub peak_of_energy: f64,
+    pub peak_of_reaction: f64,
+    pub failed: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ContactNow {
+    pub bodies: [usize; 2],
+    pub fender: Option<usize>,
+    pub at_m: Pair,
+    pub force_n: Pair,
+    pub slips: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct LineNow {
+    pub state: &'static str,
+    pub tension_n: f64,
+    pub winch: &'static str,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TugNow {
+    pub order: &'static str,
+    pub order_n: f64,
+    pub order_direction_rad: f64,
+    pub force_n: f64,
+    pub direction_rad: f64,
+    pub limited: bool,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct WindNow {
+    pub speed_mps: f64,
+    pub from_rad: f64,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct CurrentNow {
+    pub speed_mps: f64,
+    pub to_rad: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct WavesNow {
+    pub height_m: f64,
+    pub period_s: f64,
+    pub from_rad: f64,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Alarm {
+    pub level: &'static str,
+    pub key: String,
+    pub text: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct EventNow {
+    pub t_s: f64,
+    pub text: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "type", rename_all = "snake_case")]
+pub enum Told {
+    Prediction { tick: u64, vessel: usize, path: Vec<[f64; 4]> },
+    Ack { id: i64, tick: u64 },
+    Refused { id: Option<i64>, reason: String },
+    Notice { text: String },
+}
+
+/// A message as text.
+///
+/// # Panics
+/// Never: these types have no maps with keys that are none, and a number that is not finite becomes `null`.
+#[must_use]
+pub fn text(message: &impl Serialize) -> String {
+    serde_json::to_string(message).unwrap_or_else(|e| unreachable!("{e}"))
+}
+
+/// A frame's text, with what happened since the last one that its reader got.
+#[must_use]
+pub fn with_events(frame: &str, events: &[EventNow]) -> String {
+    let open = frame.strip_suffix('}').unwrap_or(frame);
+    format!("{open},\"events\":{}}}", text(&events))
+}

@@ -1,0 +1,192 @@
+//! The names in our messages are those in `web/src/protocol.ts`.
+
+mod support;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use fenderline_live::message::{self, Hello, Role, RunState};
+use fenderline_live::{Info, Request, Session};
+use serde_json::Value;
+
+/// The interfaces of the file: each name with its fields, and whether a field may be left out.
+fn interfaces(text: &str) -> BTreeMap<String, Vec<(String, bool)>> {
+    let mut all = BTreeMap::new();
+    let mut rest = text;
+    while let Some(at) = rest.find("export interface ") {
+        rest = &rest[at + "export interface ".len()..];
+        let name = rest.split([' ', '{']).next().expect("a name").to_owned();
+        let body = &rest[rest.find('{').expect("a body") + 1..];
+        let mut fields = Vec::new();
+        for line in body.lines().map(str::trim).take_while(|line| !line.starts_with('}')) {
+            // Only what stands at the start of a line is a field of the interface itself.
+            let Some((key, _)) = line.split_once(':') else { continue };
+            if key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '?') {
+                fields.push((key.trim_end_matches('?').to_owned(), key.ends_with('?')));
+            }
+        }
+        all.insert(name, fields);
+    }
+    all
+}
+
+/// Every command of the file, as a line of its union.
+fn commands(text: &str) -> Vec<String> {
+    let union = text.split("export type Action =").nth(1).expect("the union of commands");
+    let union = union.split("export type Fault").next().expect("its end");
+    let words = union.split("do: \"").skip(1);
+    words.map(|rest| rest.split('"').next().expect("a word").to_owned()).collect()
+}
+
+fn protocol() -> String {
+    let path = support::repository("web/src/protocol.ts");
+    std::fs::read_to_string(path).expect("the protocol")
+}
+
+fn has_fields(value: &Value, name: &str, interfaces: &BTreeMap<String, Vec<(String, bool)>>) {
+    let fields = interfaces.get(name).unwrap_or_else(|| panic!("no interface {name}"));
+    let ours: BTreeSet<&str> = value
+        .as_object()
+        .unwrap_or_else(|| panic!("{name}: {value}"))
+        .keys()
+        .map(String::as_str)
+        .collect();
+    let all: BTreeSet<&str> = fields.iter().map(|(name, _)| name.as_str()).collect();
+    let needed = fields.iter().filter(|(_, may_lack)| !may_lack).map(|(name, _)| name.as_str());
+    assert!(ours.is_subset(&all), "{name}: {ours:?} beside {all:?}");
+    let needed: BTreeSet<&str> = needed.collect();
+    assert!(needed.is_subset(&ours), "{name}: {ours:?} beside {needed:?}");
+}
+
+fn each<'v>(value: &'v Value, key: &str) -> impl Iterator<Item = &'v Value> {
+    let list = value[key].as_array().unwrap_or_else(|| panic!("{key}"));
+    assert!(!list.is_empty(), "{key} is empty: nothing is tested");
+    list.iter()
+}
+
+fn shown(session: &Session) -> (Value, Value) {
+    let info = Info::of(session.simulation().setup(), session.cast());
+    let run = RunState { pace: 1.0, ..RunState::default() };
+    let frame = message::text(&session.frame(&info, 7, run));
+    let events = [message::EventNow { t_s: 1.0, text: "x".into() }];
+    let frame = message::with_events(&frame, &events);
+    let claims: Vec<message::Claim> = session
+        .cast()
+        .controls()
+        .into_iter()
+        .map(|control| message::Claim { control, holder: None, connected: false })
+        .collect();
+    let links = [message::Link { role: Role::Pilot, path: "/".into() }];
+    let hello = Hello {
+        protocol: 1,
+        role: &Role::Tugmaster { tug: "aft".into() },
+        title: session.title(),
+        file: &session.source().file,
+        step_s: 0.1,
+        bodies: &info.bodies,
+        vessels: &info.vessels,
+        fenders: &info.fenders,
+        lines: &info.lines,
+        tugs: &info.tugs,
+        mine: vec![],
+        claims: &claims,
+        gallery: &[],
+        berth: info.berth.map(|berth| berth.info()),
+        depth_m: info.depth_m,
+        links: Some(&links),
+    };
+    let read = |text: &str| serde_json::from_str(text).expect("JSON");
+    (read(&frame), read(&message::text(&hello)))
+}
+
+#[test]
+fn frames_and_hellos_have_the_fields_of_the_protocol() {
+    let text = protocol();
+    let known = interfaces(&text);
+    let mut session = support::harbour();
+    // Until she lies in her fenders: then there is something of everything.
+    support::go(&mut session, 21_000);
+    let (frame, hello) = shown(&session);
+    assert_eq!((&frame["type"], &hello["type"]), (&"frame".into(), &"hello".into()));
+    has_fields(&frame, "Frame", &known);
+    has_fields(&hello, "Hello", &known);
+    has_fields(&frame["run"], "RunState", &known);
+    for (key, name) in [
+        ("vessels", "VesselNow"),
+        ("fenders", "FenderNow"),
+        ("contacts", "ContactNow"),
+        ("lines", "LineNow"),
+        ("tugs", "TugNow"),
+    ] {
+        each(&frame, key).for_each(|value| has_fields(value, name, &known));
+    }
+    for (key, name) in [
+        ("bodies", "BodyInfo"),
+        ("vessels", "VesselInfo"),
+        ("fenders", "FenderInfo"),
+        ("lines", "LineInfo"),
+        ("tugs", "TugInfo"),
+    ] {
+        each(&hello, key).for_each(|value| has_fields(value, name, &known));
+    }
+    let berth = &frame["vessels"][0]["berth"];
+    // Eight fenders hold her: compressed, and nearly at rest.
+    assert!(berth["bow_m"].as_f64().is_some_and(|m| m < 0.0 && m > -1.0), "{berth}");
+    let mut pressed = each(&frame, "fenders").filter_map(|fender| fender["reaction_n"].as_f64());
+    assert!(pressed.any(|n| n > 0.0), "wind and lines press her on");
+    assert_eq!(hello["role"], serde_json::json!({ "name": "tugmaster", "tug": "aft" }));
+    assert_eq!(hello["claims"][1]["control"], serde_json::json!({ "tug": "forward" }));
+    for (told, name) in [
+        (message::Told::Ack { id: 1, tick: 2 }, "Ack"),
+        (message::Told::Refused { id: None, reason: "x".into() }, "Refused"),
+        (message::Told::Notice { text: "x".into() }, "Notice"),
+        (session.prediction().expect("a ship").run(5.0, 1.0, || true), "Prediction"),
+    ] {
+        let value: Value = serde_json::from_str(&message::text(&told)).expect("JSON");
+        has_fields(&value, name, &known);
+        let first = &known[name][0];
+        assert_eq!(first.0, "type");
+        assert_eq!(value["type"], name.to_lowercase());
+    }
+}
+
+#[test]
+fn every_command_of_the_protocol_is_known_here_and_no_other_is() {
+    let mut words = commands(&protocol());
+    words.sort();
+    words.dedup();
+    assert_eq!(words.len(), 26, "{words:?}");
+    for word in &words {
+        let text = format!(r#"{{"type":"command","id":1,"action":{{"do":"{word}"}}}}"#);
+        if let Err(reason) = Request::parse(&text).1 {
+            assert!(!reason.to_string().contains("unknown variant"), "{word}: {reason}");
+        }
+    }
+    let text = r#"{"type":"command","id":1,"action":{"do":"fly"}}"#;
+    let reason = Request::parse(text).1.expect_err("no such command").to_string();
+    for known in reason.split('`').skip(3).step_by(2) {
+        assert!(words.iter().any(|word| word == known), "`{known}` is not in the protocol");
+    }
+}
+
+#[test]
+fn a_prediction_is_where_she_goes_if_nothing_is_ordered() {
+    let mut session = support::harbour();
+    support::say(&mut session, support::rudder(0.2));
+    support::say(&mut session, support::engine(0.3));
+    support::go(&mut session, 50);
+    let message::Told::Prediction { tick, vessel, path } =
+        session.prediction().expect("a ship").run(60.0, 10.0, || true)
+    else {
+        panic!("a prediction")
+    };
+    assert_eq!((tick, vessel, path.len()), (50, 0, 7));
+    for [t_s, north_m, east_m, heading_rad] in path {
+        let state = session.simulation().states()[0];
+        assert_eq!(t_s, session.simulation().time_s());
+        assert_eq!(
+            [north_m, east_m, heading_rad],
+            [state.position_m.x, state.position_m.y, state.heading_rad]
+        );
+        support::go(&mut session, 100);
+    }
+}

@@ -1,0 +1,322 @@
+//! The session against itself: replay, rewind and branches give the same bits; what cannot be is refused and
+//! changes none.
+
+mod support;
+
+use fenderline_live::{Action, Fault, Line, Recording, Session, SessionError, TugWord, WinchWord};
+use proptest::prelude::*;
+use support::{engine, go, harbour, rudder, say};
+
+fn commands() -> Vec<Action> {
+    let ship = || "ship".to_owned();
+    let push_n = Some(3e5);
+    vec![
+        rudder(0.3),
+        rudder(-0.6),
+        engine(0.4),
+        engine(-0.7),
+        Action::Thruster { vessel: ship(), thruster: "bow".into(), share: 0.9 },
+        Action::Course { vessel: ship(), heading_rad: 0.2 },
+        Action::Speed { vessel: ship(), speed_mps: 1.5 },
+        Action::Hands { vessel: ship() },
+        Action::Tug {
+            tug: "forward".into(),
+            order: TugWord::Push,
+            force_n: push_n,
+            direction_rad: Some(1.5),
+        },
+        Action::Tug {
+            tug: "aft".into(),
+            order: TugWord::StandBy,
+            force_n: None,
+            direction_rad: None,
+        },
+        Action::Winch { line: "head".into(), order: WinchWord::Heave, rate_mps: 0.2 },
+        Action::LetGo { line: "head".into() },
+        Action::Wind { speed_mps: 17.0, from_rad: 4.0 },
+        Action::Current { speed_mps: 0.8, to_rad: 1.0 },
+        Action::Fault { vessel: ship(), fault: Fault::RudderStuck, on: true },
+        Action::Fault { vessel: ship(), fault: Fault::Blackout, on: true },
+        Action::Fault { vessel: ship(), fault: Fault::Blackout, on: false },
+    ]
+}
+
+/// What a hand may do to a session, drawn at random.
+#[derive(Clone, Debug)]
+enum Deed {
+    Step(u64),
+    Command(usize),
+    Rewind(f64),
+    Branch,
+    Show(usize),
+}
+
+fn deed() -> impl Strategy<Value = Deed> {
+    prop_oneof![
+        4 => (1..180_u64).prop_map(Deed::Step),
+        4 => (0..commands().len()).prop_map(Deed::Command),
+        2 => (0.0..1.0).prop_map(Deed::Rewind),
+        1 => Just(Deed::Branch),
+        1 => (0..4_usize).prop_map(Deed::Show),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    /// However it was played, a session's recording makes every branch's end again, bit for bit, and so does
+    /// scrubbing to and fro; a command that was refused leaves no trace.
+    #[test]
+    fn a_session_replays_to_the_same_bits(deeds in prop::collection::vec(deed(), 1..40)) {
+        let mut session = harbour();
+        let mut text = Recording::header(session.source());
+        for deed in deeds {
+            match deed {
+                Deed::Step(ticks) => go(&mut session, ticks),
+                Deed::Command(index) => {
+                    let _ = session.command("test", 0, commands()[index].clone());
+                }
+                Deed::Rewind(share) => {
+                    let ends = session.branches()[session.shown()].ends_tick;
+                    session.rewind((share * ends as f64) as u64).expect("it is there");
+                }
+                Deed::Branch => {
+                    let _ = session.branch();
+                }
+                Deed::Show(branch) => {
+                    let _ = session.show(branch);
+                }
+            }
+            text += &session.take_lines();
+        }
+        session.mark();
+        text += &session.take_lines();
+        let recording = Recording::parse(&text).expect("a good recording");
+        let (mut again, _) = Session::replay(&recording).expect("the same bits");
+        prop_assert_eq!(again.branches().len(), session.branches().len());
+        for branch in 0..session.branches().len() {
+            session.show(branch).expect("it is there");
+            again.show(branch).expect("it is there");
+            let ends = again.branches()[branch].ends_tick;
+            prop_assert_eq!(ends, session.branches()[branch].ends_tick);
+            for tick in [ends, ends / 2, ends / 3, ends] {
+                session.rewind(tick).expect("it is there");
+                again.rewind(tick).expect("it is there");
+                prop_assert_eq!(again.bits(), session.bits(), "branch {} tick {}", branch, tick);
+            }
+        }
+        // And both go on alike: orders that wait in tugs and pilots are the same too.
+        go(&mut session, 120);
+        go(&mut again, 120);
+        prop_assert_eq!(again.bits(), session.bits());
+    }
+}
+
+#[test]
+fn a_rewound_session_plays_what_is_recorded_and_comes_to_the_same_end() {
+    let mut session = harbour();
+    let mut bits = Vec::new();
+    for tick in 0..600 {
+        if tick == 150 {
+            say(&mut session, rudder(0.4));
+        }
+        if tick == 300 {
+            say(&mut session, engine(-0.5));
+        }
+        bits.push(session.bits());
+        go(&mut session, 1);
+    }
+    session.rewind(40).expect("it is there");
+    assert!(session.is_rewound());
+    for (tick, bits) in bits.iter().enumerate().skip(40) {
+        assert_eq!(*bits, session.bits(), "tick {tick}");
+        assert_eq!(session.tick(), tick as u64);
+        go(&mut session, 1);
+    }
+    assert!(!session.is_rewound() && session.tick() == 600);
+}
+
+#[test]
+fn a_branch_goes_its_own_way_and_leaves_the_other_as_it_was() {
+    let mut session = harbour();
+    go(&mut session, 200);
+    say(&mut session, rudder(0.5));
+    go(&mut session, 400);
+    let first_end = session.bits();
+    assert!(session.branch().is_err(), "at its end there is nothing to leave");
+    session.rewind(200).expect("it is there");
+    assert!(session.command("test", 0, rudder(0.1)).is_err(), "nothing is ordered in the past");
+    assert_eq!(session.branch(), Ok(1));
+    say(&mut session, rudder(-0.5));
+    go(&mut session, 400);
+    assert_ne!(session.bits(), first_end);
+    let second_end = session.bits();
+    session.show(0).expect("it is there");
+    assert_eq!(session.bits(), first_end);
+    session.show(1).expect("it is there");
+    assert_eq!(session.bits(), second_end);
+    assert!(session.show(2).is_err() && session.rewind(601).is_err());
+    assert_eq!(session.bits(), second_end);
+}
+
+#[test]
+fn a_torn_last_line_is_dropped_and_all_before_it_is_there() {
+    let mut session = harbour();
+    let mut text = Recording::header(session.source());
+    for share in [0.2, 0.4] {
+        say(&mut session, engine(share));
+        go(&mut session, 100);
+    }
+    text += &session.take_lines();
+    let whole = Recording::parse(&text).expect("a good recording");
+    assert_eq!((whole.torn_bytes, whole.whole_bytes), (0, text.len()));
+    let last = text.trim_end().rfind('\n').expect("several lines") + 1;
+    for cut in [last + 1, text.len() - 10, text.len() - 1] {
+        let torn = Recording::parse(&text[..cut]).expect("what is whole is good");
+        assert_eq!((torn.whole_bytes, torn.torn_bytes), (last, cut - last));
+        assert_eq!(torn.lines.len(), whole.lines.len() - 1);
+        Session::replay(&torn).expect("the same bits");
+    }
+    // The first line is needed whole.
+    assert_eq!(Recording::parse(&text[..50]).expect_err("torn in its first line").line, 1);
+}
+
+#[test]
+fn a_recording_that_somebody_changed_is_told_at_its_line() {
+    let mut session = harbour();
+    let mut text = Recording::header(session.source());
+    say(&mut session, rudder(0.25));
+    go(&mut session, 300);
+    text += &session.take_lines();
+    let other = text.replace("\"angle_rad\":0.25", "\"angle_rad\":0.35");
+    let recording = Recording::parse(&other).expect("lines that can be read");
+    let Err(SessionError::Line { line, why }) = Session::replay(&recording) else {
+        panic!("another rudder angle, the same bits")
+    };
+    assert!(line > 2 && why.contains("recorded at tick"), "{line}: {why}");
+    let broken = text.replacen("\"tick\":0", "\"tick\":-1", 1);
+    assert_eq!(Recording::parse(&broken).expect_err("no tick").line, 2);
+    let nobody = text.replace("\"vessel\":\"ship\"", "\"vessel\":\"shop\"");
+    let recording = Recording::parse(&nobody).expect("lines that can be read");
+    assert!(Session::replay(&recording).is_err());
+    let line = Line::Branch { id: 7, parent: 0, from_tick: 0 };
+    let recording = Recording { lines: vec![(2, line)], ..recording };
+    assert!(Session::replay(&recording).is_err());
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
+    let (mut bothered, mut left_alone) = (harbour(), harbour());
+    go(&mut bothered, 30);
+    go(&mut left_alone, 30);
+    let ship = || "ship".to_owned();
+    let before = bothered.take_lines();
+    for (bad, reason) in [
+        (Action::Rudder { vessel: "shop".into(), angle_rad: 0.1 }, "no vessel `shop`"),
+        (Action::Rudder { vessel: "quay".into(), angle_rad: 0.1 }, "no vessel `quay`"),
+        (rudder(f64::NAN), "is not within"),
+        (engine(1.5), "is not within"),
+        (engine(f64::INFINITY), "is not within"),
+        (Action::Thruster { vessel: ship(), thruster: "stern".into(), share: 0.1 }, "no thruster"),
+        (
+            Action::Azimuth { vessel: ship(), unit: "a".into(), power: None, direction_rad: None },
+            "no azimuth unit",
+        ),
+        (
+            Action::Tug {
+                tug: "third".into(),
+                order: TugWord::StandBy,
+                force_n: None,
+                direction_rad: None,
+            },
+            "no tug `third`",
+        ),
+        (
+            Action::Tug {
+                tug: "aft".into(),
+                order: TugWord::Push,
+                force_n: None,
+                direction_rad: Some(1.0),
+            },
+            "needs `force_n`",
+        ),
+        (
+            Action::Tug {
+                tug: "aft".into(),
+                order: TugWord::Pull,
+                force_n: Some(-1.0),
+                direction_rad: Some(1.0),
+            },
+            "is not within",
+        ),
+        (Action::LetGo { line: "none".into() }, "no line `none`"),
+        (
+            Action::Winch { line: "head".into(), order: WinchWord::Heave, rate_mps: -1.0 },
+            "is not within",
+        ),
+        (
+            Action::PushShip { vessel: ship(), ship: ship(), at_m: [0.0, 0.0], force_n: 1.0 },
+            "push herself",
+        ),
+        (
+            Action::PushShip {
+                vessel: ship(),
+                ship: "quay".into(),
+                at_m: [900.0, 0.0],
+                force_n: 1.0,
+            },
+            "from the ship's outline",
+        ),
+        (
+            Action::FollowShip {
+                vessel: ship(),
+                ship: "quay".into(),
+                at_m: [0.0, 0.0],
+                heading_rad: 0.0,
+            },
+            "azimuth",
+        ),
+        (Action::Wind { speed_mps: 400.0, from_rad: 0.0 }, "wind speed"),
+        (Action::Wind { speed_mps: f64::NAN, from_rad: 0.0 }, "wind speed"),
+        (Action::Current { speed_mps: -1.0, to_rad: 0.0 }, "is not within"),
+        (Action::Fault { vessel: "x".into(), fault: Fault::Blackout, on: true }, "no vessel"),
+    ] {
+        let why = bothered.command("test", 0, bad.clone()).expect_err("refused").to_string();
+        assert!(why.contains(reason), "{bad:?}: {why}");
+    }
+    assert!(!before.is_empty() && bothered.take_lines().is_empty());
+    go(&mut bothered, 200);
+    go(&mut left_alone, 200);
+    assert_eq!(bothered.bits(), left_alone.bits());
+}
+
+#[test]
+fn a_hand_on_a_control_takes_it_from_the_scenarios_own_orders_for_good() {
+    // At 90 s the scenario would put its station pilot on.
+    let mut session = harbour();
+    say(&mut session, rudder(0.0));
+    say(&mut session, engine(0.1));
+    go(&mut session, 1000);
+    let vessel = &session.simulation().vessels()[0];
+    assert!(vessel.pilots.station.is_none() && vessel.pilots.course.is_none());
+    assert_eq!((vessel.orders.rudder_rad, vessel.orders.shaft), (0.0, 0.1));
+    let texts: Vec<String> = session.take_events().into_iter().map(|(_, text)| text).collect();
+    assert!(texts.iter().any(|text| text.contains("own orders")), "{texts:?}");
+}
+
+#[test]
+fn a_tug_is_not_ordered_by_hand_while_the_station_pilot_uses_her() {
+    let mut session = harbour();
+    go(&mut session, 1000);
+    let push = Action::Tug {
+        tug: "aft".into(),
+        order: TugWord::Push,
+        force_n: Some(1e5),
+        direction_rad: Some(1.5),
+    };
+    let why = session.command("test", 0, push.clone()).expect_err("refused").to_string();
+    assert!(why.contains("station"), "{why}");
+    say(&mut session, Action::Hands { vessel: "ship".into() });
+    go(&mut session, 1);
+    say(&mut session, push);
+}

@@ -1,0 +1,46 @@
+//! A session in a repository's scenario.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+use std::path::{Path, PathBuf};
+
+use fenderline_live::{Action, Session, Source};
+
+/// A path of the repository.
+pub(crate) fn repository(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+}
+
+/// A session in a scenario of the repository, with some keys changed.
+pub(crate) fn open(scenario: &str, set: &[&str]) -> Session {
+    let path = repository(scenario);
+    let text = std::fs::read_to_string(&path).expect("a scenario");
+    let set = set.iter().map(|&s| s.to_owned()).collect();
+    let file = path.file_name().expect("a name").to_string_lossy().into_owned();
+    let (source, _) =
+        Source::collect(&file, text, set, |name| Err(format!("{name}: none is needed")))
+            .expect("a good scenario");
+    Session::open(source).expect("a good set-up")
+}
+
+/// The harbour scene: a ship, two vector tugs, six lines, eight fenders.
+pub(crate) fn harbour() -> Session {
+    open("scenarios/berth/alongside_with_two_tugs.toml", &["line.head.made_fast=\"0 s\""])
+}
+
+pub(crate) fn go(session: &mut Session, ticks: u64) {
+    for _ in 0..ticks {
+        session.step().expect("a good step");
+    }
+}
+
+pub(crate) fn say(session: &mut Session, action: Action) -> u64 {
+    session.command("test", 0, action).expect("a good command")
+}
+
+pub(crate) fn rudder(angle_rad: f64) -> Action {
+    Action::Rudder { vessel: "ship".into(), angle_rad }
+}
+
+pub(crate) fn engine(share: f64) -> Action {
+    Action::Engine { vessel: "ship".into(), share }
+}
