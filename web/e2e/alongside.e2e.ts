@@ -67,14 +67,18 @@ async function once(key: string, order: string, press: () => Promise<void>): Pro
 }
 
 async function masterObeys({ order, percent }: Word): Promise<void> {
-  const steers = await tug.getByRole("button", { name: order, exact: true }).count();
-  if (steers === 0) return;
+  if ((await tug.getByRole("button", { name: order, exact: true }).count()) === 0) {
+    // Her tug is a vessel: sent by her own pilot, as the pilot sends the others.
+    await tells(tug, MASTERS_END, { order, percent });
+    return;
+  }
   await once("master power", String(percent), () => tug.getByRole("button", { name: `${percent} %`, exact: true }).click());
   await once("master", order, () => tug.getByRole("button", { name: order, exact: true }).click());
 }
 
-async function pilotOrders(end: "bow" | "stern", { order, percent }: Word): Promise<void> {
-  for (const card of await pilot.getByRole("region", { name: /^Tug / }).all()) {
+/** Tells every tug that this page may tell. */
+async function tells(page: Page, end: "bow" | "stern", { order, percent }: Word): Promise<void> {
+  for (const card of await page.getByRole("region", { name: /^Tug / }).all()) {
     const name = (await card.getAttribute("aria-label"))?.replace("Tug ", "") ?? "";
     if (!(await card.getByRole("button", { name: `${name} push` }).isEnabled())) continue;
     // The tug that is told where to go is sent to the end that is hers.
@@ -102,6 +106,7 @@ test("nobody commands before taking the helm, and two cannot hold it", async () 
 
 test("a pilot and a tugmaster bring her alongside", async () => {
   await instructor.getByRole("button", { name: `Pace ${PACE}`, exact: true }).click();
+  if ((await instructor.locator(".run-state").textContent()) === "PAUSED") await instructor.getByRole("button", { name: "Resume (K)" }).click();
   await pilot.bringToFront();
   await pilot.getByRole("tab", { name: "Docking" }).click();
   await pilot.getByRole("button", { name: "Midships (M)" }).click();
@@ -114,7 +119,7 @@ test("a pilot and a tugmaster bring her alongside", async () => {
     const lead = now.bow.off - now.stern.off;
     const held = { bow: { ...now.bow, closing: now.bow.closing + Math.max(0, -lead) * 0.02 }, stern: { ...now.stern, closing: now.stern.closing + Math.max(0, lead) * 0.02 } };
     await masterObeys(word(held[MASTERS_END]));
-    await pilotOrders(others, word(held[others]));
+    await tells(pilot, others, word(held[others]));
     for (const end of [now.bow, now.stern]) if (end.off < 0.4) landing = Math.max(landing, end.closing);
     const still = [now.bow, now.stern].every((end) => end.off < 0.25 && Math.abs(end.closing) < 0.04);
     settled = still ? settled + 1 : 0;

@@ -7,6 +7,7 @@ import { Slider } from "../ui/slider";
 import { TONNE_N, fixed, percent, sided, tonnes } from "../units";
 import { ClaimBar, type Group, type KeyAction } from "./group";
 import { tugDirection } from "./orders";
+import { VesselTug } from "./tugs";
 
 const POWERS = [0, 25, 50, 75, 100];
 
@@ -143,9 +144,10 @@ export class AzimuthHelm implements Group {
   private readonly stop: HTMLButtonElement;
   private readonly powers;
   private together = true;
+  private work: VesselTug | null = null;
   private now: VesselNow | null = null;
 
-  constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number) {
+  constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number, hello: Hello) {
     this.claim = new ClaimBar(page, { vessel: info.name }, info.title);
     this.held = this.claim.held;
     this.togetherButton = button("Both together", () => {
@@ -172,6 +174,9 @@ export class AzimuthHelm implements Group {
       }),
       figure: h("span", { class: "ordered" }),
     }));
+    const ship = hello.vessels[page.live.ship()];
+    // Her own pilot can take her to the ship's side and push there; a hand on a unit takes her back.
+    if (ship && ship !== info) this.work = new VesselTug(page, info, index, ship, hello);
     this.root = h(
       "div",
       { class: "group tugmaster", role: "group", "aria-label": `Helm of ${info.title}` },
@@ -179,7 +184,8 @@ export class AzimuthHelm implements Group {
       ...this.units.map(({ ring, power, figure }, i) =>
         h("section", { class: "card unit", "aria-label": `${info.azimuths[i]?.name ?? ""} unit` }, h("div", { class: "card-head" }, h("h3", {}, `${info.azimuths[i]?.name ?? ""} unit`.replace(/^./, (c) => c.toUpperCase())), figure), ring.root, power.root),
       ),
-      h("section", { class: "card both", "aria-label": "Both units" }, h("h3", {}, "Units"), this.togetherButton, this.powers.root, this.stop, h("p", { class: "note" }, "The rings are about the tug, her bow up: the knob is where the thrust goes.")),
+      this.work?.root,
+      h("section", { class: "card both", "aria-label": "Both units" }, h("h3", {}, "Units"), this.togetherButton, this.powers.root, this.stop, h("p", { class: "note" }, "Rings: the tug, her bow up; the knob is where the thrust goes.")),
     );
     const turn = (by: number) => () => this.units[0]?.ring.nudge(by);
     // A key that is held repeats faster than ticks come: it counts on from what it last asked for.
@@ -221,6 +227,7 @@ export class AzimuthHelm implements Group {
     if (!now) return;
     const before = this.now;
     this.now = now;
+    this.work?.tick(frame);
     now.azimuths.forEach((state, i) => {
       const unit = this.units[i];
       const info = this.info.azimuths[i];
@@ -236,6 +243,7 @@ export class AzimuthHelm implements Group {
   claims(): void {
     const mine = this.claim.show();
     setClass(this.root, "locked", !mine);
+    this.work?.claims();
     for (const unit of this.units) {
       unit.ring.enable(mine);
       unit.power.enable(mine);
@@ -258,5 +266,5 @@ export function tugHelm(page: Page, hello: Hello, name: string): Group | null {
   if (info) return new VectorHelm(page, info, tug, hello.vessels[info.vessel]?.beam_m ?? 0);
   const vessel = hello.vessels.findIndex((v) => v.name === name);
   const own = hello.vessels[vessel];
-  return own ? new AzimuthHelm(page, own, vessel) : null;
+  return own ? new AzimuthHelm(page, own, vessel, hello) : null;
 }

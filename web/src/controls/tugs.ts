@@ -1,10 +1,11 @@
 /** The pilot's orders to tugs: those that are forces, and those that are vessels and go there by themselves. */
+import { length, minus, turned } from "../geometry";
 import type { Page } from "../page";
 import type { Action, Frame, Hello, TugInfo, VesselInfo } from "../protocol";
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
 import { TONNE_N, fixed, percent, tonnes } from "../units";
 import type { Group, KeyAction } from "./group";
-import { type Lead, stations, tugDirection } from "./orders";
+import { type Lead, type Station, stations, tugDirection } from "./orders";
 
 const POWERS = [25, 50, 75, 100];
 /** A tug that stands by lies parallel to the ship, so far off her side [m]. */
@@ -148,11 +149,12 @@ class VectorTug extends Base {
   }
 }
 
-/** A tug that is a vessel: told where to push, or to stand by off that side. */
-class VesselTug extends Base {
+/** A tug that is a vessel: told where to push, or to stand by off that side; her own pilot takes her there. */
+export class VesselTug extends Base {
   readonly name: string;
   private readonly place: HTMLSelectElement;
   private ordered: "push" | "stop" | null = null;
+  private chosen = false;
   private readonly stations;
   private readonly bollard_n: number;
 
@@ -162,8 +164,22 @@ class VesselTug extends Base {
     this.bollard_n = info.azimuths.reduce((sum, unit) => sum + unit.bollard_n, 0);
     this.stations = stations(hello.bodies[ship.body]?.outline ?? [], ship.length_m);
     this.place = h("select", { "aria-label": `Where ${info.name} works` }, ...this.stations.map((s, i) => h("option", { value: i }, s.name)));
-    this.place.addEventListener("change", () => this.again());
+    this.place.addEventListener("change", () => {
+      this.chosen = true;
+      this.again();
+    });
     this.head.append(this.place);
+  }
+
+  /** Until somebody chooses, she works at the place that she is nearest to. */
+  private chooseNearest(frame: Frame): void {
+    const [tug, ship] = [frame.bodies[this.info.body], frame.bodies[this.ship.body]];
+    if (this.chosen || !tug || !ship) return;
+    this.chosen = true;
+    const here = turned(-ship[2], [tug[0] - ship[0], tug[1] - ship[1]]);
+    const far = (station: Station) => length(minus(station.at_m, here));
+    const nearest = this.stations.toSorted((a, b) => far(a) - far(b))[0];
+    if (nearest) this.place.value = String(this.stations.indexOf(nearest));
   }
 
   private station() {
@@ -205,6 +221,7 @@ class VesselTug extends Base {
   tick(frame: Frame): void {
     const now = frame.vessels[this.index];
     if (!now) return;
+    this.chooseNearest(frame);
     const thrust = now.azimuths.reduce((sum, unit, i) => sum + unit.power * (this.info.azimuths[i]?.bollard_n ?? 0), 0);
     const holder = this.commanded() ? null : this.heldBy();
     this.orders.show(now.pilot === "assist" ? this.ordered : null);
