@@ -148,7 +148,7 @@ export class AzimuthHelm implements Group {
   private now: VesselNow | null = null;
 
   constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number, hello: Hello) {
-    this.claim = new ClaimBar(page, { vessel: info.name }, info.title);
+    this.claim = new ClaimBar(page, { vessel: info.name }, info.name);
     this.held = this.claim.held;
     this.togetherButton = button("Both together", () => {
       this.together = !this.together;
@@ -184,8 +184,12 @@ export class AzimuthHelm implements Group {
       ...this.units.map(({ ring, power, figure }, i) =>
         h("section", { class: "card unit", "aria-label": `${info.azimuths[i]?.name ?? ""} unit` }, h("div", { class: "card-head" }, h("h3", {}, `${info.azimuths[i]?.name ?? ""} unit`.replace(/^./, (c) => c.toUpperCase())), figure), ring.root, power.root),
       ),
-      this.work?.root,
-      h("section", { class: "card both", "aria-label": "Both units" }, h("h3", {}, "Units"), this.togetherButton, this.powers.root, this.stop, h("p", { class: "note" }, "Rings: the tug, her bow up; the knob is where the thrust goes.")),
+      h(
+        "div",
+        { class: "stack" },
+        this.work?.root,
+        h("section", { class: "card both", "aria-label": "Both units" }, h("h3", {}, "Units"), this.togetherButton, this.powers.root, this.stop, h("p", { class: "note" }, "Rings: the tug, her bow up; the knob is where the thrust goes.")),
+      ),
     );
     const turn = (by: number) => () => this.units[0]?.ring.nudge(by);
     // A key that is held repeats faster than ticks come: it counts on from what it last asked for.
