@@ -1,4 +1,5 @@
 /** A headless browser, and the server under test: the mock, or the one that the environment names. */
+import { spawn } from "node:child_process";
 import { mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -19,11 +20,16 @@ export interface Served {
 }
 
 /**
- * The server under test. `FENDERLINE_URL` names a real one, and `FENDERLINE_TOKENS` its tokens as JSON by role:
- * `{"instructor": "…", "pilot": "…", "tugmaster": "…"}`; `FENDERLINE_TUG` is the tug of that tugmaster.
+ * The server under test: the mock, or what the environment names.
+ *
+ * - `FENDERLINE_BIN`: the program; it is started on a free port with `FENDERLINE_SCENARIO`, the pages of `dist`, and
+ *   recordings in a folder of its own, and ended after the tests of a file.
+ * - `FENDERLINE_URL`: a server that runs, with `FENDERLINE_TOKENS` as JSON by role:
+ *   `{"instructor": "…", "pilot": "…", "tugmaster": "…", "observer": "…"}`.
  */
 export async function serve(): Promise<Served> {
-  const url = process.env.FENDERLINE_URL;
+  const { FENDERLINE_BIN: program, FENDERLINE_URL: url } = process.env;
+  if (program) return started(program);
   if (url) {
     const tokens = JSON.parse(process.env.FENDERLINE_TOKENS ?? "{}") as Record<string, string>;
     return { url, tokens, mock: false, close: async () => {} };
@@ -31,6 +37,42 @@ export async function serve(): Promise<Served> {
   const mock = await startMock({ port: 0, serveDist: true });
   const { "tugmaster-alpha": tugmaster, ...rest } = mock.tokens;
   return { url: mock.url, tokens: { ...rest, tugmaster: tugmaster ?? "" }, mock: true, close: () => mock.close() };
+}
+
+const SCENARIO = new URL("../../scenarios/berth/asd_tugs_push_alongside.toml", import.meta.url).pathname;
+const DIST = new URL("../dist/", import.meta.url).pathname;
+const STARTS_MS = 30_000;
+
+/** Starts the program and reads the links that it prints. The tugmaster is of the first tug. */
+async function started(program: string): Promise<Served> {
+  const sessions = mkdtempSync(join(tmpdir(), "fenderline-sessions-"));
+  const server = spawn(program, ["serve", process.env.FENDERLINE_SCENARIO ?? SCENARIO, "--port", "0", "--page", DIST, "--sessions", sessions]);
+  const tokens: Record<string, string> = {};
+  let [url, said] = ["", ""];
+  await new Promise<void>((ready, failed) => {
+    const timer = setTimeout(() => failed(new Error(`it printed no links: ${said}`)), STARTS_MS);
+    const hear = (data: Buffer) => {
+      said += String(data);
+      for (const [, role, tug, base, token] of said.matchAll(/^ +(instructor|pilot|observer|master of (\S+)) +(http:\S+?)\/\?token=(\S+)\s/gm)) {
+        if (role === undefined || base === undefined || token === undefined) continue;
+        url = base;
+        tokens[tug === undefined ? role : "tugmaster"] ??= token;
+      }
+      if (tokens.observer === undefined) return;
+      clearTimeout(timer);
+      ready();
+    };
+    server.stdout.on("data", hear);
+    server.stderr.on("data", hear);
+    server.on("exit", (code) => failed(new Error(`it ended with ${code}: ${said}`)));
+  });
+  const close = async () => {
+    server.removeAllListeners("exit");
+    const ended = new Promise((done) => server.on("exit", done));
+    server.kill("SIGINT");
+    await ended;
+  };
+  return { url, tokens, mock: false, close };
 }
 
 export interface Browser {
