@@ -116,7 +116,7 @@ function keepers(v: ToyVessel, s: ToyState) {
   const wanted = ship.state[2] + (v.job.kind === "push" ? (-side * Math.PI) / 2 : v.job.heading_rad);
   const off = back(heading, [place[0] - v.state[0], place[1] - v.state[1]]);
   const force: Pair = [clamp(off[0] * 3e4 - surge * 1.6e5, -4e5, 4e5), clamp(off[1] * 2e4 - v.state[4] * 1.6e5, -2e5, 2e5)];
-  if (v.job.kind === "push" && Math.hypot(...off) < 2.5) force[0] = v.job.force_n;
+  if (v.job.kind === "push" && Math.hypot(...off) < 2.5) force[0] = Math.max(2e4, v.job.force_n);
   // Her pilot turns her as if by hand of God, and her units work at her middle: a toy's shiphandling.
   v.state[5] = toward(rate, clamp(wrap(wanted - heading) * 0.4, -0.08, 0.08), 0.05 * STEP_S);
   const total = clamp(Math.hypot(...force) / 600e3, 0, 1);

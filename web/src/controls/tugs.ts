@@ -11,16 +11,22 @@ const POWERS = [25, 50, 75, 100];
 /** A tug that stands by lies parallel to the ship, so far off her side [m]. */
 const STAND_OFF_M = 25;
 
+/** What a tug that goes by herself is doing, as far as this page told her. */
+const WORK: Record<Told | "none", string> = { push: "pushing", stop: "alongside", off: "standing off", pull: "pulling", none: "under orders" };
+
 interface Card {
   name: string;
   root: HTMLElement;
   push(): void;
-  pull(): void;
+  away(): void;
   stop(): void;
   power(percent: number): void;
   tick(frame: Frame): void;
   claims(): void;
 }
+
+/** What a tug is told; `off`: to leave the side and stand by, for one that has no line to pull on. */
+type Told = "push" | "stop" | "pull" | "off";
 
 abstract class Base implements Card {
   abstract readonly name: string;
@@ -31,20 +37,21 @@ abstract class Base implements Card {
   private readonly powers;
   protected readonly orders;
 
-  constructor(protected readonly page: Page, title: string, pulls: boolean) {
+  constructor(protected readonly page: Page, title: string, third: "pull" | "off") {
     this.powers = choices(`Power of ${title}`, POWERS.map((p) => ({ value: p, label: String(p), name: `${title} ${p} %` })), (p) => this.power(p));
     this.powers.show(this.percent);
-    this.orders = choices<"push" | "stop" | "pull">(
+    this.orders = choices<Told>(
       `Order to ${title}`,
-      [{ value: "push", label: "Push", name: `${title} push` }, { value: "stop", label: "Stop", name: `${title} stop` }, ...(pulls ? [{ value: "pull" as const, label: "Pull", name: `${title} pull` }] : [])],
-      (order) => (order === "push" ? this.push() : order === "pull" ? this.pull() : this.stop()),
+      [{ value: "push", label: "Push", name: `${title} push` }, { value: "stop", label: "Stop", name: `${title} stop` }, third === "pull" ? { value: "pull", label: "Pull", name: `${title} pull` } : { value: "off", label: "Off", name: `${title} stand off` }],
+      (order) => (order === "push" ? this.push() : order === "stop" ? this.stop() : this.away()),
     );
     this.root = h("section", { class: "card tug", "aria-label": `Tug ${title}` }, this.head, h("div", { class: "row" }, this.orders.root, this.powers.root, h("span", { class: "ordered" }, "%")));
     this.head.append(h("h3", {}, title), this.state);
   }
 
   abstract push(): void;
-  abstract pull(): void;
+  /** Pulls, or stands off. */
+  abstract away(): void;
   abstract stop(): void;
   /** Orders again what is ordered, with another power. */
   protected abstract again(): void;
@@ -84,7 +91,7 @@ class VectorTug extends Base {
   private shownOrder = "";
 
   constructor(page: Page, private readonly info: TugInfo, private readonly index: number, private readonly beam_m: number) {
-    super(page, info.name, true);
+    super(page, info.name, "pull");
     this.name = info.name;
     this.leadButton = button("Square", () => {
       this.lead = this.lead === 0 ? 1 : this.lead === 1 ? -1 : 0;
@@ -111,7 +118,7 @@ class VectorTug extends Base {
     this.go("push");
   }
 
-  pull(): void {
+  away(): void {
     this.go("pull");
   }
 
@@ -153,13 +160,13 @@ class VectorTug extends Base {
 export class VesselTug extends Base {
   readonly name: string;
   private readonly place: HTMLSelectElement;
-  private ordered: "push" | "stop" | null = null;
+  private ordered: Told | null = null;
   private chosen = false;
   private readonly stations;
   private readonly bollard_n: number;
 
   constructor(page: Page, private readonly info: VesselInfo, private readonly index: number, private readonly ship: VesselInfo, hello: Hello) {
-    super(page, info.name, false);
+    super(page, info.name, "off");
     this.name = info.name;
     this.bollard_n = info.azimuths.reduce((sum, unit) => sum + unit.bollard_n, 0);
     this.stations = stations(hello.bodies[ship.body]?.outline ?? [], ship.length_m);
@@ -187,20 +194,25 @@ export class VesselTug extends Base {
   }
 
   push(): void {
-    const station = this.station();
-    if (!station) return;
-    this.ordered = "push";
-    this.send({ do: "push_ship", vessel: this.info.name, ship: this.ship.name, at_m: station.at_m, force_n: (this.bollard_n * this.percent) / 100 });
+    this.press("push", (this.bollard_n * this.percent) / 100);
   }
 
-  pull(): void {
-    this.page.say(`${this.info.name} has no line to the ship`, "refusal");
-  }
-
+  /** Stays at the side without weight: who stops pushing does not leave. */
   stop(): void {
+    this.press("stop", 0);
+  }
+
+  private press(ordered: Told, force_n: number): void {
     const station = this.station();
     if (!station) return;
-    this.ordered = "stop";
+    this.ordered = ordered;
+    this.send({ do: "push_ship", vessel: this.info.name, ship: this.ship.name, at_m: station.at_m, force_n });
+  }
+
+  away(): void {
+    const station = this.station();
+    if (!station) return;
+    this.ordered = "off";
     const off = STAND_OFF_M + this.info.beam_m / 2;
     this.send({ do: "follow_ship", vessel: this.info.name, ship: this.ship.name, at_m: [station.at_m[0], station.at_m[1] + station.side * off], heading_rad: 0 });
   }
@@ -208,6 +220,7 @@ export class VesselTug extends Base {
   protected again(): void {
     if (this.ordered === "push") this.push();
     else if (this.ordered === "stop") this.stop();
+    else if (this.ordered === "off") this.away();
   }
 
   protected commanded(): boolean {
@@ -225,7 +238,7 @@ export class VesselTug extends Base {
     const thrust = now.azimuths.reduce((sum, unit, i) => sum + unit.power * (this.info.azimuths[i]?.bollard_n ?? 0), 0);
     const holder = this.commanded() ? null : this.heldBy();
     this.orders.show(now.pilot === "assist" ? this.ordered : null);
-    setText(this.state, `${now.pilot === "assist" ? (this.ordered === "push" ? "pushing" : "under orders") : "by hand"}, ${fixed(thrust / TONNE_N, 0)} t (${percent(thrust / Math.max(1, this.bollard_n))})${holder ? ` · ${holder}` : ""}`);
+    setText(this.state, `${now.pilot === "assist" ? WORK[this.ordered ?? "none"] : "by hand"}, ${fixed(thrust / TONNE_N, 0)} t (${percent(thrust / Math.max(1, this.bollard_n))})${holder ? ` · ${holder}` : ""}`);
   }
 }
 
@@ -247,7 +260,7 @@ export class Tugs implements Group {
     this.keys = this.cards.length === 0 ? [] : [
       { key: "t", text: "Next tug", run: () => this.select((this.selected + 1) % this.cards.length) },
       { key: "p", text: "The tug pushes", run: () => this.cards[this.selected]?.push() },
-      { key: "l", text: "The tug pulls", run: () => this.cards[this.selected]?.pull() },
+      { key: "l", text: "The tug pulls, or stands off", run: () => this.cards[this.selected]?.away() },
       { key: "o", text: "The tug stops", run: () => this.cards[this.selected]?.stop() },
       ...POWERS.map((p, i) => ({ key: String(i + 1), text: `The tug's power ${p} %`, run: () => this.cards[this.selected]?.power(p) })),
     ];

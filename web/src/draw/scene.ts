@@ -180,6 +180,10 @@ export function drawFenders({ to, camera, colours, hello, frame, bodies }: Scene
       stroke(to, corner(half, 0), corner(-half, deep), colours.text, 2);
     }
     if (now.reaction_n <= 0 || camera.pixels_per_m < 0.6) return;
+    if (info.rated_reaction_n === null && info.rated_energy_j === null) {
+      label(to, force(now.reaction_n), corner(0, -16 / camera.pixels_per_m), { colour: colours.text, ground: colours.label, size: 12 });
+      return;
+    }
     const text = camera.pixels_per_m > 1.8 ? `${fixed(load * 100, 0)} %` : fixed(load * 100, 0);
     label(to, text, corner(0, -16 / camera.pixels_per_m), { colour: loadColour(load, colours), ground: colours.label, size: 13, bold: true });
     if (camera.pixels_per_m > 3.2) {
