@@ -1,4 +1,4 @@
-//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`.
+//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `live-load`.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
@@ -7,6 +7,7 @@ mod bench;
 mod command;
 mod compare;
 mod fuzz;
+mod live_load;
 mod passivity;
 mod scenarios;
 mod step;
@@ -21,7 +22,8 @@ usage: cargo xtask test                   everything that a change must pass
        cargo xtask bench [clip|step|accuracy|mmg|callgrind]...
                                           times and answers against the peers, instructions a step
                                           (all five)
-       cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)";
+       cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
+       cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -40,6 +42,11 @@ fn main() -> ExitCode {
         ["passivity"] => passivity::passivity_command(passivity::EPISODES),
         ["passivity", episodes] => match episodes.parse() {
             Ok(episodes) => passivity::passivity_command(episodes),
+            Err(_) => usage(),
+        },
+        ["live-load"] => live_load::live_load_command(live_load::SECONDS),
+        ["live-load", seconds] => match seconds.parse() {
+            Ok(seconds) => live_load::live_load_command(seconds),
             Err(_) => usage(),
         },
         ["bench", benches @ ..] => bench::bench(benches),

@@ -6,6 +6,7 @@ use std::process::{Command, ExitCode};
 use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
 use crate::fuzz;
+use crate::live_load;
 use crate::passivity;
 use crate::scenarios;
 use crate::step::{Done, Step, run_all};
@@ -26,6 +27,7 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "independent implementation", run: independent },
         Step { name: "licences and sources of dependencies", run: licences },
         Step { name: "contact makes no energy", run: passive },
+        Step { name: "the live server under load", run: live_server },
         Step { name: "fuzz targets", run: || fuzz::fuzz(fuzz::SECONDS) },
     ])
 }
@@ -173,6 +175,11 @@ fn independent() -> Result<Done, String> {
 /// Seconds of it; `cargo xtask passivity` plays twenty times as many, and finds rarer gains.
 fn passive() -> Result<Done, String> {
     passivity::passivity(5_000).map(|()| Done::Good)
+}
+
+/// Seconds of it; `cargo xtask live-load 1800` is the half hour.
+fn live_server() -> Result<Done, String> {
+    live_load::live_load(live_load::SECONDS).map(|()| Done::Good)
 }
 
 fn licences() -> Result<Done, String> {

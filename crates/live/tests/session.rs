@@ -3,7 +3,9 @@
 
 mod support;
 
-use fenderline_live::{Action, Fault, Line, Recording, Session, SessionError, TugWord, WinchWord};
+use fenderline_live::{
+    Action, Fault, Line, Recording, Request, Session, SessionError, Source, TugWord, WinchWord,
+};
 use proptest::prelude::*;
 use support::{engine, go, harbour, rudder, say};
 
@@ -109,6 +111,28 @@ proptest! {
         go(&mut session, 120);
         go(&mut again, 120);
         prop_assert_eq!(again.bits(), session.bits());
+    }
+}
+
+proptest! {
+    /// Whatever a page or a file says: it is read or refused.
+    #[test]
+    fn no_text_is_too_strange_to_be_refused(text in ".{0,200}", cut in 0..400_usize) {
+        let _ = Request::parse(&text);
+        let _ = Recording::parse(&text);
+        let wrapped = format!("{{\"type\":\"command\",\"id\":1,\"action\":{text}}}");
+        let _ = Request::parse(&wrapped);
+        let session = Recording::header(&Source {
+            file: text.clone(),
+            text,
+            files: Default::default(),
+            set: vec![],
+        });
+        let cut = session.char_indices().map(|(at, _)| at).nth(cut).unwrap_or(session.len());
+        let _ = Recording::parse(&session[..cut]);
+        if let Ok(recording) = Recording::parse(&session) {
+            prop_assert!(Session::replay(&recording).is_err(), "no scenario");
+        }
     }
 }
 

@@ -8,7 +8,8 @@ use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{Request, State};
 use axum::http::header::{
-    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS,
+    CACHE_CONTROL, CONNECTION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, REFERRER_POLICY,
+    X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::{IntoResponse as _, Response};
@@ -75,7 +76,6 @@ async fn connection(stream: TcpStream, app: Router) {
         .timer(TokioTimer::new())
         .header_read_timeout(HEAD)
         .max_buf_size(LARGEST_MESSAGE)
-        .keep_alive(false)
         .serve_connection(TokioIo::new(stream), TowerToHyperService::new(app))
         .with_upgrades()
         .await;
@@ -83,7 +83,7 @@ async fn connection(stream: TcpStream, app: Router) {
 
 fn refused(site: &Site, why: &'static str) -> Response {
     site.hub.log.refused(&format!("refused a request: {why}"));
-    (StatusCode::FORBIDDEN, why).into_response()
+    (StatusCode::FORBIDDEN, [(CONNECTION, "close")], why).into_response()
 }
 
 /// The websocket: own pages and programs with a token.
@@ -132,7 +132,8 @@ async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
         return StatusCode::METHOD_NOT_ALLOWED.into_response();
     }
     let Some(file) = site.page.file(request.uri().path()) else {
-        return (StatusCode::NOT_FOUND, "there is no such file").into_response();
+        return (StatusCode::NOT_FOUND, [(CONNECTION, "close")], "there is no such file")
+            .into_response();
     };
     // Nothing from elsewhere: no script, no frame, no form. The websocket's address is named, as older browsers do
     // not count it as one's own. Styles are set by scripts, on elements.
@@ -148,6 +149,8 @@ async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
         // The address has a token in it.
         (REFERRER_POLICY, "no-referrer"),
         (CACHE_CONTROL, "no-cache"),
+        // A place for the next one.
+        (CONNECTION, "close"),
     ];
     (headers, Body::from(file.bytes.clone())).into_response()
 }

@@ -26,7 +26,7 @@ use std::sync::{Arc, mpsc};
 
 use fenderline_live::message::{Link, Role};
 use fenderline_live::{Recording, Session};
-use tokio::net::TcpListener;
+use tokio::net::{TcpListener, TcpSocket};
 
 use self::door::Door;
 use self::engine::Engine;
@@ -41,6 +41,10 @@ use crate::terminal::{say, tell};
 
 /// Threads for the network. The simulation has its own.
 const NETWORK_THREADS: usize = 2;
+/// What the operating system holds for a client that reads slowly [bytes]: a second or two of frames.
+const SEND_BUFFER: u32 = 128 << 10;
+/// Connections that wait to be accepted.
+const BACKLOG: u32 = 256;
 
 /// Serves until it is interrupted.
 ///
@@ -81,14 +85,19 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         .build()
         .map_err(|e| Failure::case(format_args!("error: no threads for the network: {e}")))?;
     let address = SocketAddr::new(args.bind, args.port);
-    let listener = runtime.block_on(TcpListener::bind(address)).map_err(|e| {
+    let listener = runtime.block_on(async { listen(address) }).map_err(|e| {
         Failure::case(format_args!("error: cannot listen on {address}: {e} (another --port?)"))
     })?;
     let address = listener.local_addr().unwrap_or(address);
     let (links, recording) = (engine.links(), engine.recording().display().to_string());
+    // Dropped when the thread ends, be it by a mistake of ours: there is nothing to serve then.
+    let (alive, ended) = tokio::sync::oneshot::channel::<()>();
     let simulation = std::thread::Builder::new()
         .name("simulation".into())
-        .spawn(move || engine.run(&told))
+        .spawn(move || {
+            engine.run(&told);
+            drop(alive);
+        })
         .map_err(|e| Failure::case(format_args!("error: no thread for the simulation: {e}")))?;
     let door = Door { remote, names: args.host.clone() };
     let site = Arc::new(Site { hub: Arc::clone(&hub), page, door });
@@ -97,6 +106,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         tokio::select! {
             () = http::serve(listener, site) => {}
             _ = tokio::signal::ctrl_c() => {}
+            _ = ended => {}
         }
     });
     hub.tell_engine(Told::Stop);
@@ -104,6 +114,17 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         return Err(Failure::case("error: the simulation's thread panicked: see above"));
     }
     say(&format!("recorded: {recording}\n"))
+}
+
+/// A socket that listens. What it accepts holds little back: who reads slowly shall not read of long ago.
+fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
+    let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
+    // Elsewhere than on Windows it means that the port of a server that has just ended is free.
+    #[cfg(not(windows))]
+    socket.set_reuseaddr(true)?;
+    socket.set_send_buffer_size(SEND_BUFFER)?;
+    socket.bind(address)?;
+    socket.listen(BACKLOG)
 }
 
 /// What the user is told when the server is there.

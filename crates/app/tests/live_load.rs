@@ -1,0 +1,197 @@
+//! The server under load: eight clients that steer, fifty that mean it ill, at 1×. Run by `cargo xtask live-load`,
+//! which prints what this measures; all of it goes to 127.0.0.1.
+
+#[path = "serve/client.rs"]
+mod client;
+#[path = "serve/server.rs"]
+mod server;
+
+use std::sync::Arc;
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+use client::Client;
+use serde_json::{Value, json};
+use server::Server;
+use tokio::time::sleep;
+
+/// Length of the run, from the environment [s].
+const SECONDS: &str = "FENDERLINE_LIVE_SECONDS";
+/// How much the server's memory may grow from the first minute (or the first fifth) on [KiB].
+const GROWTH_KIB: u64 = 20 << 10;
+
+/// What a client that steers saw.
+#[derive(Default)]
+struct Saw {
+    frames: u64,
+    acks: u64,
+    refused: u64,
+    /// From tick to page [ms], sorted at the end.
+    delays_ms: Vec<f64>,
+    last: Value,
+}
+
+#[test]
+#[ignore = "takes as long as it is told to: cargo xtask live-load"]
+fn no_tick_is_late_and_memory_stays_flat_with_fifty_hostile_clients() {
+    let seconds: u64 = std::env::var(SECONDS).ok().and_then(|s| s.parse().ok()).unwrap_or(20);
+    let runtime =
+        tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
+    runtime.expect("threads").block_on(load(Duration::from_secs(seconds)));
+}
+
+async fn load(length: Duration) {
+    let server = Arc::new(Server::start(&[]));
+    let start = Instant::now();
+    let until = start + length;
+    let roles = [
+        "instructor",
+        "pilot",
+        "master of forward",
+        "master of aft",
+        "observer",
+        "observer",
+        "observer",
+        "observer",
+    ];
+    let mut good = Vec::new();
+    for role in roles {
+        let server = Arc::clone(&server);
+        good.push(tokio::spawn(async move { steer(&server, role, until).await }));
+    }
+    let hostile: Vec<_> =
+        (0..50).map(|number| tokio::spawn(bother(Arc::clone(&server), number, until))).collect();
+    sleep(Duration::from_secs(60).min(length / 5)).await;
+    let early_kib = server.memory_kib();
+    let mut all = Vec::new();
+    for client in good {
+        all.push(client.await.expect("a client that behaves stays"));
+    }
+    let late_kib = server.memory_kib();
+    let mut deeds = 0;
+    for one in hostile {
+        deeds += one.await.unwrap_or(0);
+    }
+    let wall_s = start.elapsed().as_secs_f64();
+    let last = &all[0].last;
+    let (ticks, late) = (&last["tick"], &last["run"]["late_ticks"]);
+    let mut delays_ms: Vec<f64> =
+        all.iter().flat_map(|saw| saw.delays_ms.iter().copied()).collect();
+    delays_ms.sort_by(f64::total_cmp);
+    let share = |part: f64| delays_ms[((delays_ms.len() - 1) as f64 * part) as usize];
+    println!(
+        "length               {wall_s:.0} s at 1x, {} clients that steer, 50 hostile ({deeds} deeds)",
+        all.len()
+    );
+    println!(
+        "ticks                {ticks}, of them late {late} (latest {} ms)",
+        last["run"]["latest_ms"]
+    );
+    println!("frames               {}", all.iter().map(|saw| saw.frames).sum::<u64>());
+    println!(
+        "commands             {} carried out, {} refused",
+        all.iter().map(|saw| saw.acks).sum::<u64>(),
+        all.iter().map(|saw| saw.refused).sum::<u64>()
+    );
+    println!(
+        "tick to page         median {:.1} ms, 99 % {:.1} ms, worst {:.1} ms",
+        share(0.5),
+        share(0.99),
+        share(1.0)
+    );
+    println!("memory               {} MiB, then {} MiB", early_kib >> 10, late_kib >> 10);
+    assert_eq!(late, 0, "late ticks");
+    assert!(late_kib.saturating_sub(early_kib) <= GROWTH_KIB, "memory grows");
+    let Ok(server) = Arc::try_unwrap(server) else { panic!("all clients are gone") };
+    server.stop_and_check();
+}
+
+fn now_ms() -> f64 {
+    SystemTime::now().duration_since(UNIX_EPOCH).expect("after 1970").as_secs_f64() * 1e3
+}
+
+/// A client that steers: a command a second, every frame looked at.
+async fn steer(server: &Server, role: &str, until: Instant) -> Saw {
+    let mut client = Client::join(server, role).await;
+    let mut saw = Saw::default();
+    let mut next = Instant::now();
+    let mut turn = 0_u32;
+    while Instant::now() < until {
+        let frame = client.next("frame").await;
+        saw.delays_ms.push(now_ms() - frame["at_ms"].as_f64().expect("a time"));
+        saw.frames += 1;
+        saw.last = frame;
+        if Instant::now() < next {
+            continue;
+        }
+        next += Duration::from_secs(1);
+        turn += 1;
+        let share = f64::from(turn % 20) / 20.0 - 0.5;
+        let tug = role.strip_prefix("master of ");
+        let action = match (role, turn % 3) {
+            ("instructor", _) => json!({ "do": "wind", "speed_mps": 8.0 + share, "from_rad": 1.5 }),
+            ("pilot", 0) => json!({ "do": "engine", "vessel": "ship", "share": 0.2 * share }),
+            ("pilot", 1) => json!({ "do": "rudder", "vessel": "ship", "angle_rad": share }),
+            ("pilot", _) => {
+                json!({ "do": "thruster", "vessel": "ship", "thruster": "bow", "share": share })
+            }
+            _ => match tug {
+                Some(tug) => {
+                    json!({ "do": "tug", "tug": tug, "order": "push", "force_n": 2e5, "direction_rad": 1.5 + share })
+                }
+                None => continue,
+            },
+        };
+        if client.ask(action).await["type"] == "ack" {
+            saw.acks += 1;
+        } else {
+            saw.refused += 1;
+        }
+    }
+    saw
+}
+
+/// A client that means it ill, again and again; how often it did.
+async fn bother(server: Arc<Server>, number: usize, until: Instant) -> u64 {
+    let observer = server.path("observer").replace("/?", "/live?");
+    let mut deeds = 0;
+    while Instant::now() < until {
+        match number % 8 {
+            0 => {
+                client::flood(&server, "observer", 1000).await;
+            }
+            1 => client::giant(&server, &observer).await,
+            2 => {
+                client::closed(&server, "?token=0123456789abcdef0123456789abcdef").await;
+            }
+            3 => {
+                client::status(&server, &observer, &[("Origin", "http://evil.example")]).await;
+            }
+            4 => {
+                let sleepers = client::sleepers(&server, 2).await;
+                let left = until.saturating_duration_since(Instant::now());
+                sleepers.ended_within(left.min(Duration::from_secs(15))).await;
+            }
+            5 => {
+                // A reader that does not read, and goes at last.
+                let stream = client::half_open(&server, "observer").await;
+                sleep(until.saturating_duration_since(Instant::now()).min(Duration::from_secs(25)))
+                    .await;
+                drop(stream);
+            }
+            6 => {
+                let _ = client::get(&server, "/../../etc/passwd").await;
+                let _ = client::raw(&server, b"\x00\x01garbage\r\n\r\n").await;
+            }
+            _ => {
+                let mut client = Client::join(&server, "observer").await;
+                for _ in 0..50 {
+                    client.send("{\"type\":\"command\",\"id\":1e400,\"action\":{}}").await;
+                }
+                client.vanish();
+            }
+        }
+        deeds += 1;
+        sleep(Duration::from_millis(200)).await;
+    }
+    deeds
+}

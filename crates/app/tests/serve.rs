@@ -1,0 +1,362 @@
+//! `fenderline serve` over real sockets: roles, claims, what is shown, and everybody who means it ill.
+
+#[path = "serve/client.rs"]
+mod client;
+#[path = "serve/server.rs"]
+mod server;
+
+use std::time::Duration;
+
+use client::Client;
+use serde_json::{Value, json};
+use server::Server;
+
+/// A runtime for a test's own sockets.
+fn block_on(test: impl Future<Output = ()>) {
+    let runtime =
+        tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
+    runtime.expect("threads").block_on(test);
+}
+
+fn rudder(angle_rad: f64) -> Value {
+    json!({ "do": "rudder", "vessel": "ship", "angle_rad": angle_rad })
+}
+
+fn claim(vessel: &str) -> Value {
+    json!({ "do": "claim", "control": { "vessel": vessel } })
+}
+
+/// The reason of a refusal.
+fn reason(answer: &Value) -> &str {
+    assert_eq!(answer["type"], "refused", "{answer}");
+    answer["reason"].as_str().expect("a reason")
+}
+
+#[test]
+fn each_link_opens_its_role_and_each_role_its_own_actions() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let instructor = Client::join(&server, "instructor").await;
+        let pilot = Client::join(&server, "pilot").await;
+        let master = Client::join(&server, "master of aft").await;
+        let observer = Client::join(&server, "observer").await;
+        assert_eq!(pilot.hello["role"], json!({ "name": "pilot" }));
+        assert_eq!(master.hello["role"], json!({ "name": "tugmaster", "tug": "aft" }));
+        assert_eq!(instructor.hello["links"].as_array().map(Vec::len), Some(5));
+        assert!(pilot.hello["links"].is_null(), "no role learns another's link");
+        let mut clients = [instructor, pilot, master, observer];
+        let [instructor, pilot, master, observer] = [0, 1, 2, 3];
+        let push = |tug: &str| json!({ "do": "tug", "tug": tug, "order": "push", "force_n": 1e5, "direction_rad": 1.57 });
+        let wind = json!({ "do": "wind", "speed_mps": 9, "from_rad": 1 });
+        // What is theirs.
+        for (client, action) in [
+            (pilot, rudder(0.1)),
+            (pilot, push("forward")),
+            (master, push("aft")),
+            (instructor, wind.clone()),
+            (instructor, push("forward")),
+            (
+                instructor,
+                json!({ "do": "fault", "vessel": "ship", "fault": "engine_lost", "on": true }),
+            ),
+        ] {
+            let answer = clients[client].ask(action.clone()).await;
+            assert_eq!(answer["type"], "ack", "{action}: {answer}");
+        }
+        // And what is not.
+        for (client, action) in [
+            (pilot, wind.clone()),
+            (pilot, json!({ "do": "pause" })),
+            (pilot, json!({ "do": "load", "file": "harbour.toml" })),
+            (master, rudder(0.1)),
+            (master, push("forward")),
+            (master, claim("ship")),
+            (master, wind.clone()),
+            (observer, rudder(0.1)),
+            (observer, push("aft")),
+            (observer, json!({ "do": "let_go", "line": "head" })),
+            (observer, json!({ "do": "rewind", "tick": 0 })),
+            (observer, claim("ship")),
+            // The master has her tug: neither the pilot nor the instructor orders it about.
+            (pilot, push("aft")),
+            (instructor, push("aft")),
+        ] {
+            let answer = clients[client].ask(action.clone()).await;
+            assert_eq!(answer["type"], "refused", "{action}");
+        }
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn two_clients_cannot_hold_the_same_helm_and_who_vanishes_leaves_it_as_it_was() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut instructor = Client::join(&server, "instructor").await;
+        let mut one = Client::join(&server, "pilot").await;
+        let mut two = Client::join(&server, "pilot").await;
+        assert_eq!(one.ask(claim("ship")).await["type"], "ack");
+        assert!(reason(&two.ask(claim("ship")).await).contains("has it"));
+        assert!(reason(&two.ask(rudder(0.3)).await).contains("has it"));
+        let ordered = one.ask(rudder(-0.4)).await["tick"].as_u64().expect("an ack");
+        assert!(
+            reason(&two.ask(json!({ "do": "release", "control": { "vessel": "ship" } })).await)
+                .contains("do not hold")
+        );
+        // The first one vanishes without a word.
+        one.vanish();
+        let notice = instructor.notice("has gone").await;
+        assert!(notice.contains("controls of ship stay as they are"), "{notice}");
+        let frame = instructor.frame_after(ordered + 1).await;
+        assert_eq!(frame["vessels"][0]["rudder"]["order_rad"], -0.4);
+        let hello = instructor.latest_hello().await;
+        assert_eq!(hello["claims"][0]["connected"], false);
+        // Nobody is at it: the other one takes it. The instructor relieves her.
+        assert_eq!(two.ask(rudder(0.2)).await["type"], "ack");
+        assert_eq!(instructor.ask(claim("ship")).await["type"], "ack");
+        two.notice("has taken the control from you").await;
+        assert!(reason(&two.ask(rudder(0.1)).await).contains("instructor"));
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn the_instructor_pauses_rewinds_branches_and_loads() {
+    block_on(async {
+        let server = Server::start(&["--set", "time.step=0.05 s"]);
+        let mut instructor = Client::join(&server, "instructor").await;
+        let mut pilot = Client::join(&server, "pilot").await;
+        assert_eq!(instructor.ask(json!({ "do": "pace", "pace": 10 })).await["type"], "ack");
+        assert_eq!(pilot.ask(rudder(0.3)).await["type"], "ack");
+        instructor.frame_after(100).await;
+        assert_eq!(instructor.ask(json!({ "do": "pause" })).await["type"], "ack");
+        let paused = instructor.ask_and_see(json!({ "do": "single_step" })).await;
+        assert_eq!(paused["run"]["paused"], true);
+        let tick = paused["tick"].as_u64().expect("a tick");
+        let next = instructor.ask_and_see(json!({ "do": "single_step" })).await;
+        assert_eq!(next["tick"], tick + 1);
+        let rewound = instructor.ask_and_see(json!({ "do": "rewind", "tick": 20 })).await;
+        assert_eq!(
+            (&rewound["tick"], &rewound["run"]["last_tick"]),
+            (&json!(20), &json!(tick + 1))
+        );
+        assert!(reason(&pilot.ask(rudder(0.1)).await).contains("rewound"));
+        assert!(
+            reason(&instructor.ask(json!({ "do": "rewind", "tick": 999_999 })).await)
+                .contains("no tick")
+        );
+        let branched = instructor.ask_and_see(json!({ "do": "branch" })).await;
+        assert_eq!(branched["run"]["branches"].as_array().map(Vec::len), Some(2));
+        assert_eq!(pilot.ask(rudder(-0.1)).await["type"], "ack");
+        instructor.ask(json!({ "do": "resume" })).await;
+        instructor.frame_after(60).await;
+        let shown = instructor.ask_and_see(json!({ "do": "show_branch", "id": 0 })).await;
+        assert_eq!(
+            (&shown["tick"], &shown["vessels"][0]["rudder"]["order_rad"]),
+            (&json!(tick + 1), &json!(0.3))
+        );
+        for bad in [
+            json!({ "do": "show_branch", "id": 7 }),
+            json!({ "do": "pace", "pace": 0 }),
+            json!({ "do": "pace", "pace": 1000 }),
+            json!({ "do": "load", "file": "../../etc/passwd" }),
+            json!({ "do": "save", "name": "../escape" }),
+            json!({ "do": "save", "name": "" }),
+        ] {
+            assert_eq!(instructor.ask(bad.clone()).await["type"], "refused", "{bad}");
+        }
+        assert_eq!(instructor.ask(json!({ "do": "save", "name": "mine" })).await["type"], "ack");
+        assert!(server.sessions().join("mine.session.jsonl").is_file());
+        let loaded = instructor.ask_and_see(json!({ "do": "load", "file": "harbour.toml" })).await;
+        assert_eq!((&loaded["tick"], &loaded["run"]["paused"]), (&json!(0), &json!(true)));
+        // The saved session goes on where it ended.
+        let loaded =
+            instructor.ask_and_see(json!({ "do": "load", "file": "mine.session.jsonl" })).await;
+        assert_eq!(loaded["run"]["branches"].as_array().map(Vec::len), Some(2));
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn killing_the_server_loses_nothing_of_the_session() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut pilot = Client::join(&server, "pilot").await;
+        for turn in 0..20 {
+            let answer = pilot.ask(rudder(0.01 * f64::from(turn))).await;
+            assert_eq!(answer["type"], "ack");
+        }
+        pilot.frame_after(15).await;
+        let (file, text) = server.kill();
+        assert_eq!(text.matches("\"do\":\"rudder\"").count(), 20);
+        // It goes on from there; a torn last line is told and dropped.
+        std::fs::write(&file, text.clone() + "{\"line\":\"comm").expect("written");
+        assert!(server::replay(&file).contains("the same bits"));
+        let again = Server::start_with(&file, &[]);
+        let mut pilot = Client::join(&again, "pilot").await;
+        let frame = pilot.next("frame").await;
+        assert!(frame["tick"].as_u64().is_some_and(|tick| tick >= 10), "{}", frame["tick"]);
+        assert_eq!(frame["vessels"][0]["rudder"]["order_rad"], 0.19);
+        again.stop_and_check();
+    });
+}
+
+#[test]
+fn strangers_wrong_tokens_and_foreign_pages_stay_outside() {
+    block_on(async {
+        let server = Server::start(&[]);
+        for token in ["", "?token=", "?token=00000000000000000000000000000000", "?token=x&token=y"]
+        {
+            let (code, reason) = client::closed(&server, token).await;
+            assert_eq!(code, 4401, "{token}: {reason}");
+        }
+        let good = server.path("pilot").replace("/?", "/live?");
+        for (header, value) in [
+            ("Origin", "http://evil.example"),
+            ("Origin", "null"),
+            ("Origin", "http://localhost:1"),
+            ("Host", "evil.example"),
+        ] {
+            let status = client::status(&server, &good, &[(header, value)]).await;
+            assert_eq!(status, 403, "{header}: {value}");
+        }
+        let own = format!("http://127.0.0.1:{}", server.port);
+        assert_eq!(client::status(&server, &good, &[("Origin", &own)]).await, 101);
+        // The page: its files, their types, its policy; nothing beside them.
+        let page = client::get(&server, "/").await;
+        assert!(
+            page.contains("200 OK") && page.contains("text/html") && page.contains("<p>a page"),
+            "{page}"
+        );
+        assert!(
+            page.to_lowercase().contains("content-security-policy: default-src 'none'"),
+            "{page}"
+        );
+        assert!(client::get(&server, "/assets/a.js").await.contains("text/javascript"));
+        for path in [
+            "/../Cargo.toml",
+            "/assets/../../x",
+            "/%2e%2e/%2e%2e/etc/passwd",
+            "//etc/passwd",
+            "/assets",
+        ] {
+            assert!(client::get(&server, path).await.contains("404"), "{path}");
+        }
+        let answer = client::raw(&server, b"GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n").await;
+        assert!(answer.contains("403"), "{answer}");
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn other_addresses_need_a_flag() {
+    let refused = server::refused(&["--bind", "0.0.0.0", "--port", "0"]);
+    assert!(refused.contains("--allow-remote"), "{refused}");
+}
+
+#[test]
+fn bad_messages_are_refused_with_a_reason_and_change_nothing() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut pilot = Client::join(&server, "pilot").await;
+        for (text, told) in [
+            ("", "not understood"),
+            ("{", "not understood"),
+            ("[1,2,3]", "not understood"),
+            (
+                r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"ship","share":1e999}}"#,
+                "out of range",
+            ),
+            (
+                r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"ship","share":NaN}}"#,
+                "not understood",
+            ),
+            (
+                r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"ship","share":1e300}}"#,
+                "not within",
+            ),
+            (
+                r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"titanic","share":1}}"#,
+                "no vessel",
+            ),
+            (
+                r#"{"type":"command","id":1,"action":{"do":"tug","tug":"aft","order":"push"}}"#,
+                "needs",
+            ),
+            (r#"{"type":"command","id":1,"action":{"do":"fly"}}"#, "unknown variant"),
+            (
+                r#"{"type":"command","id":1,"action":{"do":"hands","vessel":"ship","admin":true}}"#,
+                "unknown field",
+            ),
+            (r#"{"type":"hello"}"#, "unknown variant"),
+        ] {
+            pilot.send(text).await;
+            let answer = pilot.next("refused").await;
+            assert!(reason(&answer).contains(told), "{text}: {answer}");
+        }
+        pilot.send_bytes(vec![0, 159, 146, 150]).await;
+        assert!(reason(&pilot.next("refused").await).contains("text"));
+        let frame = pilot.next("frame").await;
+        let order = frame["vessels"][0]["shaft"]["order"].as_f64().expect("a number");
+        assert!(order.abs() <= 1.0, "{order}");
+        assert_eq!(pilot.ask(rudder(0.1)).await["type"], "ack");
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn floods_giants_and_sleepers_are_shown_the_door_and_no_tick_is_late_for_them() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut pilot = Client::join(&server, "pilot").await;
+        let before = pilot.next("frame").await["tick"].as_u64().expect("a tick");
+        // 100 MB in one frame: the connection ends when its head is read.
+        client::giant(&server, &server.path("observer").replace("/?", "/live?")).await;
+        // A flood of commands, good and bad ones, from a link that opens something.
+        let flooded = client::flood(&server, "observer", 5000).await;
+        assert!(flooded, "who does not stop is shown the door");
+        // Heads that never end, and connections that say nothing.
+        let sleepers = client::sleepers(&server, 30).await;
+        assert_eq!(pilot.ask(rudder(0.2)).await["type"], "ack");
+        let frame = pilot.frame_after(before + 20).await;
+        assert_eq!(frame["run"]["late_ticks"], 0, "latest {} ms", frame["run"]["latest_ms"]);
+        assert!(
+            sleepers.ended_within(Duration::from_secs(20)).await,
+            "half-open connections are closed"
+        );
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn a_client_that_falls_silent_is_gone_after_a_while() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut instructor = Client::join(&server, "instructor").await;
+        let silent = client::half_open(&server, "pilot").await;
+        instructor.notice("pilot").await;
+        let notice = instructor.notice("has gone").await;
+        assert!(notice.contains("pilot"), "{notice}");
+        drop(silent);
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn a_page_that_reads_slowly_gets_the_latest_frame_and_all_events() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut instructor = Client::join(&server, "instructor").await;
+        let mut slow = Client::join(&server, "observer").await;
+        instructor.ask(json!({ "do": "pace", "pace": 20 })).await;
+        instructor.ask(rudder(0.1)).await;
+        instructor.frame_after(400).await;
+        instructor.ask(json!({ "do": "pause" })).await;
+        // It slept all the while: what waits for it is bounded, and its last frame is the latest.
+        let paused = instructor.next("frame").await["tick"].as_u64().expect("a tick");
+        let frame = slow.frame_after(paused).await;
+        assert_eq!(frame["tick"], paused);
+        assert!(slow.events.iter().any(|text| text.contains("own orders")), "{:?}", slow.events);
+        server.stop_and_check();
+    });
+}
