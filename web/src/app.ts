@@ -13,7 +13,7 @@ import type { Page } from "./page";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
 import type { Action, Alarm, FromServer, Hello, Role } from "./protocol";
 import { button, h, setAttribute, setClass, setText } from "./ui/dom";
-import { clock, fixed } from "./units";
+import { clock, fixed, spoken } from "./units";
 import { Alarms } from "./views/alarms";
 import { Conditions } from "./views/conditions";
 import { Conning } from "./views/conning";
@@ -346,4 +346,4 @@ export class App implements Page {
   }
 }
 
-const roleName = (role: Role): string => (role.name === "tugmaster" ? `Tug ${role.tug}` : role.name.replace(/^./, (c) => c.toUpperCase()));
+const roleName = (role: Role): string => (role.name === "tugmaster" ? spoken(`Tug ${role.tug}`) : role.name.replace(/^./, (c) => c.toUpperCase()));

@@ -52,6 +52,9 @@ export function force(newtons: number): string {
 
 export const energy = (joules: number): string => `${fixed(joules / 1e3, 0)} kJ`;
 
+/** A name of a scenario as it is shown. */
+export const spoken = (name: string): string => name.replaceAll("_", " ");
+
 /** Time of a run: h:mm:ss. */
 export function clock(t_s: number): string {
   const all = Math.max(0, Math.floor(t_s));

@@ -4,7 +4,7 @@ import type { Frame, Hello, TugInfo, TugNow, VesselInfo, VesselNow } from "../pr
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
 import { Ring } from "../ui/ring";
 import { Slider } from "../ui/slider";
-import { TONNE_N, fixed, percent, sided, tonnes } from "../units";
+import { TONNE_N, fixed, percent, sided, spoken, tonnes } from "../units";
 import { ClaimBar, type Group, type KeyAction } from "./group";
 import { tugDirection } from "./orders";
 import { VesselTug } from "./tugs";
@@ -29,7 +29,7 @@ export class VectorHelm implements Group {
   private now: TugNow | null = null;
 
   constructor(private readonly page: Page, private readonly info: TugInfo, private readonly index: number, private readonly beam_m: number) {
-    this.claim = new ClaimBar(page, { tug: info.name }, info.name);
+    this.claim = new ClaimBar(page, { tug: info.name }, spoken(info.name));
     this.held = this.claim.held;
     this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "ship", () => this.send(true));
     this.orders = choices<TugNow["order"]>(
@@ -148,7 +148,7 @@ export class AzimuthHelm implements Group {
   private now: VesselNow | null = null;
 
   constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number, hello: Hello) {
-    this.claim = new ClaimBar(page, { vessel: info.name }, info.name);
+    this.claim = new ClaimBar(page, { vessel: info.name }, spoken(info.name));
     this.held = this.claim.held;
     this.togetherButton = button("Both together", () => {
       this.together = !this.together;

@@ -3,7 +3,7 @@ import { length, minus, turned } from "../geometry";
 import type { Page } from "../page";
 import type { Action, Frame, Hello, TugInfo, VesselInfo } from "../protocol";
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
-import { TONNE_N, fixed, percent, tonnes } from "../units";
+import { TONNE_N, fixed, percent, spoken, tonnes } from "../units";
 import type { Group, KeyAction } from "./group";
 import { type Lead, type Station, stations, tugDirection } from "./orders";
 
@@ -46,7 +46,7 @@ abstract class Base implements Card {
       (order) => (order === "push" ? this.push() : order === "stop" ? this.stop() : this.away()),
     );
     this.root = h("section", { class: "card tug", "aria-label": `Tug ${title}` }, this.head, h("div", { class: "row" }, this.orders.root, this.powers.root, h("span", { class: "ordered" }, "%")));
-    this.head.append(h("h3", {}, title), this.state);
+    this.head.append(h("h3", {}, spoken(title)), this.state);
   }
 
   abstract push(): void;
@@ -78,6 +78,7 @@ abstract class Base implements Card {
     setClass(this.root, "locked", !may);
     for (const each of this.root.querySelectorAll<HTMLButtonElement | HTMLSelectElement>("button, select")) each.disabled = !may;
     const holder = may ? null : this.heldBy();
+    for (const each of this.head.querySelectorAll("button, select")) setClass(each, "hidden", !may);
     this.root.title = holder ? `${holder} has her` : "";
   }
 }
@@ -152,7 +153,7 @@ class VectorTug extends Base {
     this.orders.show(now.order === "stand_by" ? "stop" : now.order);
     const holder = this.commanded() ? null : this.heldBy();
     const work = now.order === "stand_by" ? (now.force_n > 1e3 ? `easing, ${tonnes(now.force_n)}` : "stands by") : `${now.order}es ${tonnes(now.force_n)} of ${tonnes(now.order_n)}`.replace("pulles", "pulls");
-    setText(this.state, `${work}${now.limited ? " (all she has)" : ""}${holder ? ` · ${holder}` : ""}`);
+    setText(this.state, `${work}${now.limited ? " (all she has)" : ""}${holder ? `, by ${holder}` : ""}`);
   }
 }
 
@@ -238,7 +239,8 @@ export class VesselTug extends Base {
     const thrust = now.azimuths.reduce((sum, unit, i) => sum + unit.power * (this.info.azimuths[i]?.bollard_n ?? 0), 0);
     const holder = this.commanded() ? null : this.heldBy();
     this.orders.show(now.pilot === "assist" ? this.ordered : null);
-    setText(this.state, `${now.pilot === "assist" ? WORK[this.ordered ?? "none"] : "by hand"}, ${fixed(thrust / TONNE_N, 0)} t (${percent(thrust / Math.max(1, this.bollard_n))})${holder ? ` · ${holder}` : ""}`);
+    const work = holder ? `by ${holder}` : now.pilot === "assist" ? WORK[this.ordered ?? "none"] : "by hand";
+    setText(this.state, `${fixed(thrust / TONNE_N, 0)} t (${percent(thrust / Math.max(1, this.bollard_n))}), ${work}`);
   }
 }
 

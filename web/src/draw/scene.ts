@@ -3,7 +3,7 @@ import { type Camera, add, dot, length, minus, onEarth, times, toScreen, turned 
 import type { Live } from "../live";
 import { type Palette, loadColour } from "../palette";
 import type { BodyNow, Frame, Hello, Pair } from "../protocol";
-import { fixed, force, tonnes } from "../units";
+import { fixed, force, spoken, tonnes } from "../units";
 import { arrow, label, polygon, stroke } from "./marks";
 
 export interface Scene {
@@ -155,7 +155,7 @@ export function drawHulls(scene: Scene): void {
     // Her centre line, on beyond the bow by a third of her length: where she points.
     const half = vessel.length_m / 2;
     stroke(to, toScreen(camera, onEarth(now, [half, 0])), toScreen(camera, onEarth(now, [half * (tug ? 1.3 : 1.5), 0])), tug ? colours.tug_edge : colours.own_edge, 1.5);
-    if (tug) label(to, vessel.name, toScreen(camera, onEarth(now, [-half - 6, 0])), { colour: colours.text, ground: colours.label, size: 13 });
+    if (tug) label(to, spoken(vessel.name), toScreen(camera, onEarth(now, [-half - 6, 0])), { colour: colours.text, ground: colours.label, size: 13 });
   });
 }
 
@@ -266,7 +266,7 @@ export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Sc
       const long = clamp((now.force_n / 1e6) * PX_PER_MN, 14, 120) / camera.pixels_per_m;
       arrow(to, toScreen(camera, working), toScreen(camera, add(working, turned(heading, [long, 0]))), colours.force, 4);
     }
-    const text = now.force_n > 1e3 ? `${info.name} ${tonnes(now.force_n)}${now.limited ? " max" : ""}` : info.name;
+    const text = now.force_n > 1e3 ? `${spoken(info.name)} ${tonnes(now.force_n)}${now.limited ? " max" : ""}` : spoken(info.name);
     label(to, text, toScreen(camera, onEarth(ship, add(at, turned(toward, [off - (pulls ? -1 : 1) * (half + 9 / camera.pixels_per_m), 0])))), { colour: colours.text, ground: colours.label, size: 13 });
   });
 }
@@ -301,7 +301,7 @@ export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, liv
     if (!nearest) continue;
     const shore = add(nearest, times(towardShore, Math.max(0, berthDistance)));
     stroke(to, toScreen(camera, nearest), toScreen(camera, shore), colours.text, 1.5, [5, 4]);
-    const inland = add(shore, times(towardShore, 46 / camera.pixels_per_m));
+    const inland = add(shore, times(towardShore, 62 / camera.pixels_per_m));
     label(to, `${fixed(berthDistance, 1)} m`, toScreen(camera, inland), { colour: colours.text, ground: colours.label, size: 17, bold: true }, camera);
   }
 }

@@ -2,7 +2,7 @@
 import { type Palette, loadColour, palette } from "../palette";
 import type { FenderInfo, FenderNow, Frame, Hello } from "../protocol";
 import { h, setAttribute, setClass, setStyle, setText } from "../ui/dom";
-import { energy, fixed, force, percent } from "../units";
+import { energy, fixed, force, percent, spoken } from "../units";
 import type { View } from "./view";
 
 /** Bars go to so much of what is rated. */
@@ -38,8 +38,10 @@ class Row {
     this.root = h(
       "li",
       {},
-      h("div", { class: "row-head" }, h("b", {}, info.name), this.state, this.figures),
-      h("div", { class: "bars" }, h("span", {}, "R"), this.reaction.root, h("span", {}, "E"), this.energy.root),
+      h("div", { class: "row-head" }, h("b", {}, spoken(info.name)), this.state, this.figures),
+      info.rated_reaction_n === null && info.rated_energy_j === null
+        ? h("p", { class: "note" }, "Nobody said what it is rated for.")
+        : h("div", { class: "bars" }, h("span", {}, "R"), this.reaction.root, h("span", {}, "E"), this.energy.root),
     );
   }
 
@@ -78,7 +80,7 @@ export class Fenders implements View {
     frame.fenders.forEach((now, i) => {
       this.rows[i]?.show(now, colours);
       const load = Math.max(now.peak_of_energy, now.peak_of_reaction);
-      if (load > most) [most, name] = [load, hello.fenders[i]?.name ?? ""];
+      if (load > most) [most, name] = [load, spoken(hello.fenders[i]?.name ?? "")];
     });
     const touched = frame.fenders.filter((f) => f.reaction_n > 0).length;
     setText(this.worst, most > 0 ? `${touched} of ${frame.fenders.length} touched · highest so far ${percent(most)} of rated, ${name}` : `${frame.fenders.length} fenders, none touched yet`);

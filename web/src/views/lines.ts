@@ -3,7 +3,7 @@ import { loadColour, palette } from "../palette";
 import type { Page } from "../page";
 import type { Frame, Hello, LineInfo, LineNow } from "../protocol";
 import { button, choices, h, setAttribute, setClass, setStyle, setText } from "../ui/dom";
-import { fixed, percent, tonnes } from "../units";
+import { fixed, percent, spoken, tonnes } from "../units";
 import type { View } from "./view";
 
 /** How fast a winch hauls or veers when told by hand: a usual speed for warping under load. */
@@ -40,7 +40,7 @@ class Row {
     this.root = h(
       "li",
       {},
-      h("div", { class: "row-head" }, h("b", {}, info.name.replaceAll("_", " ")), this.state, this.figures),
+      h("div", { class: "row-head" }, h("b", {}, spoken(info.name)), this.state, this.figures),
       this.bar,
       h("div", { class: "winch" }, info.has_winch && this.winch.root, this.letGo),
     );

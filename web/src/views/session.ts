@@ -2,10 +2,11 @@
 import type { Page } from "../page";
 import type { Control, Frame, Hello, Role } from "../protocol";
 import { button, h, setClass, setText } from "../ui/dom";
+import { spoken } from "../units";
 import type { View } from "./view";
 
 const nameOf = (control: Control): string => ("vessel" in control ? control.vessel : "tug" in control ? control.tug : "session");
-const roleOf = (role: Role): string => (role.name === "tugmaster" ? `Tugmaster of ${role.tug}` : role.name.replace(/^./, (c) => c.toUpperCase()));
+const roleOf = (role: Role): string => (role.name === "tugmaster" ? `Tugmaster of ${spoken(role.tug)}` : role.name.replace(/^./, (c) => c.toUpperCase()));
 
 export class Session implements View {
   private readonly claimRows = h("ul", { class: "rows claims", "aria-label": "Who holds what" });
@@ -73,7 +74,7 @@ export class Session implements View {
 
   claims(hello: Hello): void {
     this.claimRows.replaceChildren(...hello.claims.map(({ control, holder, connected }) => {
-      const row = h("li", {}, h("b", {}, nameOf(control)), h("span", {}, holder === null ? "nobody" : `${holder}${connected ? "" : " — gone, controls stay as they were"}`));
+      const row = h("li", {}, h("b", {}, spoken(nameOf(control))), h("span", {}, holder === null ? "nobody" : `${holder}${connected ? "" : " — gone, controls stay as they were"}`));
       setClass(row, "caution", holder !== null && !connected);
       return row;
     }));
