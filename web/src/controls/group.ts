@@ -50,8 +50,8 @@ export class ClaimBar {
     const mine = live.mine(this.control);
     const claim = live.holder(this.control);
     setClass(this.root, "hidden", mine);
-    // A page may command a tug that nobody holds, without taking her: then there is nothing to give back.
-    setClass(this.release, "hidden", !mine || claim?.holder === null);
+    // A page may command what nobody is at, without taking it: then there is nothing to give back.
+    setClass(this.release, "hidden", !mine || !claim?.holder || !claim.connected);
     setText(this.who, claim?.holder ? `${claim.holder} has ${this.what}${claim.connected ? "" : ", but has gone"}` : `Nobody has ${this.what} now.`);
     return mine;
   }
