@@ -8,6 +8,7 @@ mod command;
 mod compare;
 mod fuzz;
 mod live_load;
+mod pages;
 mod passivity;
 mod scenarios;
 mod step;

@@ -7,6 +7,7 @@ use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
 use crate::fuzz;
 use crate::live_load;
+use crate::pages;
 use crate::passivity;
 use crate::scenarios;
 use crate::step::{Done, Step, run_all};
@@ -28,6 +29,8 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "licences and sources of dependencies", run: licences },
         Step { name: "contact makes no energy", run: passive },
         Step { name: "the live server under load", run: live_server },
+        Step { name: "the pages", run: pages::check },
+        Step { name: "the pages in a browser", run: pages::in_a_browser },
         Step { name: "fuzz targets", run: || fuzz::fuzz(fuzz::SECONDS) },
     ])
 }

@@ -48,6 +48,24 @@ pub(crate) fn valgrind() -> Result<(), Missing> {
         .ok_or(Missing { tool: "valgrind", install: "from your distribution" })
 }
 
+/// Node and npm, new enough for the pages' tools.
+pub(crate) fn node() -> Result<(), Missing> {
+    let asks = "const [a, b] = process.versions.node.split('.').map(Number); \
+                process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)";
+    (answers(Command::new("node").args(["-e", asks]))
+        && answers(Command::new("npm").arg("--version")))
+    .then_some(())
+    .ok_or(Missing { tool: "Node 20.19 or later with npm", install: "from your distribution" })
+}
+
+/// Chromium, or what the environment names instead.
+pub(crate) fn chromium() -> Result<(), Missing> {
+    let browser = std::env::var("CHROMIUM").unwrap_or_else(|_| "/usr/bin/chromium".into());
+    answers(Command::new(browser).arg("--version"))
+        .then_some(())
+        .ok_or(Missing { tool: "Chromium", install: "from your distribution" })
+}
+
 /// A target without an operating system, where the toolchain has one.
 pub(crate) fn bare_target() -> Option<&'static str> {
     ["wasm32v1-none", "thumbv7em-none-eabi", "thumbv7em-none-eabihf"].into_iter().find(|target| {

@@ -1,0 +1,50 @@
+//! The pages of the live server: checked, built, and driven in a browser against the program itself.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use crate::command::{cargo, run, run_quietly};
+use crate::step::Done;
+use crate::tools;
+
+const FOLDER: &str = "web";
+
+/// Types, lints, unit tests, the build and its weight.
+pub(crate) fn check() -> Result<Done, String> {
+    if let Err(missing) = tools::node() {
+        return Ok(Done::NotRun(missing));
+    }
+    run(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
+    run(&mut npm(&["run", "check"]))?;
+    run(&mut npm(&["run", "build"]))?;
+    Ok(Done::Good)
+}
+
+/// Pilot and tugmaster bring a ship alongside in two pages of the real server, and all that stands in `web/e2e`.
+pub(crate) fn in_a_browser() -> Result<Done, String> {
+    for missing in [tools::node(), tools::chromium()] {
+        if let Err(missing) = missing {
+            return Ok(Done::NotRun(missing));
+        }
+    }
+    run(&mut cargo(["build", "--release", "--package", "fenderline"]))?;
+    let program = target_folder()?.join("release").join("fenderline");
+    run(npm(&["run", "e2e"]).env("FENDERLINE_BIN", program))?;
+    Ok(Done::Good)
+}
+
+fn npm(arguments: &[&str]) -> Command {
+    let mut command = Command::new("npm");
+    command.args(arguments).current_dir(FOLDER);
+    command
+}
+
+/// Where cargo builds to, by its own word.
+fn target_folder() -> Result<PathBuf, String> {
+    const KEY: &str = "\"target_directory\":\"";
+    let told = run_quietly(&mut cargo(["metadata", "--format-version", "1", "--no-deps"]))?;
+    told.split_once(KEY)
+        .and_then(|(_, rest)| rest.split_once('"'))
+        .map(|(folder, _)| PathBuf::from(folder))
+        .ok_or_else(|| "cargo metadata names no target directory".into())
+}
