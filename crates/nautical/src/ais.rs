@@ -1,0 +1,232 @@
+//! AIS: position reports and ship data, as bits in six-bit letters in sentences.
+
+use core::f64::consts::TAU;
+
+use crate::chart::GeoPoint;
+use crate::sentence::sentence;
+
+/// A position report (message 1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PositionReport {
+    /// The ship's number, nine digits.
+    pub mmsi: u32,
+    /// Navigational status: 0 under way with her engine, 5 moored, 8 under sail, 15 not defined.
+    pub status: u8,
+    /// Rate of turn, positive to starboard [rad/s].
+    pub turn_radps: f64,
+    /// Speed over ground [m/s].
+    pub speed_mps: f64,
+    /// Place of her antenna.
+    pub place: GeoPoint,
+    /// Course over ground [rad].
+    pub course_rad: f64,
+    /// Heading from true north [rad].
+    pub heading_rad: f64,
+    /// Second of UTC's minute, 0 to 59.
+    pub second: u8,
+    /// State of her radio, 19 bits; what it says means nothing on a wire.
+    pub radio: u32,
+}
+
+/// Static and voyage data (message 5).
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShipData {
+    /// The ship's number, nine digits.
+    pub mmsi: u32,
+    /// IMO number; 0: not available.
+    pub imo: u32,
+    /// Up to 7 letters.
+    pub call_sign: String,
+    /// Up to 20 letters; others than those of AIS become `?`.
+    pub name: String,
+    /// Type of ship and cargo: 52 a tug, 70 a cargo ship, 80 a tanker.
+    pub kind: u8,
+    /// From the antenna to bow, stern, port and starboard side [m].
+    pub extent_m: [f64; 4],
+    /// Position fixing device: 1 GPS, 0 undefined.
+    pub device: u8,
+    /// Estimated time of arrival: month, day, hour, minute; (0, 0, 24, 60): not available.
+    pub arrival: (u8, u8, u8, u8),
+    /// Draught [m].
+    pub draught_m: f64,
+    /// Up to 20 letters.
+    pub destination: String,
+}
+
+/// Bits of a message, most significant first.
+#[derive(Default)]
+struct Bits(Vec<bool>);
+
+impl Bits {
+    fn unsigned(&mut self, value: u32, width: u32) {
+        for bit in (0..width).rev() {
+            self.0.push(value >> bit & 1 == 1);
+        }
+    }
+
+    fn signed(&mut self, value: i32, width: u32) {
+        self.unsigned(value as u32, width);
+    }
+
+    /// Letters of six bits: `@` to `_`, space to `?`; small ones as capitals, filled up with `@`.
+    fn text(&mut self, text: &str, letters: usize) {
+        let mut all = text.chars().map(|c| match c.to_ascii_uppercase() {
+            c @ '@'..='_' => c as u32 - 64,
+            c @ ' '..='?' => c as u32,
+            _ => '?' as u32,
+        });
+        for _ in 0..letters {
+            self.unsigned(all.next().unwrap_or(0), 6);
+        }
+    }
+
+    /// In letters of a sentence, and how many bits of the last one mean nothing.
+    fn armoured(&self) -> (String, usize) {
+        let letter = |bits: &[bool]| {
+            let value =
+                (0..6).fold(0_u8, |value, at| value << 1 | u8::from(bits.get(at) == Some(&true)));
+            char::from(if value < 40 { value + 48 } else { value + 56 })
+        };
+        let text = self.0.chunks(6).map(letter).collect();
+        (text, (6 - self.0.len() % 6) % 6)
+    }
+}
+
+/// Letters in one sentence: 82 characters hold no more than 62.
+const LETTERS: usize = 60;
+
+/// The sentences of a message: `AIVDM` of others, `AIVDO` of the own ship.
+fn sentences(bits: &Bits, own: bool, channel: char, sequence: u8) -> Vec<String> {
+    let (text, fill) = bits.armoured();
+    let talker = if own { "AIVDO" } else { "AIVDM" };
+    let count = text.len().div_ceil(LETTERS);
+    let parts = text.as_bytes().chunks(LETTERS).enumerate();
+    let part = |(index, letters): (usize, &[u8])| {
+        let letters: String = letters.iter().map(|&letter| char::from(letter)).collect();
+        let number = if count > 1 { (sequence % 10).to_string() } else { String::new() };
+        let fill = if index + 1 == count { fill } else { 0 };
+        let body = format!("{talker},{count},{},{number},{channel},{letters},{fill}", index + 1);
+        sentence('!', &body)
+    };
+    parts.map(part).collect()
+}
+
+/// A rate of turn as AIS has it: 4.733 √(°/min), its sign; at most 126.
+fn turn(turn_radps: f64) -> i32 {
+    let deg_per_min = 60.0 * turn_radps.to_degrees();
+    let size = libm::round(4.733 * libm::sqrt(deg_per_min.abs())).min(126.0);
+    (size as i32) * if deg_per_min < 0.0 { -1 } else { 1 }
+}
+
+/// An angle in units of a part of a degree, in [0, 360°).
+fn bearing(angle_rad: f64, per_deg: f64) -> u32 {
+    let turned = libm::fmod(libm::fmod(angle_rad, TAU) + TAU, TAU).to_degrees();
+    libm::fmod(libm::round(turned * per_deg), 360.0 * per_deg) as u32
+}
+
+/// A position report; `own`: of the ship that the instruments are on.
+#[must_use]
+pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
+    let mut bits = Bits::default();
+    bits.unsigned(1, 6);
+    bits.unsigned(0, 2);
+    bits.unsigned(of.mmsi, 30);
+    bits.unsigned(u32::from(of.status), 4);
+    bits.signed(turn(of.turn_radps), 8);
+    // Tenths of a knot; 1022 stands for 102.2 and more.
+    bits.unsigned(libm::round(of.speed_mps * 36_000.0 / 1852.0).clamp(0.0, 1022.0) as u32, 10);
+    bits.unsigned(0, 1);
+    bits.signed(libm::round(of.place.longitude_deg * 600_000.0) as i32, 28);
+    bits.signed(libm::round(of.place.latitude_deg * 600_000.0) as i32, 27);
+    bits.unsigned(bearing(of.course_rad, 10.0), 12);
+    bits.unsigned(bearing(of.heading_rad, 1.0), 9);
+    bits.unsigned(u32::from(of.second), 6);
+    // No special manoeuvre told, spare, no integrity monitoring.
+    bits.unsigned(0, 6);
+    bits.unsigned(of.radio, 19);
+    sentences(&bits, own, 'B', 0)
+}
+
+/// Static and voyage data; `sequence` ties its two sentences together and changes from message to message.
+#[must_use]
+pub fn ais_ship_data(of: &ShipData, own: bool, sequence: u8) -> Vec<String> {
+    let mut bits = Bits::default();
+    bits.unsigned(5, 6);
+    bits.unsigned(0, 2);
+    bits.unsigned(of.mmsi, 30);
+    bits.unsigned(0, 2);
+    bits.unsigned(of.imo, 30);
+    bits.text(&of.call_sign, 7);
+    bits.text(&of.name, 20);
+    bits.unsigned(u32::from(of.kind), 8);
+    let [bow, stern, port, starboard] = of.extent_m.map(libm::round);
+    bits.unsigned(bow.clamp(0.0, 511.0) as u32, 9);
+    bits.unsigned(stern.clamp(0.0, 511.0) as u32, 9);
+    bits.unsigned(port.clamp(0.0, 63.0) as u32, 6);
+    bits.unsigned(starboard.clamp(0.0, 63.0) as u32, 6);
+    bits.unsigned(u32::from(of.device), 4);
+    let (month, day, hour, minute) = of.arrival;
+    bits.unsigned(u32::from(month), 4);
+    bits.unsigned(u32::from(day), 5);
+    bits.unsigned(u32::from(hour), 5);
+    bits.unsigned(u32::from(minute), 6);
+    bits.unsigned(libm::round(of.draught_m * 10.0).clamp(0.0, 255.0) as u32, 8);
+    bits.text(&of.destination, 20);
+    // Her terminal is ready; spare.
+    bits.unsigned(0, 2);
+    sentences(&bits, own, 'A', sequence)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The example of the AIVDM article of Wikipedia and of gpsd, with its decoded fields (recalled, and held
+    /// against pyais in `check.py`).
+    #[test]
+    fn a_published_position_report_comes_out_letter_by_letter() {
+        let report = PositionReport {
+            mmsi: 477_553_000,
+            status: 5,
+            turn_radps: 0.0,
+            speed_mps: 0.0,
+            place: GeoPoint { latitude_deg: 47.582_833_333, longitude_deg: -122.345_833_333 },
+            course_rad: 51.0_f64.to_radians(),
+            heading_rad: 181.0_f64.to_radians(),
+            second: 15,
+            radio: 149_208,
+        };
+        let text = "!AIVDM,1,1,,B,177KQJ5000G?tO`K>RA1wUbN0TKH,0*5C\r\n";
+        assert_eq!(ais_position(&report, false), [text]);
+    }
+
+    #[test]
+    fn published_ship_data_come_out_letter_by_letter() {
+        let data = ShipData {
+            mmsi: 351_759_000,
+            imo: 9_134_270,
+            // Whoever sent it filled up with spaces, where we do with `@`.
+            call_sign: "3FOF8  ".into(),
+            name: format!("{:20}", "EVER DIADEM"),
+            kind: 70,
+            extent_m: [225.0, 70.0, 1.0, 31.0],
+            device: 1,
+            arrival: (5, 15, 14, 0),
+            draught_m: 12.2,
+            destination: format!("{:20}", "NEW YORK"),
+        };
+        let first =
+            "!AIVDM,2,1,1,A,55?MbV02;H;s<HtKR20EHE:0@T4@Dn2222222216L961O5Gf0NSQEp6ClRp8,0*1C\r\n";
+        let second = "!AIVDM,2,2,1,A,88888888880,2*25\r\n";
+        assert_eq!(ais_ship_data(&data, false, 1), [first, second]);
+    }
+
+    #[test]
+    fn turns_are_those_of_the_formula_and_never_beyond_its_end() {
+        let at = |deg_per_min: f64| turn((deg_per_min / 60.0).to_radians());
+        assert_eq!(
+            (at(0.0), at(10.0), at(-10.0), at(5000.0), at(-5000.0)),
+            (0, 15, -15, 126, -126)
+        );
+    }
+}

@@ -1,0 +1,105 @@
+//! Places on the earth for places in metres.
+
+use core::fmt;
+
+/// A place on WGS 84.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GeoPoint {
+    /// North positive [°].
+    pub latitude_deg: f64,
+    /// East positive, from −180 up to 180 [°].
+    pub longitude_deg: f64,
+}
+
+/// The place of a scenario's origin, with its axes north and east.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChartOrigin {
+    at: GeoPoint,
+    /// Metres in a degree of latitude and of longitude there.
+    metres_per_deg: [f64; 2],
+}
+
+/// A place that is no origin of a chart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutOfChart(pub GeoPoint);
+
+impl fmt::Display for OutOfChart {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let GeoPoint { latitude_deg, longitude_deg } = self.0;
+        write!(
+            f,
+            "{latitude_deg}, {longitude_deg} is no origin of a chart: latitude within 85 degrees, longitude within 180"
+        )
+    }
+}
+
+impl std::error::Error for OutOfChart {}
+
+/// Semi-major axis [m] and flattening of WGS 84.
+const AXIS_M: f64 = 6_378_137.0;
+const FLATTENING: f64 = 1.0 / 298.257_223_563;
+
+impl ChartOrigin {
+    /// A scenario's origin at a place.
+    ///
+    /// # Errors
+    /// Beyond 85° of latitude, where a plane chart means little, or beyond 180° of longitude, or no number.
+    pub fn new(at: GeoPoint) -> Result<ChartOrigin, OutOfChart> {
+        let good = at.latitude_deg.abs() <= 85.0 && at.longitude_deg.abs() <= 180.0;
+        if !good {
+            return Err(OutOfChart(at));
+        }
+        let latitude = at.latitude_deg.to_radians();
+        let (sin, cos) = (libm::sin(latitude), libm::cos(latitude));
+        let eccentricity_2 = FLATTENING * (2.0 - FLATTENING);
+        let below = 1.0 - eccentricity_2 * sin * sin;
+        // Radii of curvature along the meridian and across it.
+        let along_m = AXIS_M * (1.0 - eccentricity_2) / (below * libm::sqrt(below));
+        let across_m = AXIS_M / libm::sqrt(below);
+        let per_deg = core::f64::consts::PI / 180.0;
+        Ok(ChartOrigin { at, metres_per_deg: [along_m * per_deg, across_m * cos * per_deg] })
+    }
+
+    /// The place so many metres north and east of the origin, on the plane that touches the ellipsoid there: within a
+    /// metre 5 km off at middle latitudes.
+    #[must_use]
+    pub fn place(&self, north_m: f64, east_m: f64) -> GeoPoint {
+        let longitude_deg = self.at.longitude_deg + east_m / self.metres_per_deg[1];
+        GeoPoint {
+            latitude_deg: (self.at.latitude_deg + north_m / self.metres_per_deg[0])
+                .clamp(-90.0, 90.0),
+            longitude_deg: longitude_deg - 360.0 * libm::round(longitude_deg / 360.0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lengths of a degree on WGS 84 as tables have them (Wikipedia, "Latitude" and "Longitude"; recalled to the
+    /// metre): 110,574 and 111,320 m at the equator, 111,132 and 78,847 m at 45°, 111,412 and 55,800 m at 60°.
+    #[test]
+    fn a_degree_is_as_long_as_tables_say() {
+        for (latitude_deg, north_m, east_m) in
+            [(0.0, 110_574.0, 111_320.0), (45.0, 111_132.0, 78_847.0), (60.0, 111_412.0, 55_800.0)]
+        {
+            let at = GeoPoint { latitude_deg, longitude_deg: 10.0 };
+            let origin = ChartOrigin::new(at).expect("a place");
+            assert!((origin.metres_per_deg[0] - north_m).abs() < 1.0, "{origin:?}");
+            assert!((origin.metres_per_deg[1] - east_m).abs() < 1.0, "{origin:?}");
+            let place = origin.place(0.01 * north_m, -0.02 * east_m);
+            assert!((place.latitude_deg - latitude_deg - 0.01).abs() < 1e-6);
+            assert!((place.longitude_deg - 9.98).abs() < 1e-6);
+        }
+        assert!(ChartOrigin::new(GeoPoint { latitude_deg: 86.0, longitude_deg: 0.0 }).is_err());
+        assert!(ChartOrigin::new(GeoPoint { latitude_deg: f64::NAN, longitude_deg: 0.0 }).is_err());
+    }
+
+    #[test]
+    fn the_date_line_is_no_edge() {
+        let at = GeoPoint { latitude_deg: 0.0, longitude_deg: 179.999 };
+        let place = ChartOrigin::new(at).expect("a place").place(0.0, 1000.0);
+        assert!(place.longitude_deg < -179.99, "{place:?}");
+    }
+}

@@ -1,0 +1,161 @@
+//! NMEA 0183: what the own ship's instruments say.
+
+use core::f64::consts::TAU;
+
+use crate::chart::GeoPoint;
+use crate::sentence::sentence;
+
+/// A moment of UTC.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// Year, all four digits.
+    pub year: u32,
+    /// Month, 1 to 12.
+    pub month: u32,
+    /// Day, 1 to 31.
+    pub day: u32,
+    /// Seconds since midnight.
+    pub seconds: f64,
+}
+
+/// A propeller's shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shaft {
+    /// Its number; 0 for the only one.
+    pub number: u32,
+    /// Revolutions, negative astern [1/s].
+    pub rps: f64,
+}
+
+/// What the instruments of a ship measure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instruments {
+    /// When.
+    pub at: Moment,
+    /// Place of the ship's antenna.
+    pub place: GeoPoint,
+    /// Heading from true north [rad].
+    pub heading_rad: f64,
+    /// Rate of turn, positive to starboard [rad/s].
+    pub turn_radps: f64,
+    /// Ahead and to starboard over ground [m/s].
+    pub ground_mps: [f64; 2],
+    /// Ahead and to starboard through the water [m/s].
+    pub water_mps: [f64; 2],
+    /// At the stern, to starboard through the water and over ground [m/s].
+    pub stern_mps: [f64; 2],
+    /// Wind over the deck: from where, clockwise from the bow [rad], and its speed [m/s].
+    pub wind_over_deck: (f64, f64),
+    /// True wind: from where, clockwise from the bow [rad], and its speed [m/s].
+    pub true_wind: (f64, f64),
+    /// Water under the transducer, and how far the keel is below it [m]; `None` where the water is deep.
+    pub depth_m: Option<(f64, f64)>,
+    /// Rudder, positive to starboard [rad]; `None` without one.
+    pub rudder_rad: Option<f64>,
+    /// Shafts.
+    pub shafts: Vec<Shaft>,
+}
+
+const KNOT_MPS: f64 = 1852.0 / 3600.0;
+
+/// Sentences HDT, ROT, RMC, VTG, VBW, MWV (relative and true), DPT, RSA and RPM, each with its end.
+///
+/// Talkers: `HE` a gyro compass, `TI` a rate-of-turn indicator, `GP` a satellite receiver, `VW` a log, `WI` weather
+/// instruments, `SD` a depth sounder, `AG` a rudder, `ER` an engine room.
+#[must_use]
+pub fn instruments(of: &Instruments) -> Vec<String> {
+    let [ahead_mps, across_mps] = of.ground_mps;
+    let speed_kn = libm::hypot(ahead_mps, across_mps) / KNOT_MPS;
+    // Of a ship that lies still the course over ground is no number; instruments show her heading.
+    let drift_rad = if speed_kn > 0.01 { libm::atan2(across_mps, ahead_mps) } else { 0.0 };
+    let heading_deg = degrees(of.heading_rad, 1);
+    let course_deg = degrees(of.heading_rad + drift_rad, 1);
+    let mut all = vec![
+        sentence('$', &format!("HEHDT,{heading_deg:.1},T")),
+        sentence('$', &format!("TIROT,{:.1},A", 60.0 * of.turn_radps.to_degrees())),
+        sentence('$', &rmc(of, speed_kn, course_deg)),
+        sentence(
+            '$',
+            &format!("GPVTG,{course_deg:.1},T,,M,{speed_kn:.2},N,{:.2},K,S", speed_kn * 1.852),
+        ),
+        sentence('$', &vbw(of)),
+        sentence('$', &mwv(of.wind_over_deck, 'R')),
+        sentence('$', &mwv(of.true_wind, 'T')),
+    ];
+    if let Some((depth_m, keel_m)) = of.depth_m {
+        all.push(sentence('$', &format!("SDDPT,{depth_m:.1},{:.1}", -keel_m)));
+    }
+    if let Some(rudder_rad) = of.rudder_rad {
+        all.push(sentence('$', &format!("AGRSA,{:.1},A,,V", rudder_rad.to_degrees())));
+    }
+    for shaft in &of.shafts {
+        // No pitch: 100 % of a fixed one.
+        let body = format!("ERRPM,S,{},{:.1},100.0,A", shaft.number, 60.0 * shaft.rps);
+        all.push(sentence('$', &body));
+    }
+    all
+}
+
+/// An angle in [0, 360), rounded so that 359.96 is not printed as 360.0.
+fn degrees(angle_rad: f64, decimals: i32) -> f64 {
+    let scale = libm::pow(10.0, f64::from(decimals));
+    let turned = libm::fmod(libm::fmod(angle_rad, TAU) + TAU, TAU).to_degrees();
+    libm::fmod(libm::round(turned * scale), 360.0 * scale) / scale
+}
+
+/// Degrees and minutes, with a letter for the side: `4807.03800,N`.
+fn angle(value_deg: f64, width: usize, sides: [char; 2]) -> String {
+    // In units of the last digit, so that minutes never round up to 60.
+    let units = libm::round(value_deg.abs() * 60.0 * 1e5) as u64;
+    let (minutes, rest) = (units / 100_000, units % 100_000);
+    let side = if value_deg < 0.0 { sides[1] } else { sides[0] };
+    format!("{:0width$}{:02}.{rest:05},{side}", minutes / 60, minutes % 60)
+}
+
+fn rmc(of: &Instruments, speed_kn: f64, course_deg: f64) -> String {
+    let Moment { year, month, day, seconds } = of.at;
+    let hundredths = libm::floor(seconds * 100.0) as u64;
+    let (whole, part) = (hundredths / 100, hundredths % 100);
+    format!(
+        "GPRMC,{:02}{:02}{:02}.{part:02},A,{},{},{speed_kn:.2},{course_deg:.1},{day:02}{month:02}{:02},,,S",
+        whole / 3600,
+        whole / 60 % 60,
+        whole % 60,
+        angle(of.place.latitude_deg, 2, ['N', 'S']),
+        angle(of.place.longitude_deg, 3, ['E', 'W']),
+        year % 100,
+    )
+}
+
+fn vbw(of: &Instruments) -> String {
+    let kn = |mps: f64| format!("{:.2}", mps / KNOT_MPS);
+    let ([water, across], [ground, over]) = (of.water_mps, of.ground_mps);
+    let [stern_water, stern_ground] = of.stern_mps;
+    format!(
+        "VWVBW,{},{},A,{},{},A,{},A,{},A",
+        kn(water),
+        kn(across),
+        kn(ground),
+        kn(over),
+        kn(stern_water),
+        kn(stern_ground)
+    )
+}
+
+fn mwv((from_rad, speed_mps): (f64, f64), reference: char) -> String {
+    format!("WIMWV,{:.1},{reference},{:.1},N,A", degrees(from_rad, 1), speed_mps / KNOT_MPS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_degrees_and_minutes_that_never_come_to_sixty() {
+        assert_eq!(angle(48.1173, 2, ['N', 'S']), "4807.03800,N");
+        assert_eq!(angle(-11.516_666_67, 3, ['E', 'W']), "01131.00000,W");
+        assert_eq!(angle(9.999_999_99, 3, ['E', 'W']), "01000.00000,E");
+        assert_eq!(degrees(-0.0001, 1), 0.0);
+        assert_eq!(degrees(-0.01, 1), 359.4);
+    }
+}
