@@ -104,7 +104,7 @@ class VectorTug extends Base {
   }
 
   private showLead(): void {
-    const text = { [-1]: "Aft ↙", 0: "Square", 1: "Fwd ↗" }[this.lead];
+    const text = { [-1]: "Leads aft ↙", 0: "Square ⊥", 1: "Leads fwd ↗" }[this.lead];
     setText(this.leadButton, text);
     setAttribute(this.leadButton, "aria-label", `${this.info.name} leads ${{ [-1]: "aft", 0: "square to the side", 1: "forward" }[this.lead]}; change`);
   }

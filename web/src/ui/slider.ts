@@ -28,7 +28,7 @@ export class Slider {
       { class: "scale", "aria-hidden": "true" },
       ...marks.map(({ at, text, side }) => h("span", { style: `left:${this.place(at)}%`, class: side }, text)),
     );
-    this.root = h("div", { class: "slider" }, h("div", { class: "track" }, this.actual, this.input), scale);
+    this.root = h("div", { class: "slider" }, h("div", { class: "track" }, h("div", { class: "rail" }, this.actual), this.input), scale);
     this.input.addEventListener("pointerdown", () => (this.dragged = true));
     for (const end of ["pointerup", "pointercancel", "blur"]) this.input.addEventListener(end, () => (this.dragged = false));
     this.input.addEventListener("input", () => {

@@ -237,10 +237,10 @@ function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palett
   label(to, long >= 1000 ? `${fixed(long / 1000, 0)} km` : `${long} m`, [right + 6, top - 2], { colour: colours.text, ground: "transparent", size: 13, align: "left" });
 }
 
-/** North, wind and current about one small rose, in the plan's corner. */
+/** North, wind and current about one small rose, in the corner where the quay seldom is. */
 function drawRose(to: CanvasRenderingContext2D, camera: Camera, colours: Palette, frame: Frame): void {
   const radius = 34;
-  const centre: Pair = [camera.width - radius - 18, radius + 16];
+  const centre: Pair = [radius + 24, camera.height - radius - 52];
   const on = (bearing: number, far: number): Pair => {
     const angle = bearing - camera.up_rad;
     return [centre[0] + Math.sin(angle) * far, centre[1] - Math.cos(angle) * far];
