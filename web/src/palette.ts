@@ -33,7 +33,7 @@ export const PALETTES: Record<PaletteName, Palette> = {
     bg: "#000000", panel: "#080201", edge: "#481610", text: "#d04434", dim: "#9c3427",
     button: "#150504", button_edge: "#65201a", chosen: "#8a2418", chosen_text: "#000000",
     water: "#030000", land: "#1c0c04", land_edge: "#5c2c12", grid: "#210807",
-    own: "#3a0f0b", own_edge: "#d04434", tug: "#3a1a08", tug_edge: "#a85a1a", path: "#8f3020",
+    own: "#3a0f0b", own_edge: "#d04434", tug: "#3a1a08", tug_edge: "#a85a1a", path: "#bf4a2c",
     ok: "#71781f", caution: "#dc8200", alarm: "#ff2d1a", alarm_text: "#000000",
     port: "#b02a1e", starboard: "#5d6a1c", line: "#9c3427", force: "#b0491c", wind: "#b0491c", current: "#8a5a1a", label: "#000000cc",
   },

@@ -161,13 +161,13 @@ function drawShip(sheet: Sheet, info: VesselInfo, now: VesselNow): void {
   to.strokeStyle = colours.own_edge;
   to.lineWidth = 2;
   to.stroke();
-  for (const [y, speed] of [[bow + 4, now.bow_mps], [stern - 16, now.stern_mps]] as const) {
+  for (const [y, speed] of [[bow + 6, now.bow_mps], [stern - 12, now.stern_mps]] as const) {
     const side = Math.sign(speed) || 1;
     const long = Math.min(34, Math.abs(speed) * 110);
     if (Math.abs(speed) >= 0.005) arrow(to, [x + side * (half + 2), y], [x + side * (half + 8 + long), y], colours.path, 5);
-    // The figure on the side that she goes to, beyond her arrow.
-    sheet.text(fixed(Math.abs(speed), 2), x + side * 96, y - 7, 21, colours.path, "center", true);
-    sheet.text("m/s", x + side * 96, y + 11, 13, colours.dim);
+    // The figure on the side that she goes to, over her arrow.
+    sheet.text(fixed(Math.abs(speed), 2), x + side * 62, y - 16, 21, colours.path, "center", true);
+    sheet.text("m/s", x + side * 62, y + 15, 13, colours.dim);
   }
   const ahead = now.ground_mps[0];
   const y = (bow + stern) / 2 + 8;
