@@ -1,4 +1,4 @@
-//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `live-load`.
+//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `live-load`, `nautical`.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
@@ -8,6 +8,7 @@ mod command;
 mod compare;
 mod fuzz;
 mod live_load;
+mod nautical;
 mod pages;
 mod passivity;
 mod scenarios;
@@ -24,7 +25,8 @@ usage: cargo xtask test                   everything that a change must pass
                                           times and answers against the peers, instructions a step
                                           (all five)
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
-       cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)";
+       cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)
+       cargo xtask nautical               sentences for chart programs, read by two parsers";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
             Ok(episodes) => passivity::passivity_command(episodes),
             Err(_) => usage(),
         },
+        ["nautical"] => step::run_all(&[nautical::STEP]),
         ["live-load"] => live_load::live_load_command(live_load::SECONDS),
         ["live-load", seconds] => match seconds.parse() {
             Ok(seconds) => live_load::live_load_command(seconds),

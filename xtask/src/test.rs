@@ -7,6 +7,7 @@ use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
 use crate::fuzz;
 use crate::live_load;
+use crate::nautical;
 use crate::pages;
 use crate::passivity;
 use crate::scenarios;
@@ -26,6 +27,7 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "the same bits from debug, release and a second run", run: same_bits },
         Step { name: "published cases", run: validate },
         Step { name: "independent implementation", run: independent },
+        nautical::STEP,
         Step { name: "licences and sources of dependencies", run: licences },
         Step { name: "contact makes no energy", run: passive },
         Step { name: "the live server under load", run: live_server },

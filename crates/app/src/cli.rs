@@ -1,9 +1,10 @@
 //! The command line.
 
-use std::net::IpAddr;
+use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use fenderline_nautical::{ChartOrigin, GeoPoint};
 use fenderline_scenario::{Override, ScenarioError};
 
 use crate::check::SchemaOf;
@@ -70,6 +71,15 @@ pub(crate) struct ServeArgs {
     /// Begin paused; else it begins when the first page comes
     #[arg(long)]
     pub(crate) paused: bool,
+    /// Port that chart programs connect to for NMEA 0183 and AIS sentences; 0 takes a free one
+    #[arg(long, value_name = "N")]
+    pub(crate) nmea_tcp: Option<u16>,
+    /// Where NMEA 0183 and AIS sentences are sent to by UDP, such as 127.0.0.1:10110
+    #[arg(long, value_name = "ADDR:PORT")]
+    pub(crate) nmea_udp: Option<SocketAddr>,
+    /// Latitude and longitude of the scenario's origin in these sentences [degrees]
+    #[arg(long, value_name = "LAT,LON", default_value = "0,0", value_parser = origin, allow_hyphen_values = true)]
+    pub(crate) origin: ChartOrigin,
     /// Override one key of the scenario, such as environment.wind.speed="9 m/s"; repeatable
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,
@@ -150,6 +160,15 @@ pub(crate) struct SchemaArgs {
     /// Of which files
     #[arg(value_enum, value_name = "FILES", default_value_t = SchemaOf::Scenario)]
     pub(crate) of: SchemaOf,
+}
+
+/// Latitude and longitude in degrees.
+fn origin(text: &str) -> Result<ChartOrigin, String> {
+    let two = text.split_once(',').and_then(|(latitude, longitude)| {
+        Some((latitude.trim().parse().ok()?, longitude.trim().parse().ok()?))
+    });
+    let (latitude_deg, longitude_deg) = two.ok_or("it must be LAT,LON in degrees")?;
+    ChartOrigin::new(GeoPoint { latitude_deg, longitude_deg }).map_err(|e| e.to_string())
 }
 
 /// A number above zero and below a million: no rudder, ship or tug has more.

@@ -18,6 +18,28 @@ pub struct Moment {
     pub seconds: f64,
 }
 
+impl Moment {
+    /// From seconds since the beginning of 1970, by the calendar of today (Hinnant's days-to-civil algorithm).
+    #[must_use]
+    pub fn from_unix(seconds: f64) -> Moment {
+        let days = libm::floor(seconds / 86_400.0);
+        let from_march_0 = days as i64 + 719_468;
+        let era = from_march_0.div_euclid(146_097);
+        let of_era = from_march_0.rem_euclid(146_097);
+        let year_of_era = (of_era - of_era / 1460 + of_era / 36_524 - of_era / 146_096) / 365;
+        let day_of_year = of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+        let months = (5 * day_of_year + 2) / 153;
+        let month = if months < 10 { months + 3 } else { months - 9 };
+        let year = year_of_era + era * 400 + i64::from(month <= 2);
+        Moment {
+            year: year as u32,
+            month: month as u32,
+            day: (day_of_year - (153 * months + 2) / 5 + 1) as u32,
+            seconds: seconds - days * 86_400.0,
+        }
+    }
+}
+
 /// A propeller's shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaft {
@@ -83,7 +105,7 @@ pub fn instruments(of: &Instruments) -> Vec<String> {
         sentence('$', &mwv(of.true_wind, 'T')),
     ];
     if let Some((depth_m, keel_m)) = of.depth_m {
-        all.push(sentence('$', &format!("SDDPT,{depth_m:.1},{:.1}", -keel_m)));
+        all.push(sentence('$', &format!("SDDPT,{depth_m:.1},{:.1}", 0.0 - keel_m)));
     }
     if let Some(rudder_rad) = of.rudder_rad {
         all.push(sentence('$', &format!("AGRSA,{:.1},A,,V", rudder_rad.to_degrees())));
@@ -149,6 +171,19 @@ fn mwv((from_rad, speed_mps): (f64, f64), reference: char) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A thousand million seconds were celebrated on 9 September 2001 at 01:46:40.
+    #[test]
+    fn the_calendar_is_todays() {
+        let of = |seconds| {
+            let Moment { year, month, day, seconds } = Moment::from_unix(seconds);
+            (year, month, day, seconds)
+        };
+        assert_eq!(of(1e9), (2001, 9, 9, 6400.0));
+        assert_eq!(of(0.0), (1970, 1, 1, 0.0));
+        assert_eq!(of(951_782_400.0), (2000, 2, 29, 0.0));
+        assert_eq!(of(1_735_689_599.5), (2024, 12, 31, 86_399.5));
+    }
 
     #[test]
     fn places_are_degrees_and_minutes_that_never_come_to_sixty() {

@@ -10,11 +10,13 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use fenderline_live::message::{self, EventNow, Hello, Link, Role, RunState, Told as Answer};
 use fenderline_live::{Conduct, Control, Info, Refusal, Request, Session};
+use fenderline_nautical::{ChartOrigin, Moment};
 use tokio::sync::{mpsc, watch};
 
 use super::claims::{Claims, ClientId};
 use super::gallery::{self, Gallery, Opened};
 use super::hub::{Hub, Shown, Text, Told};
+use super::instruments;
 use super::pacer::Pacer;
 use super::permit::{self, Needs};
 use super::recorder::Recorder;
@@ -30,6 +32,8 @@ const BETWEEN_SIGNS: Duration = Duration::from_secs(1);
 const BETWEEN_PREDICTIONS: Duration = Duration::from_secs(1);
 const AHEAD_S: f64 = 300.0;
 const EVERY_S: f64 = 10.0;
+/// Wall time between two rounds of the instruments.
+const BETWEEN_SENTENCES: Duration = Duration::from_secs(1);
 /// How slow and how fast it may run.
 const PACES: [f64; 2] = [0.1, 20.0];
 
@@ -61,6 +65,11 @@ pub(crate) struct Engine {
     shown_at: Instant,
     predicted_at: Option<Instant>,
     predicting: Arc<AtomicBool>,
+    /// Where the chart has the scenario's origin; `None`: the instruments are off.
+    chart: Option<ChartOrigin>,
+    said_at: Instant,
+    /// How often the instruments have spoken.
+    said: u64,
 }
 
 impl Engine {
@@ -74,6 +83,7 @@ impl Engine {
         gallery: Gallery,
         sessions: PathBuf,
         paused: bool,
+        chart: Option<ChartOrigin>,
     ) -> Result<Engine, String> {
         let Opened { session, recorded, .. } = opened;
         let recorder = Recorder::begin(&sessions, &session.source().file, &recorded)?;
@@ -97,6 +107,9 @@ impl Engine {
             shown_at: now,
             predicted_at: None,
             predicting: Arc::new(AtomicBool::new(false)),
+            chart,
+            said_at: now,
+            said: 0,
         };
         engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;
         Ok(engine)
@@ -146,6 +159,7 @@ impl Engine {
                 self.tick();
             }
             self.predict(now);
+            self.say(now);
         }
         self.session.mark();
         self.record();
@@ -235,6 +249,19 @@ impl Engine {
         }
     }
 
+    /// Lets the instruments speak once a second of wall time, and by its clock: that is what a chart program goes by.
+    fn say(&mut self, now: Instant) {
+        let Some(chart) = &self.chart else { return };
+        if self.said > 0 && now < self.said_at + BETWEEN_SENTENCES {
+            return;
+        }
+        let at = Moment::from_unix(now_ms() as f64 * 1e-3);
+        let all = instruments::sentences(&self.session, chart, at, self.said);
+        self.hub.said.send_replace(Some(all.into()));
+        self.said_at = now;
+        self.said += 1;
+    }
+
     fn hear(&mut self, told: Told) {
         match told {
             Told::Join { client, role, hello, out } => self.join(client, role, hello, out),
@@ -285,7 +312,9 @@ impl Engine {
             text += &format!(": the controls of {} stay as they are", names.join(", "));
         }
         self.tell_all(&text);
-        self.greet_all();
+        if !left.is_empty() {
+            self.greet_all();
+        }
         self.show();
     }
 
@@ -372,11 +401,14 @@ impl Engine {
                 self.pacer.set_pace(pace, now);
             }
             Conduct::Rewind { tick } => {
+                let was_rewound = self.session.is_rewound();
                 self.session.rewind(tick)?;
                 self.paused = true;
                 self.predicted_at = None;
-                let t_s = self.session.simulation().time_s();
-                self.tell_all(&format!("{label} has gone to {t_s:.1} s"));
+                // Once, not for every place that a hand on the timeline comes by.
+                if !was_rewound && self.session.is_rewound() {
+                    self.tell_all(&format!("{label} goes back in time"));
+                }
             }
             Conduct::Branch {} => {
                 let id = self.session.branch()?;

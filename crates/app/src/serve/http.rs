@@ -111,7 +111,7 @@ async fn live(
         site.hub.log.refused("refused a websocket: its token opens nothing");
         return upgrade.on_upgrade(client::turn_away);
     };
-    let Ok(seat) = Arc::clone(&site.hub.seats).try_acquire_owned() else {
+    let Some(seat) = site.hub.seat(&role) else {
         site.hub.log.refused("refused a client: all seats are taken");
         return upgrade.on_upgrade(client::full);
     };

@@ -6,16 +6,18 @@ use std::sync::{Arc, RwLock};
 
 use fenderline_live::message::{EventNow, Role};
 use fenderline_live::{Refusal, Request};
-use tokio::sync::{Semaphore, mpsc, watch};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc, watch};
 
 use super::claims::ClientId;
 use super::log::Log;
 use super::tokens::Tokens;
+use super::wire::Said;
 
 /// Commands that wait for the simulation's thread at most, of all clients together.
 const MOST_WAITING: usize = 256;
-/// Clients with a token at a time.
-pub(crate) const MOST_CLIENTS: usize = 64;
+/// Clients at a time that watch, and that steer: who only watches keeps nobody from a helm.
+const MOST_WATCHING: usize = 48;
+const MOST_STEERING: usize = 32;
 
 /// A text that many clients are sent.
 pub(crate) type Text = Arc<str>;
@@ -51,8 +53,11 @@ pub(crate) struct Hub {
     next_client: AtomicU64,
     pub(crate) frames: watch::Sender<Option<Shown>>,
     pub(crate) predictions: watch::Sender<Option<Text>>,
+    /// What the instruments say.
+    pub(crate) said: watch::Sender<Said>,
     pub(crate) tokens: RwLock<Tokens>,
-    pub(crate) seats: Arc<Semaphore>,
+    watching: Arc<Semaphore>,
+    steering: Arc<Semaphore>,
     pub(crate) log: Log,
 }
 
@@ -64,10 +69,18 @@ impl Hub {
             next_client: AtomicU64::new(1),
             frames: watch::Sender::new(None),
             predictions: watch::Sender::new(None),
+            said: watch::Sender::new(None),
             tokens: RwLock::new(Tokens::default()),
-            seats: Arc::new(Semaphore::new(MOST_CLIENTS)),
+            watching: Arc::new(Semaphore::new(MOST_WATCHING)),
+            steering: Arc::new(Semaphore::new(MOST_STEERING)),
             log: Log::new(),
         }
+    }
+
+    /// A seat for a role, free again when it is dropped; `None` where all are taken.
+    pub(crate) fn seat(&self, role: &Role) -> Option<OwnedSemaphorePermit> {
+        let seats = if *role == Role::Observer { &self.watching } else { &self.steering };
+        Arc::clone(seats).try_acquire_owned().ok()
     }
 
     /// A number that no client had.

@@ -3,7 +3,8 @@
 //! `engine` is the simulation's thread and the only one that touches the session; `pacer` is its clock, `claims` and
 //! `permit` decide who may do what, `recorder` writes the session down, `gallery` opens scenarios and sessions. `http`
 //! answers requests, `door` and `tokens` let people in, `page` is what browsers get; `client` is the task of one
-//! websocket. `hub` is what lies between: the latest frame for everybody, no queue that grows.
+//! websocket. `hub` is what lies between: the latest frame for everybody, no queue that grows. `instruments` is what
+//! ships say to chart programs, `wire` how.
 
 mod claims;
 mod client;
@@ -12,6 +13,7 @@ mod engine;
 mod gallery;
 mod http;
 mod hub;
+mod instruments;
 mod log;
 mod pacer;
 mod page;
@@ -19,6 +21,7 @@ mod permit;
 mod rate;
 mod recorder;
 mod tokens;
+mod wire;
 
 use std::net::{IpAddr, SocketAddr};
 use std::path::Path;
@@ -26,7 +29,8 @@ use std::sync::{Arc, mpsc};
 
 use fenderline_live::message::{Link, Role};
 use fenderline_live::{Recording, Session};
-use tokio::net::{TcpListener, TcpSocket};
+use tokio::net::{TcpListener, TcpSocket, UdpSocket};
+use tokio::runtime::Runtime;
 
 use self::door::Door;
 use self::engine::Engine;
@@ -43,6 +47,9 @@ use crate::terminal::{say, tell};
 const NETWORK_THREADS: usize = 2;
 /// What the operating system holds for a client that reads slowly [bytes]: a second or two of frames.
 const SEND_BUFFER: u32 = 128 << 10;
+/// Where datagrams are sent from.
+const ANY_4: IpAddr = IpAddr::V4(std::net::Ipv4Addr::UNSPECIFIED);
+const ANY_6: IpAddr = IpAddr::V6(std::net::Ipv6Addr::UNSPECIFIED);
 /// Connections that wait to be accepted.
 const BACKLOG: u32 = 256;
 
@@ -75,10 +82,23 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         }
         None => Page::of_repository(),
     };
+    if let Some(to) = args.nmea_udp.filter(|to| !to.ip().is_loopback() && !args.allow_remote) {
+        return Err(Failure::input(format_args!(
+            "error: {to} is not loopback. Say --allow-remote if sentences shall go there"
+        )));
+    }
+    let speaks = args.nmea_tcp.is_some() || args.nmea_udp.is_some();
     let (to_engine, told) = mpsc::channel();
     let hub = Arc::new(Hub::new(to_engine));
-    let engine = Engine::new(Arc::clone(&hub), opened, gallery, args.sessions.clone(), args.paused)
-        .map_err(|why| Failure::case(format_args!("error: {why}")))?;
+    let engine = Engine::new(
+        Arc::clone(&hub),
+        opened,
+        gallery,
+        args.sessions.clone(),
+        args.paused,
+        speaks.then_some(args.origin),
+    )
+    .map_err(|why| Failure::case(format_args!("error: {why}")))?;
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .worker_threads(NETWORK_THREADS)
         .enable_all()
@@ -89,6 +109,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         Failure::case(format_args!("error: cannot listen on {address}: {e} (another --port?)"))
     })?;
     let address = listener.local_addr().unwrap_or(address);
+    let wires = wires(args, &hub, &runtime)?;
     let (links, recording) = (engine.links(), engine.recording().display().to_string());
     // Dropped when the thread ends, be it by a mistake of ours: there is nothing to serve then.
     let (alive, ended) = tokio::sync::oneshot::channel::<()>();
@@ -101,7 +122,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         .map_err(|e| Failure::case(format_args!("error: no thread for the simulation: {e}")))?;
     let door = Door { remote, names: args.host.clone() };
     let site = Arc::new(Site { hub: Arc::clone(&hub), page, door });
-    say(&greeting(address, &links, &recording))?;
+    say(&greeting(address, &links, &wires, &recording))?;
     runtime.block_on(async {
         tokio::select! {
             () = http::serve(listener, site) => {}
@@ -116,6 +137,30 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
     say(&format!("recorded: {recording}\n"))
 }
 
+/// Starts what speaks to chart programs; a line for the user about each.
+fn wires(args: &ServeArgs, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String, Failure> {
+    let mut told = String::new();
+    let cannot = |what: String| move |e| Failure::case(format_args!("error: {what}: {e}"));
+    if let Some(port) = args.nmea_tcp {
+        let at = SocketAddr::new(args.bind, port);
+        let listener = runtime
+            .block_on(TcpListener::bind(at))
+            .map_err(cannot(format!("cannot listen for chart programs on {at}")))?;
+        let at = listener.local_addr().unwrap_or(at);
+        told += &format!("NMEA 0183 and AIS over TCP on {at}\n");
+        runtime.spawn(wire::tcp(listener, Arc::clone(hub)));
+    }
+    if let Some(to) = args.nmea_udp {
+        let from = SocketAddr::new(if to.is_ipv4() { ANY_4 } else { ANY_6 }, 0);
+        let socket = runtime
+            .block_on(UdpSocket::bind(from))
+            .map_err(cannot(format!("cannot send to {to}")))?;
+        told += &format!("NMEA 0183 and AIS over UDP to {to}\n");
+        runtime.spawn(wire::udp(socket, to, Arc::clone(hub)));
+    }
+    Ok(told)
+}
+
 /// A socket that listens. What it accepts holds little back: who reads slowly shall not read of long ago.
 fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
     let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
@@ -128,7 +173,7 @@ fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
 }
 
 /// What the user is told when the server is there.
-fn greeting(address: SocketAddr, links: &[Link], recording: &str) -> String {
+fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &str) -> String {
     // Every address of this machine is no address to go to.
     let shown = match address.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
@@ -147,7 +192,7 @@ fn greeting(address: SocketAddr, links: &[Link], recording: &str) -> String {
     for Link { role, path } in links {
         text += &format!("  {:width$}  http://{shown}{path}\n", name(role));
     }
-    text + &format!("Who has a link has its role. Recorded to {recording}\n")
+    text + wires + &format!("Who has a link has its role. Recorded to {recording}\n")
 }
 
 /// Plays a recorded session again and holds every recorded state against it.

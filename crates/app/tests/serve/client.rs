@@ -294,3 +294,16 @@ impl Sleepers {
 pub(crate) async fn half_open(server: &Server, role: &str) -> TcpStream {
     by_hand(server, &live_path(server, role)).await
 }
+
+/// The first lines that somebody says who only speaks.
+pub(crate) async fn lines(from: std::net::SocketAddr, count: usize) -> String {
+    let mut stream = TcpStream::connect(from).await.expect("connected");
+    let (mut text, mut block) = (String::new(), [0; 4096]);
+    while text.matches('\n').count() < count {
+        let read = timeout(LONG, stream.read(&mut block)).await.expect("in time").expect("read");
+        assert!(read > 0, "it went away: {text}");
+        text += &String::from_utf8_lossy(&block[..read]);
+    }
+    text.truncate(text.rfind('\n').expect("lines") + 1);
+    text
+}

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{BufRead as _, BufReader, Read as _};
+use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -17,6 +18,8 @@ pub(crate) struct Server {
     recording: PathBuf,
     links: BTreeMap<String, String>,
     pub(crate) port: u16,
+    /// Where chart programs connect, if it was asked for.
+    pub(crate) nmea: Option<SocketAddr>,
 }
 
 fn program() -> Command {
@@ -55,7 +58,7 @@ impl Server {
             command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
         let mut lines = BufReader::new(child.stdout.take().expect("piped")).lines();
         let mut links = BTreeMap::new();
-        let (mut port, mut recording) = (0, PathBuf::new());
+        let (mut port, mut recording, mut nmea) = (0, PathBuf::new(), None);
         while recording.as_os_str().is_empty() {
             let Some(Ok(line)) = lines.next() else {
                 let mut why = String::new();
@@ -64,6 +67,8 @@ impl Server {
             };
             if let Some((_, file)) = line.split_once("Recorded to ") {
                 recording = PathBuf::from(file);
+            } else if let Some((_, at)) = line.split_once("AIS over TCP on ") {
+                nmea = Some(at.parse().expect("an address"));
             } else if let Some((role, url)) = line.split_once("  http://") {
                 let (host, path) = url.split_once('/').expect("a path");
                 port = host.rsplit(':').next().and_then(|p| p.parse().ok()).expect("a port");
@@ -77,7 +82,7 @@ impl Server {
             let _ = errors.read_to_string(&mut said);
         });
         std::thread::spawn(move || lines.for_each(drop));
-        Server { child, folder, recording, links, port }
+        Server { child, folder, recording, links, port, nmea }
     }
 
     /// The link of a role, as a path.

@@ -1,0 +1,51 @@
+//! Sentences for chart programs, read by two parsers that we did not write.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use crate::command::{cargo, run, run_quietly};
+use crate::step::{Done, Step};
+use crate::tools::{self, Missing};
+
+/// The parsers, from Python's package index.
+const PARSERS: [&str; 2] = ["pynmea2==1.19.0", "pyais==3.3.1"];
+/// Where they are installed: nothing outside of the folder of builds is touched.
+const FOLDER: &str = "target/nautical-python";
+
+/// As a step of `cargo xtask test`, and alone.
+pub(crate) const STEP: Step =
+    Step { name: "sentences for chart programs, by two parsers", run: parsers };
+
+/// Runs `crates/nautical/check.py` on what the example prints.
+fn parsers() -> Result<Done, String> {
+    let python = match tools::python() {
+        Ok(python) => python,
+        Err(missing) => return Ok(Done::NotRun(missing)),
+    };
+    let own =
+        Path::new(FOLDER).join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
+    if !has_parsers(&own) {
+        let made = run_quietly(Command::new(python).args(["-m", "venv", FOLDER]));
+        let mut pip = Command::new(&own);
+        pip.args(["-m", "pip", "install", "--quiet"]).args(PARSERS);
+        if made.and_then(|_| run_quietly(&mut pip)).is_err() {
+            return Ok(Done::NotRun(Missing {
+                tool: "pynmea2 and pyais",
+                install: "pip install pynmea2 pyais",
+            }));
+        }
+    }
+    let example = ["run", "--quiet", "--package", "fenderline-nautical", "--example", "sentences"];
+    let said = run_quietly(&mut cargo(example))?;
+    let file = Path::new(FOLDER).join("sentences.txt");
+    std::fs::write(&file, said).map_err(|e| format!("{}: {e}", file.display()))?;
+    let input = std::fs::File::open(&file).map_err(|e| format!("{}: {e}", file.display()))?;
+    let mut check = Command::new(&own);
+    let status = check.args(["-B", "crates/nautical/check.py"]).stdin(Stdio::from(input)).status();
+    let status = status.map_err(|e| format!("{check:?}: {e}"))?;
+    if status.success() { Ok(Done::Good) } else { Err(format!("{check:?}: {status}")) }
+}
+
+fn has_parsers(python: &Path) -> bool {
+    python.is_file() && run(Command::new(python).args(["-c", "import pynmea2, pyais"])).is_ok()
+}
