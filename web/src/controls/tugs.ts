@@ -3,7 +3,7 @@ import { length, minus, turned } from "../geometry";
 import type { Page } from "../page";
 import type { Action, Frame, Hello, TugInfo, VesselInfo } from "../protocol";
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
-import { TONNE_N, fixed, percent, spoken, tonnes } from "../units";
+import { TONNE_N, fixed, spoken, tonnes } from "../units";
 import type { Group, KeyAction } from "./group";
 import { type Lead, type Station, stations, tugDirection } from "./orders";
 
@@ -240,7 +240,7 @@ export class VesselTug extends Base {
     const holder = this.commanded() ? null : this.heldBy();
     this.orders.show(now.pilot === "assist" ? this.ordered : null);
     const work = holder ? `by ${holder}` : now.pilot === "assist" ? WORK[this.ordered ?? "none"] : "by hand";
-    setText(this.state, `${fixed(thrust / TONNE_N, 0)} t (${percent(thrust / Math.max(1, this.bollard_n))}), ${work}`);
+    setText(this.state, `${fixed(thrust / TONNE_N, 0)} t, ${work}`);
   }
 }
 

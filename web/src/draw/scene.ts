@@ -322,8 +322,12 @@ export function firstLook(hello: Hello, bodies: BodyNow[], ship: number, frame: 
   const berth = hello.fenders.map((f) => onEarth(bodies[f.body] ?? now, f.at_m));
   const near = berth.filter((at) => length(minus(at, [now[0], now[1]])) < info.length_m * 3);
   const tugs = hello.vessels
-    .flatMap((v) => (v.is_tug ? [bodies[v.body]] : []))
-    .flatMap((b): Pair[] => (b && length(minus([b[0], b[1]], [now[0], now[1]])) < info.length_m * 0.75 ? [[b[0], b[1]]] : []));
+    .filter((v) => v.is_tug)
+    .flatMap(({ body }): Pair[] => {
+      const tug = bodies[body];
+      if (!tug || length(minus([tug[0], tug[1]], [now[0], now[1]])) > info.length_m * 0.75) return [];
+      return hello.bodies[body]?.outline.map((at) => onEarth(tug, at)) ?? [];
+    });
   // Tugs that are forces lie about a length of theirs off the side that they work at.
   const alongside = hello.tugs.map((t) => onEarth(now, add(t.push_at_m, [0, Math.sign(t.push_at_m[1]) * (t.length_m + 14)])));
   const moored = hello.lines.flatMap((l, i): Pair[] => ("place_m" in l.end && frame?.lines[i]?.state === "fast" ? [l.end.place_m] : []));
