@@ -166,7 +166,7 @@ function drawShip(sheet: Sheet, info: VesselInfo, now: VesselNow): void {
     const long = Math.min(34, Math.abs(speed) * 110);
     if (Math.abs(speed) >= 0.005) arrow(to, [x + side * (half + 2), y], [x + side * (half + 8 + long), y], colours.path, 5);
     // The figure on the side that she goes to, over her arrow.
-    sheet.text(`${fixed(Math.abs(speed), 2)} m/s`, x + side * 74, y - 17, 17, colours.path, "center", true);
+    sheet.text(`${fixed(Math.abs(speed), 2)} m/s`, x + side * 69, y - 17, 15, colours.path, "center", true);
   }
   const ahead = now.ground_mps[0];
   const y = (bow + stern) / 2 + 8;
