@@ -1,0 +1,1 @@
+//! The contact engine for programs in C.
