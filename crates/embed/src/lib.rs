@@ -17,7 +17,8 @@
 //!     engine.set_states(&states)?;
 //!     engine.step(0.1)?;
 //!     let wrench = engine.results()?.wrenches[tug];
-//!     states[tug].position_m += states[tug].velocity_mps * 0.1;
+//!     let way_m = states[tug].velocity_mps * 0.1;
+//!     states[tug].position_m += way_m;
 //!     states[tug].velocity_mps += wrench.force_n * (0.1 / 1.01e6);
 //! }
 //! assert!(states[tug].velocity_mps.y < 0.0); // she has bounced off the ship's side
