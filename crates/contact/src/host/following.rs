@@ -136,7 +136,8 @@ impl FollowingHost {
     /// ([`crate::EventKind::Teleported`]).
     ///
     /// # Errors
-    /// As [`crate::step`], for states, loads and Δt; this host is then as it was.
+    /// As [`crate::step`], for states, loads and Δt, and where what is reckoned from them leaves what the engine
+    /// takes; this host is then as it was, and `work` keeps the results of the last good step.
     pub fn step<'w>(
         &mut self,
         model: &Model,
@@ -156,6 +157,8 @@ impl FollowingHost {
         advance(model, &mut self.memory, &mut work.engine, starts, loads, step_s)?;
         steer(model, work, step_s);
         self.remember(work, told_loads, step_s);
+        core::mem::swap(&mut work.present, &mut work.present_taken);
+        core::mem::swap(&mut work.loads, &mut work.loads_taken);
         Ok(&work.wrenches)
     }
 
