@@ -14,14 +14,14 @@ pub struct HostWorkspace {
     pub(super) engine: Workspace,
     /// Body by body what is to be remembered, if the step succeeds.
     pub(super) next: Vec<Followed>,
-    /// The host's present, and what the last good step took for it.
+    /// The host's present in the step under way, and in the last good one.
+    pub(super) present_now: Vec<BodyState>,
     pub(super) present: Vec<BodyState>,
-    pub(super) present_taken: Vec<BodyState>,
     /// Where the engine begins.
     pub(super) starts: Vec<BodyState>,
-    /// Loads, and those of the last good step.
+    /// Loads of the step under way, and of the last good one.
+    pub(super) loads_now: Vec<Wrench>,
     pub(super) loads: Vec<Wrench>,
-    pub(super) loads_taken: Vec<Wrench>,
     pub(super) touching: Vec<bool>,
     pub(super) wrenches: Vec<Wrench>,
 }
@@ -34,11 +34,11 @@ impl HostWorkspace {
         HostWorkspace {
             engine: Workspace::new(model),
             next: Vec::with_capacity(count),
+            present_now: Vec::with_capacity(count),
             present: Vec::with_capacity(count),
-            present_taken: Vec::with_capacity(count),
             starts: Vec::with_capacity(count),
+            loads_now: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
-            loads_taken: Vec::with_capacity(count),
             touching: Vec::with_capacity(count),
             wrenches: Vec::with_capacity(count),
         }
@@ -54,13 +54,13 @@ impl HostWorkspace {
     /// them when they are old enough.
     #[must_use]
     pub fn present(&self) -> &[BodyState] {
-        &self.present_taken
+        &self.present
     }
 
     /// The loads that the last step reckoned with, told or observed, one a body.
     #[must_use]
     pub fn loads(&self) -> &[Wrench] {
-        &self.loads_taken
+        &self.loads
     }
 
     /// Contacts of the engine's motion in the last step, as [`Workspace::contacts`].
