@@ -71,7 +71,8 @@ impl Simulation {
         let inertias = inertias(&setup)?;
         let model = build_model(&setup, &inertias)?;
         let states: Vec<BodyState> = setup.bodies.iter().map(initial_state).collect();
-        check_lines(&setup, &states)?;
+        setup.world.environment.check().map_err(SetupError::Environment)?;
+        check_lines(&setup)?;
         let count = states.len();
         let memory = Memory::new(&model);
         let buffers = Buffers {
@@ -94,7 +95,7 @@ impl Simulation {
             summaries: Summaries::default(),
             fender_summaries: FenderSummaries::new(setup.fenders.len()),
             study: study(&setup)?,
-            world: World::new(&setup.world),
+            world: World::new(&setup.world, &setup.bodies),
             index: 0,
             setup,
             model,
@@ -471,7 +472,7 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
 }
 
 /// Lines between bodies that are there; those that are fast from the start on can be.
-fn check_lines(setup: &Setup, states: &[BodyState]) -> Result<(), SetupError> {
+fn check_lines(setup: &Setup) -> Result<(), SetupError> {
     for line in &setup.world.lines {
         let far = match line.end {
             LineEnd::OnBody { body, .. } => body,
@@ -483,7 +484,8 @@ fn check_lines(setup: &Setup, states: &[BodyState]) -> Result<(), SetupError> {
             }
         }
         if line.from_s <= 0.0 {
-            line.check(states).map_err(SetupError::Line)?;
+            let tide = &setup.world.environment.tide;
+            line.check_at_start(&setup.bodies, tide).map_err(SetupError::Line)?;
         }
     }
     Ok(())
