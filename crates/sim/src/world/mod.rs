@@ -114,12 +114,13 @@ impl World {
             }
             self.clamped[index] = clamped;
             own.squat_m = vessel.squat_m(state, &setup.environment, t_s);
+            own.under_keel_m = vessel.under_keel_m(own.squat_m, &setup.environment, t_s);
             let held = vessel.is_held(&setup.environment, t_s);
             if held && !own.held {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::ShallowHeld });
             }
             own.held = held;
-            let aground = vessel.is_aground(own, &setup.environment, t_s);
+            let aground = VesselSetup::is_aground(own);
             if aground && !own.aground {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
             }

@@ -94,6 +94,9 @@ pub struct VesselState {
     pub wave_motion: FirstOrderMotion,
     /// How much deeper her keel is because she is under way in shallow water [m].
     pub squat_m: f64,
+    /// Water under her keel, squat taken off [m]; `None` where the water is deep. Negative: how much too deep she
+    /// sits.
+    pub under_keel_m: Option<f64>,
     /// She is on the bottom.
     pub aground: bool,
     /// The water is shallower than what the formulas for shallow water are made for: they are held.
@@ -161,6 +164,7 @@ impl VesselState {
             attitude: Attitude::default(),
             wave_motion: FirstOrderMotion::default(),
             squat_m: 0.0,
+            under_keel_m: None,
             aground: false,
             held: false,
         }
@@ -217,7 +221,7 @@ impl VesselSetup {
             wind: self.wind(state, environment, t_s),
             waves: self.drift(state, environment),
             banks: self.banks(state, &velocity, environment, t_s),
-            bottom: self.bottom(vessel, state, environment, (t_s, step_s)),
+            bottom: self.bottom(vessel, state, environment, step_s),
         }
     }
 
@@ -295,30 +299,22 @@ impl VesselSetup {
         squat.sinkage_m(&self.ship.particulars, depth_m, surge_mps)
     }
 
-    /// Water under her keel, squat taken off [m]; `None` where the water is deep. Negative: how much too deep
-    /// she sits.
-    #[must_use]
-    pub fn under_keel_m(
+    /// Water under the keel of a ship that squats by so much [m]; none is told of where the water is deep.
+    pub(crate) fn under_keel_m(
         &self,
-        vessel: &VesselState,
+        squat_m: f64,
         environment: &Environment,
         t_s: f64,
     ) -> Option<f64> {
         let draught_m = self.ship.particulars.draught_m;
-        environment.depth_at_m(t_s).map(|depth_m| depth_m - draught_m - vessel.squat_m)
+        environment.depth_at_m(t_s).map(|depth_m| depth_m - draught_m - squat_m)
     }
 
     /// Is there no water under her keel? Who was aground has to come free by [`REFLOATED_M`]: a ship whose squat
     /// takes her to the bottom would else be on it and off it again with every step.
-    pub(crate) fn is_aground(
-        &self,
-        vessel: &VesselState,
-        environment: &Environment,
-        t_s: f64,
-    ) -> bool {
+    pub(crate) fn is_aground(vessel: &VesselState) -> bool {
         let least_m = if vessel.aground { REFLOATED_M } else { 0.0 };
-        let clearance_m = self.under_keel_m(vessel, environment, t_s);
-        clearance_m.is_some_and(|clearance_m| clearance_m <= least_m)
+        vessel.under_keel_m.is_some_and(|clearance_m| clearance_m <= least_m)
     }
 
     /// The drag of a bottom that bears what she sits too deep, with Coulomb's friction of 0.4 (recalled, of
@@ -329,10 +325,10 @@ impl VesselSetup {
         vessel: &VesselState,
         state: &BodyState,
         environment: &Environment,
-        (t_s, step_s): (f64, f64),
+        step_s: f64,
     ) -> Force {
-        let clearance_m = self.under_keel_m(vessel, environment, t_s);
-        let Some(sunk_m) = clearance_m.map(|clearance_m| -clearance_m).filter(|&m| m > 0.0) else {
+        let sunk_m = vessel.under_keel_m.map(|clearance_m| -clearance_m);
+        let Some(sunk_m) = sunk_m.filter(|&sunk_m| sunk_m > 0.0) else {
             return Force::default();
         };
         let ship = &self.ship.particulars;
