@@ -68,7 +68,9 @@ fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Mark
             "{}, {}",
             plain(rudder.stop.to_degrees(), 3), plain(rudder.rate_per_s.to_degrees(), 3)
         ))))
-        (number(&if thrusters.is_empty() { "none".to_owned() } else { thrusters.join(", ") }))
+        td class="number list" {
+            (if thrusters.is_empty() { "none".to_owned() } else { thrusters.join(", ") })
+        }
         (number(&fixed(totals.over_ground_mps.value / KNOT_MPS, 2)))
         (number(&fixed(60.0 * totals.rate_of_turn_radps.value.to_degrees(), 2)))
         (number(&fixed(totals.roll_rad.value.to_degrees(), 2)))
