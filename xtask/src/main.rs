@@ -18,7 +18,7 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
        cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
-       cargo xtask bench [clip|step|accuracy|mmg|callgrind]...
+       cargo xtask bench [clip|step|accuracy|mmg|berth|callgrind]...
                                           times and answers against the peers, instructions a step
                                           (all five)
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)";
