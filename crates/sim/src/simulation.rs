@@ -70,7 +70,7 @@ impl Simulation {
         setup.loads.iter().try_for_each(|load| check_load(load, &setup))?;
         let inertias = inertias(&setup)?;
         let model = build_model(&setup, &inertias)?;
-        let states: Vec<BodyState> = setup.bodies.iter().map(initial_state).collect();
+        let states = setup.initial_states();
         setup.world.environment.check().map_err(SetupError::Environment)?;
         check_lines(&setup)?;
         let count = states.len();
@@ -384,6 +384,25 @@ impl Simulation {
             &self.books.all,
             step_s,
         );
+    }
+}
+
+impl Setup {
+    /// The contact problem of these bodies alone, without the world around them: for hosts that move their
+    /// bodies by themselves and show them to the contact engine. The method and the integrator decide what
+    /// a body's mass is: the engine turns her momentum where it moves her itself, by the coupled method
+    /// with the semi-implicit integrator.
+    ///
+    /// # Errors
+    /// [`SetupError`], naming what is wrong.
+    pub fn contact_model(&self) -> Result<Model, SetupError> {
+        build_model(self, &inertias(self)?)
+    }
+
+    /// The states that the bodies start from, in the order of the set-up.
+    #[must_use]
+    pub fn initial_states(&self) -> Vec<BodyState> {
+        self.bodies.iter().map(initial_state).collect()
     }
 }
 
