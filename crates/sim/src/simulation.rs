@@ -16,7 +16,7 @@ use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
-use crate::world::{LineEnd, Order, VesselState, World, mass_matrix};
+use crate::world::{LineEnd, Mooring, Order, TugAtWork, VesselState, World, mass_matrix};
 
 /// Weights of the four stages of classical Runge–Kutta.
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
@@ -170,6 +170,30 @@ impl Simulation {
     #[must_use]
     pub fn vessels(&self) -> &[VesselState] {
         &self.world.vessels
+    }
+
+    /// The tugs now, in the order of the set-up.
+    #[must_use]
+    pub fn tugs(&self) -> &[TugAtWork] {
+        &self.world.tugs
+    }
+
+    /// The mooring lines now, in the order of the set-up.
+    #[must_use]
+    pub fn lines(&self) -> &[Mooring] {
+        &self.world.lines
+    }
+
+    /// Contact wrenches of the last step, one a body; zero before the first.
+    #[must_use]
+    pub fn wrenches(&self) -> &[Wrench] {
+        self.work.wrenches()
+    }
+
+    /// The contacts of the last step.
+    #[must_use]
+    pub fn contacts(&self) -> &[Contact] {
+        self.work.contacts()
     }
 
     /// The berthing by formula and as it came out; `None` where the set-up asks for none, or no fender
