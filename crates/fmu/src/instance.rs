@@ -238,7 +238,7 @@ impl Instance {
     }
 
     pub(crate) fn to_bytes(&self, number: usize) -> Outcome<Vec<u8>> {
-        Ok(self.saved(number)?.to_bytes(&self.plan))
+        self.saved(number)?.to_bytes(&self.plan)
     }
 
     pub(crate) fn of_bytes(&mut self, bytes: &[u8], number: usize) -> Outcome {

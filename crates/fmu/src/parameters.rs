@@ -5,11 +5,15 @@ use fenderline_sim::{MassProperties, Setup};
 use crate::table::{Causality, Class, Parameter, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
+/// The largest mass or stiffness that is taken, in SI units: the engine has its own, narrower bounds.
+const LARGEST: f64 = 1e15;
+
 /// A field of a kind of things: name, what it is, unit, and how it is read and written.
 struct Field<T> {
     name: &'static str,
     description: &'static str,
     unit: Unit,
+    range: Option<[f64; 2]>,
     read: fn(&T) -> f64,
     write: fn(&mut Setup, usize, f64),
 }
@@ -23,7 +27,7 @@ fn add<T>(table: &mut Table, stem: &str, of: usize, thing: &T, fields: &[Field<T
             class: Class::Real,
             causality: Causality::Parameter,
             start: (field.read)(thing),
-            range: None,
+            range: field.range,
             stands_for: StandsFor::Parameter(Parameter { of, write: field.write }),
         });
     }
@@ -35,6 +39,7 @@ macro_rules! material {
             name: $name,
             description: $description,
             unit: Unit::$unit,
+            range: Some([0.0, if $name == "restitution" { 1.0 } else { LARGEST }]),
             read: |m: &fenderline_contact::Material| m.$field,
             write: |setup, of, value| setup.materials[of].material.$field = value,
         }
@@ -47,6 +52,7 @@ macro_rules! mass {
             name: $name,
             description: $description,
             unit: Unit::$unit,
+            range: Some([0.0, LARGEST]),
             read: |m: &MassProperties| m.$field,
             write: |setup, of, value| {
                 if let Some(mass) = &mut setup.bodies[of].mass {
@@ -63,6 +69,7 @@ macro_rules! start {
             name: $name,
             description: $description,
             unit: Unit::$unit,
+            range: None,
             read: |b: &fenderline_sim::BodySetup| b.$($field).+,
             write: |setup, of, value| setup.bodies[of].$($field).+ = value,
         }

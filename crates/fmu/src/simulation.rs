@@ -11,6 +11,9 @@ use crate::table::{StandsFor, Table};
 /// How near to the end of a step of its own the end of a communication step counts as that, in steps.
 const SLACK_STEPS: f64 = 1e-6;
 
+/// Most steps of its own in one communication step: hours. More is a mistake that would look like a hang.
+const MOST_STEPS_A_CALL: u64 = 100_000;
+
 /// A simulation that was initialized. Cloning it branches the run.
 ///
 /// It goes in the scenario's own steps, whatever the communication step: at a communication point it is at
@@ -26,6 +29,11 @@ pub(crate) struct SimulationRun {
     pub(crate) journal: Vec<Entry>,
     /// A step could not be made: it stands where it was, and does not go on.
     failed: bool,
+}
+
+/// Steps of a scenario that end no later than a time since the start.
+pub(crate) fn due(plan: &Plan, t_s: f64) -> u64 {
+    libm::floor(t_s / plan.scenario.setup.step_s + SLACK_STEPS).max(0.0) as u64
 }
 
 /// An input that a step found changed.
@@ -45,6 +53,11 @@ impl SimulationRun {
         Ok(SimulationRun { simulation, steps: 0, taken, journal: Vec::new(), failed: false })
     }
 
+    /// A step could not be made.
+    pub(crate) fn has_failed(&self) -> bool {
+        self.failed
+    }
+
     /// Steps of its own that were taken.
     pub(crate) fn steps(&self) -> u64 {
         self.steps
@@ -53,8 +66,10 @@ impl SimulationRun {
     /// Goes on to a time since the start. After an error it stands at the last step that could be made, and
     /// refuses to go on.
     pub(crate) fn go_to(&mut self, plan: &Plan, values: &[f64], t_s: f64) -> Result<(), String> {
-        let own_s = self.simulation.setup().step_s;
-        let due = libm::floor(t_s / own_s + SLACK_STEPS).max(0.0) as u64;
+        let due = due(plan, t_s);
+        if due.saturating_sub(self.steps) > MOST_STEPS_A_CALL {
+            return Err(format!("to {t_s} s are more than {MOST_STEPS_A_CALL} steps in one"));
+        }
         while self.steps < due {
             self.step(&plan.table, values)?;
         }

@@ -19,7 +19,7 @@ use crate::bytes::{Reader, number, word32, word64};
 use crate::engine::EngineRun;
 use crate::hash::fnv64;
 use crate::plan::Plan;
-use crate::simulation::{Entry, SimulationRun};
+use crate::simulation::{Entry, SimulationRun, due};
 use crate::table::Class;
 
 const MAGIC: &[u8; 8] = b"fndrlfmu";
@@ -71,7 +71,14 @@ impl State {
         }
     }
 
-    pub(crate) fn to_bytes(&self, plan: &Plan) -> Vec<u8> {
+    /// # Errors
+    /// A simulation that stopped within a communication step is at no point that can be played to.
+    pub(crate) fn to_bytes(&self, plan: &Plan) -> Result<Vec<u8>, String> {
+        if let Some(Run::Simulation(run)) = &self.run
+            && run.has_failed()
+        {
+            return Err("a step failed: this state cannot be serialised".to_owned());
+        }
         let mut out = MAGIC.to_vec();
         word32(&mut out, VERSION);
         word64(&mut out, fnv64(plan.token.as_bytes()));
@@ -101,7 +108,7 @@ impl State {
         }
         let sum = fnv64(&out);
         word64(&mut out, sum);
-        out
+        Ok(out)
     }
 
     /// Of any bytes.
@@ -182,7 +189,12 @@ fn read_simulation(
     if plan.bundle.kind != crate::Kind::Simulation {
         return Err(broken());
     }
-    let steps = input.word64().filter(|steps| *steps <= MOST_STEPS).ok_or_else(broken)?;
+    // No more than the time that was reached: bytes cannot ask for more work than the run was.
+    let reached = due(plan, state.time_s - state.start_s);
+    let steps = input.word64().filter(|steps| *steps == reached).ok_or_else(broken)?;
+    if steps > MOST_STEPS {
+        return Err(format!("{steps} steps are too many to be played again"));
+    }
     let count = input.word32().ok_or_else(broken)?;
     let mut journal = Vec::new();
     for _ in 0..count {
