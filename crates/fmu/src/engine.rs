@@ -17,23 +17,34 @@ pub(crate) struct EngineRun {
     pub(crate) engine: Engine,
     tells_loads: bool,
     body_fixed: bool,
+    pub(crate) beginning: Beginning,
+}
+
+/// How far an engine is with a host that shows old states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Beginning {
+    /// It gives no wrench for so many steps yet: what the host shows may be no state.
+    Waiting(u32),
+    /// It has seen the states of the start.
+    Begun,
 }
 
 impl EngineRun {
     /// With the parameters and the states of the start.
     pub(crate) fn start(plan: &Plan, values: &[f64]) -> Result<EngineRun, String> {
-        let (mut run, delay_steps) = EngineRun::at_rest(plan, values)?;
-        if delay_steps > 0 {
+        let mut run = EngineRun::at_rest(plan, values)?;
+        if run.beginning == Beginning::Waiting(0) {
             // The wrench for the host's first step, which it gets while it is initialized: the first step
             // that the master orders comes too late for it.
             let step_s = plan.table.setting(values, Setting::StepS).unwrap_or(0.1);
-            run.step(plan, values, step_s)?;
+            run.advance(plan, values, step_s)?;
+            run.beginning = Beginning::Begun;
         }
         Ok(run)
     }
 
-    /// Of the parameters, with nothing asked yet; and the delay of a host to be followed.
-    pub(crate) fn at_rest(plan: &Plan, values: &[f64]) -> Result<(EngineRun, u32), String> {
+    /// Of the parameters, with nothing asked yet.
+    pub(crate) fn at_rest(plan: &Plan, values: &[f64]) -> Result<EngineRun, String> {
         let of = |setting| plan.table.setting(values, setting).unwrap_or(0.0);
         let is_on = |setting| of(setting) != 0.0;
         let Scenario { title, setup, .. } = &plan.scenario;
@@ -54,12 +65,32 @@ impl EngineRun {
         let engine = Engine::from_scenario(scenario, &Settings { method: None, host })
             .map_err(|error| error.to_string())?;
         let tells_loads = !following || is_on(Setting::TellsLoads);
-        let run = EngineRun { engine, tells_loads, body_fixed: is_on(Setting::BodyFixed) };
-        Ok((run, delay_steps))
+        let beginning = match delay_steps {
+            0 => Beginning::Begun,
+            _ => Beginning::Waiting(of(Setting::SkipSteps) as u32),
+        };
+        Ok(EngineRun { engine, tells_loads, body_fixed: is_on(Setting::BodyFixed), beginning })
     }
 
-    /// A step from the states and loads of the inputs.
+    /// A step of the host.
     pub(crate) fn step(&mut self, plan: &Plan, values: &[f64], step_s: f64) -> Result<(), String> {
+        match self.beginning {
+            Beginning::Begun => {}
+            Beginning::Waiting(steps @ 1..) => {
+                self.beginning = Beginning::Waiting(steps - 1);
+                return Ok(());
+            }
+            Beginning::Waiting(0) => {
+                // The step that the host is in, without a wrench: the engine goes on from its end.
+                self.advance(plan, values, step_s)?;
+                self.beginning = Beginning::Begun;
+            }
+        }
+        self.advance(plan, values, step_s)
+    }
+
+    /// A step of the engine from the states and loads of the inputs.
+    fn advance(&mut self, plan: &Plan, values: &[f64], step_s: f64) -> Result<(), String> {
         let inputs = Inputs { table: &plan.table, values };
         let mut states = self.engine.initial_states().to_vec();
         inputs.states(self.body_fixed, &mut states);

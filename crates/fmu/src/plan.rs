@@ -108,6 +108,14 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
             1.0,
         ),
         (
+            "skip_steps",
+            "where following with a delay: first steps in which nothing is looked at and no wrench is \
+             given; masters show zeros until all their FMUs have made a step, and a wrench between \
+             bodies that lie upon each other at the origin could not be taken back",
+            Setting::SkipSteps,
+            1.0,
+        ),
+        (
             "forward_euler",
             "where following: the host moves positions with the old velocities; else with the new",
             Setting::ForwardEuler,
@@ -134,7 +142,7 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
     ];
     for (name, description, setting, start) in rows {
         let (class, unit, range) = match setting {
-            Setting::DelaySteps => {
+            Setting::DelaySteps | Setting::SkipSteps => {
                 let most = f64::from(fenderline_embed::MOST_DELAY_STEPS);
                 (Class::Integer, Unit::One, Some([0.0, most]))
             }

@@ -7,7 +7,7 @@
 //! | 4, 8, 8, 8 | phase; start, stop (or the bits of infinity) and time [s] |
 //! | 4 + 8 each | the values of all variables |
 //! | 4 | 0: not initialized; 1: an engine; 2: a simulation |
-//! | 4 + as many | an engine's own bytes |
+//! | 4, 4 + as many | an engine: steps to wait, or all bits where it has begun; its own bytes |
 //! | 8, 4 + 20 each | a simulation's steps and the inputs that it took: step, variable, value |
 //! | 8 | FNV-1a of all before |
 //!
@@ -16,7 +16,7 @@
 //! the time of the run; a state that is not serialised is a copy and costs nothing.
 
 use crate::bytes::{Reader, number, word32, word64};
-use crate::engine::EngineRun;
+use crate::engine::{Beginning, EngineRun};
 use crate::hash::fnv64;
 use crate::plan::Plan;
 use crate::simulation::{Entry, SimulationRun, due};
@@ -24,6 +24,8 @@ use crate::table::Class;
 
 const MAGIC: &[u8; 8] = b"fndrlfmu";
 const VERSION: u32 = 1;
+/// Stands for an engine that has begun.
+const BEGUN: u32 = u32::MAX;
 /// Most steps of a simulation that are played again: months of them.
 const MOST_STEPS: u64 = 100_000_000;
 
@@ -91,6 +93,13 @@ impl State {
             None => word32(&mut out, 0),
             Some(Run::Engine(run)) => {
                 word32(&mut out, 1);
+                word32(
+                    &mut out,
+                    match run.beginning {
+                        Beginning::Waiting(steps) => steps,
+                        Beginning::Begun => BEGUN,
+                    },
+                );
                 let bytes = run.engine.save();
                 word32(&mut out, bytes.len() as u32);
                 out.extend_from_slice(&bytes);
@@ -170,12 +179,17 @@ fn read_head(plan: &Plan, input: &mut Reader<'_>) -> Option<(State, u32)> {
 
 fn read_engine(plan: &Plan, state: &State, input: &mut Reader<'_>) -> Result<EngineRun, String> {
     let broken = || "the bytes are no state that this FMU has serialised".to_owned();
+    let beginning = match input.word32().ok_or_else(broken)? {
+        BEGUN => Beginning::Begun,
+        steps => Beginning::Waiting(steps),
+    };
     let length = input.word32().ok_or_else(broken)?;
     let bytes = input.take(length as usize).ok_or_else(broken)?;
     if plan.bundle.kind != crate::Kind::Engine {
         return Err(broken());
     }
-    let (mut run, _) = EngineRun::at_rest(plan, &state.values)?;
+    let mut run = EngineRun::at_rest(plan, &state.values)?;
+    run.beginning = beginning;
     run.engine.restore(bytes).map_err(|error| error.to_string())?;
     Ok(run)
 }

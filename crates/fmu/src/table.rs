@@ -91,6 +91,8 @@ pub(crate) enum Setting {
     Following,
     /// Age of the states shown, in steps.
     DelaySteps,
+    /// First steps without a wrench.
+    SkipSteps,
     /// The host's integrator: forward Euler, else semi-implicit.
     ForwardEuler,
     /// The loads are told; else they are observed.

@@ -7,6 +7,10 @@ use super::{about, causality, initial, outputs, range, start, units, variability
 use crate::plan::Plan;
 use crate::table::{Class, Variable};
 
+/// Time, the first of the table, is not told: FMI 2.0 does not ask for it, and libcosim's reader of
+/// descriptions complains of a time without the start value that the standard forbids.
+const UNTOLD: usize = 1;
+
 pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<String> {
     let [model_name, rest @ ..] = about(plan, name);
     let mut attributes: Attributes =
@@ -34,7 +38,7 @@ pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<Str
         ];
         empty(xml, "DefaultExperiment", &experiment)?;
         element(xml, "ModelVariables", &[], |xml| {
-            let mut all = plan.table.variables.iter().enumerate();
+            let mut all = plan.table.variables.iter().enumerate().skip(UNTOLD);
             all.try_for_each(|(reference, v)| variable(xml, reference, v))
         })?;
         element(xml, "ModelStructure", &[], |xml| {
@@ -68,10 +72,13 @@ fn variable(xml: &mut Xml, reference: usize, variable: &Variable) -> io::Result<
     })
 }
 
-/// All outputs depend on all inputs, which is what no list of dependencies says. Indices count from 1.
+/// All outputs depend on all inputs, which is what no list of dependencies says. Indices count from 1, among
+/// the variables that are told.
 fn unknowns(xml: &mut Xml, name: &str, plan: &Plan) -> io::Result<()> {
     element(xml, name, &[], |xml| {
         let mut all = outputs(&plan.table);
-        all.try_for_each(|index| empty(xml, "Unknown", &[("index", (index + 1).to_string())]))
+        all.try_for_each(|index| {
+            empty(xml, "Unknown", &[("index", (index + 1 - UNTOLD).to_string())])
+        })
     })
 }
