@@ -1,4 +1,4 @@
-//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `c`.
+//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `c`, `hosts`.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
@@ -9,6 +9,7 @@ mod command;
 mod compare;
 mod fuzz;
 mod guide;
+mod hosts;
 mod passivity;
 mod scenarios;
 mod step;
@@ -24,6 +25,7 @@ usage: cargo xtask test                   everything that a change must pass
                                           times and answers against the peers, instructions a step
                                           (all seven)
        cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (100000)
+       cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)";
 
 fn main() -> ExitCode {
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
             Ok(sequences) => c_interface::c_command(sequences),
             Err(_) => usage(),
         },
+        ["hosts"] => hosts::hosts_command(),
         ["bench", benches @ ..] => bench::bench(benches),
         _ => usage(),
     }

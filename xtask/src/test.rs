@@ -7,6 +7,7 @@ use crate::c_interface;
 use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
 use crate::fuzz;
+use crate::hosts;
 use crate::passivity;
 use crate::scenarios;
 use crate::step::{Done, Step, run_all};
@@ -29,6 +30,7 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "contact makes no energy", run: passive },
         Step { name: "C: examples and guide", run: c_interface::examples },
         Step { name: "C: random calls", run: || c_interface::random_calls(c_interface::SEQUENCES) },
+        Step { name: "FMI: FMPy, libcosim, ecos and the guide", run: hosts::hosts },
         Step { name: "fuzz targets", run: || fuzz::fuzz(fuzz::SECONDS) },
     ])
 }
