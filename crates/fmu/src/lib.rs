@@ -12,6 +12,9 @@
 
 #![allow(unsafe_code, reason = "masters give raw pointers; each block says why it is sound")]
 
+#[cfg(not(panic = "unwind"))]
+compile_error!("a panic must become a status: build this with panic = \"unwind\"");
+
 mod border;
 mod bundle;
 mod bytes;
