@@ -34,7 +34,8 @@ pub(crate) fn hosts() -> Result<Done, String> {
     let target = target_folder();
     let python = environment(python, &target.join("fmu-hosts"))?;
     run(&mut cargo(["build", "--quiet", "--release", "--package", "fenderline"]))?;
-    let program = target.join("release").join(format!("fenderline{}", std::env::consts::EXE_SUFFIX));
+    let program =
+        target.join("release").join(format!("fenderline{}", std::env::consts::EXE_SUFFIX));
     let mut tests = Command::new(python);
     // No __pycache__ and no caches in the source tree.
     tests.args(["-B", "-m", "pytest", "-q", "-p", "no:cacheprovider", FOLDER]);
