@@ -1,12 +1,15 @@
-//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `live-load`, `nautical`.
+//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `c`, `hosts`, `live-load`, `nautical`.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
 
 mod bench;
+mod c_interface;
 mod command;
 mod compare;
 mod fuzz;
+mod guide;
+mod hosts;
 mod live_load;
 mod nautical;
 mod pages;
@@ -21,9 +24,11 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
        cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
-       cargo xtask bench [clip|step|accuracy|mmg|callgrind]...
+       cargo xtask bench [clip|step|border|accuracy|mmg|berth|callgrind]...
                                           times and answers against the peers, instructions a step
-                                          (all five)
+                                          (all seven)
+       cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (100000)
+       cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)
        cargo xtask nautical               sentences for chart programs, read by two parsers";
@@ -47,6 +52,12 @@ fn main() -> ExitCode {
             Ok(episodes) => passivity::passivity_command(episodes),
             Err(_) => usage(),
         },
+        ["c"] => c_interface::c_command(c_interface::SEQUENCES),
+        ["c", sequences] => match sequences.parse() {
+            Ok(sequences) => c_interface::c_command(sequences),
+            Err(_) => usage(),
+        },
+        ["hosts"] => hosts::hosts_command(),
         ["nautical"] => step::run_all(&[nautical::STEP]),
         ["live-load"] => live_load::live_load_command(live_load::SECONDS),
         ["live-load", seconds] => match seconds.parse() {

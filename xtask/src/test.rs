@@ -3,9 +3,11 @@
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
+use crate::c_interface;
 use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
 use crate::fuzz;
+use crate::hosts;
 use crate::live_load;
 use crate::nautical;
 use crate::pages;
@@ -30,6 +32,9 @@ pub(crate) fn test() -> ExitCode {
         nautical::STEP,
         Step { name: "licences and sources of dependencies", run: licences },
         Step { name: "contact makes no energy", run: passive },
+        Step { name: "C: examples and guide", run: c_interface::examples },
+        Step { name: "C: random calls", run: || c_interface::random_calls(c_interface::SEQUENCES) },
+        Step { name: "FMI: FMPy, libcosim, ecos and the guide", run: hosts::hosts },
         Step { name: "the live server under load", run: live_server },
         Step { name: "the pages", run: pages::check },
         Step { name: "the pages in a browser", run: pages::in_a_browser },

@@ -3,7 +3,7 @@
 use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use fenderline_nautical::{ChartOrigin, GeoPoint};
 use fenderline_scenario::{Override, ScenarioError};
 
@@ -32,6 +32,9 @@ pub(crate) enum Command {
     Manoeuvre(ManoeuvreArgs),
     /// The vessels of the library; of one of them every number with its source, and what is estimated
     Vessels(VesselsArgs),
+    /// Write a functional mock-up unit (FMU) of a scenario, for masters of FMI: FMPy, the Open Simulation
+    /// Platform and others
+    Fmu(FmuArgs),
     /// Print the JSON Schema of scenario files, of fender files or of vessel files
     Schema(SchemaArgs),
     /// Parse and check a scenario without running it
@@ -156,6 +159,48 @@ pub(crate) struct VesselsArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct FmuArgs {
+    /// Scenario file
+    #[arg(value_name = "SCENARIO.toml")]
+    pub(crate) scenario: PathBuf,
+    /// What the FMU is
+    #[arg(long, value_enum)]
+    pub(crate) kind: FmuKind,
+    /// Version of the standard
+    #[arg(long, value_enum, default_value_t = FmiVersion::Two)]
+    pub(crate) fmi: FmiVersion,
+    /// File to write; its name without ending is the model's. A description for the Open Simulation
+    /// Platform is written beside it
+    #[arg(short, long, value_name = "X.fmu")]
+    pub(crate) out: PathBuf,
+    /// Shared library of the FMU [default: that beside this program, where cargo puts it]
+    #[arg(long, value_name = "PATH")]
+    pub(crate) library: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) changes: Changes,
+}
+
+/// What an FMU is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FmuKind {
+    /// The contact engine: states of the bodies in, wrenches and fenders out
+    Engine,
+    /// The whole scenario: controls and further forces in, states and forces out
+    Simulation,
+}
+
+/// Version of FMI.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FmiVersion {
+    /// FMI 2.0
+    #[value(name = "2")]
+    Two,
+    /// FMI 3.0
+    #[value(name = "3")]
+    Three,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct SchemaArgs {
     /// Of which files
     #[arg(value_enum, value_name = "FILES", default_value_t = SchemaOf::Scenario)]
@@ -212,16 +257,33 @@ impl Changes {
     /// # Errors
     /// A text that is no `KEY=VALUE`.
     pub(crate) fn overrides(&self) -> Result<Vec<Override>, ScenarioError> {
+        let shorthands = self
+            .shorthands()
+            .map(|(option, key, value)| Override::new(&format!("{option} {value}"), key, value));
+        shorthands.chain(self.set.iter().map(|text| Override::parse(text))).collect()
+    }
+
+    /// Keys and values of all changes, in the same order.
+    ///
+    /// # Errors
+    /// As [`Changes::overrides`].
+    pub(crate) fn keys_and_values(&self) -> Result<Vec<[String; 2]>, ScenarioError> {
+        self.overrides()?;
+        let shorthands = self.shorthands().map(|(_, key, value)| [key.to_owned(), value.clone()]);
+        // What has no `=` was refused.
+        let set = self.set.iter().filter_map(|text| text.split_once('='));
+        Ok(shorthands.chain(set.map(|(key, value)| [key.to_owned(), value.to_owned()])).collect())
+    }
+
+    fn shorthands(&self) -> impl Iterator<Item = (&'static str, &'static str, &String)> {
         let shorthands = [
             ("--step", "time.step", &self.step),
             ("--duration", "time.duration", &self.duration),
             ("--method", "contact.method", &self.method),
         ];
-        let shorthands = shorthands.into_iter().filter_map(|(option, key, value)| {
-            let value = value.as_ref()?;
-            Some(Override::new(&format!("{option} {value}"), key, value))
-        });
-        shorthands.chain(self.set.iter().map(|text| Override::parse(text))).collect()
+        shorthands
+            .into_iter()
+            .filter_map(|(option, key, value)| value.as_ref().map(|value| (option, key, value)))
     }
 }
 

@@ -1,6 +1,7 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
-//! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre` and `vessels` are the commands; `load` reads a scenario;
+//! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre`, `vessels` and
+//! `fmu` are the commands; `load` reads a scenario;
 //! `output` writes the result files, `report` the page, with the charts of `plot`; `touched` and
 //! `verdict` are what both say of a fender, `world` of vessels, tugs and lines; `provider` speaks with other
 //! programs that put forces on bodies.
@@ -8,6 +9,7 @@
 mod check;
 mod cli;
 mod failure;
+mod fmu;
 mod load;
 mod manoeuvre;
 mod output;
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         Command::Validate(args) => validate::validate(args),
         Command::Manoeuvre(args) => manoeuvre::manoeuvre(args),
         Command::Vessels(args) => vessels::vessels(args),
+        Command::Fmu(args) => fmu::fmu(args),
         Command::Serve(args) => serve::serve(args),
         Command::Replay(args) => serve::replay(args),
         Command::Schema(args) => check::schema(args.of),

@@ -3,13 +3,12 @@
 use core::fmt::Write as _;
 use std::path::PathBuf;
 
-use fenderline_scenario::{VesselData, VesselLibrary};
+use fenderline_scenario::{VesselData, VesselLibrary, read_text};
 use fenderline_sim::hydro::vessels::{Origin, Source};
 use serde_json::{Map, Value, json};
 
 use crate::cli::VesselsArgs;
 use crate::failure::Failure;
-use crate::load::read;
 use crate::plot::{fixed, plain};
 use crate::terminal::say;
 
@@ -37,8 +36,8 @@ pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
 /// A file that cannot be read or is no good vessel file.
 pub(crate) fn library(files: &[PathBuf]) -> Result<VesselLibrary, Failure> {
     files.iter().try_fold(VesselLibrary::built_in(), |library, path| {
-        let text =
-            read(path).map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
+        let text = read_text(path)
+            .map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
         library.with_file(&text, &path.display().to_string()).map_err(Failure::input)
     })
 }

@@ -36,7 +36,31 @@ pub(crate) fn admit(
     }
     match states.iter().position(|state| !is_sound(state)) {
         None => Ok(()),
-        Some(index) => Err(unsound(model, states, index)),
+        Some(index) => Err(unsound(model, index, &states[index])),
+    }
+}
+
+impl Model {
+    /// Would a step take this state of the body of that index? For hosts that show their bodies one by one.
+    ///
+    /// # Errors
+    /// [`StepError::BadState`], naming body and field.
+    ///
+    /// # Panics
+    /// Where the model has no such body.
+    pub fn check_state(&self, body: usize, state: &BodyState) -> Result<(), StepError> {
+        if is_sound(state) { Ok(()) } else { Err(unsound(self, body, state)) }
+    }
+
+    /// As [`Model::check_state`], of a load.
+    ///
+    /// # Errors
+    /// [`StepError::BadState`], naming body and field.
+    ///
+    /// # Panics
+    /// Where the model has no such body.
+    pub fn check_load(&self, body: usize, load: &Wrench) -> Result<(), StepError> {
+        if is_sound_load(load) { Ok(()) } else { Err(unsound_load(self, body, load)) }
     }
 }
 
@@ -54,8 +78,7 @@ fn is_sound(state: &BodyState) -> bool {
 
 /// Names the first field of a state that is not sound.
 #[cold]
-fn unsound(model: &Model, states: &[BodyState], index: usize) -> StepError {
-    let state = &states[index];
+fn unsound(model: &Model, index: usize, state: &BodyState) -> StepError {
     let fields = [
         ("north position", state.position_m.x, FURTHEST_M),
         ("east position", state.position_m.y, FURTHEST_M),
@@ -75,21 +98,23 @@ pub(crate) fn admit_loads(model: &Model, loads: &[Wrench]) -> Result<(), StepErr
     if loads.len() != model.bodies().len() {
         return Err(StepError::WrongCount { bodies: model.bodies().len(), states: loads.len() });
     }
-    let sound = |load: &Wrench| {
-        (load.force_n.x.abs() <= LARGEST_LOAD)
-            & (load.force_n.y.abs() <= LARGEST_LOAD)
-            & (load.moment_nm.abs() <= LARGEST_LOAD)
-    };
-    match loads.iter().position(|load| !sound(load)) {
+    match loads.iter().position(|load| !is_sound_load(load)) {
         None => Ok(()),
-        Some(index) => Err(unsound_load(model, loads, index)),
+        Some(index) => Err(unsound_load(model, index, &loads[index])),
     }
+}
+
+/// Is every part of a load finite and within its bounds?
+#[inline]
+fn is_sound_load(load: &Wrench) -> bool {
+    (load.force_n.x.abs() <= LARGEST_LOAD)
+        & (load.force_n.y.abs() <= LARGEST_LOAD)
+        & (load.moment_nm.abs() <= LARGEST_LOAD)
 }
 
 /// Names the first part of a load that is not finite or too large.
 #[cold]
-fn unsound_load(model: &Model, loads: &[Wrench], index: usize) -> StepError {
-    let load = &loads[index];
+fn unsound_load(model: &Model, index: usize, load: &Wrench) -> StepError {
     let fields = [
         ("north load", load.force_n.x),
         ("east load", load.force_n.y),

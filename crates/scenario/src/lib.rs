@@ -62,6 +62,7 @@ mod files;
 mod key_path;
 mod keys;
 mod library;
+mod load;
 mod overrides;
 mod reader;
 mod scenario;
@@ -79,6 +80,7 @@ pub use library::{
     CatalogueFender, FactorTable, Family, FenderLibrary, FenderSize, HullPressureLimit,
     LookUpError, Tolerance,
 };
+pub use load::{LoadError, read_text};
 pub use overrides::Override;
 pub use scenario::Scenario;
 pub use schema::{fender_schema, schema, vessel_schema};

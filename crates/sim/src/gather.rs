@@ -5,8 +5,12 @@ use fenderline_contact::Wrench;
 use crate::setup::Load;
 
 /// Mean wrench of a load over the step `[t, t + step]`: one that begins or ends within the step acts
-/// with its share of it, so that its impulse does not depend on the time step.
+/// with its share of it, so that its impulse does not depend on the time step. One that acts throughout is
+/// exactly itself: a host that tells it to the engine gets the same bits.
 pub(crate) fn mean_load(load: &Load, t_s: f64, step_s: f64) -> Wrench {
+    if load.from_s <= t_s && load.until_s >= t_s + step_s {
+        return Wrench { force_n: load.force_n, moment_nm: load.moment_nm };
+    }
     let acts_s = (load.until_s.min(t_s + step_s) - load.from_s.max(t_s)).max(0.0);
     let share = (acts_s / step_s).min(1.0);
     Wrench { force_n: load.force_n * share, moment_nm: load.moment_nm * share }

@@ -72,8 +72,9 @@ impl Simulation {
         setup.loads.iter().try_for_each(|load| check_load(load, &setup))?;
         let inertias = inertias(&setup)?;
         let model = build_model(&setup, &inertias)?;
-        let states: Vec<BodyState> = setup.bodies.iter().map(initial_state).collect();
-        check_lines(&setup, &states)?;
+        let states = setup.initial_states();
+        setup.world.environment.check().map_err(SetupError::Environment)?;
+        check_lines(&setup)?;
         let count = states.len();
         let memory = Memory::new(&model);
         let buffers = Buffers {
@@ -96,7 +97,7 @@ impl Simulation {
             summaries: Summaries::default(),
             fender_summaries: FenderSummaries::new(setup.fenders.len()),
             study: study(&setup)?,
-            world: World::new(&setup.world),
+            world: World::new(&setup.world, &setup.bodies),
             index: 0,
             setup,
             model,
@@ -173,6 +174,30 @@ impl Simulation {
         &self.world.vessels
     }
 
+    /// The tugs now, in the order of the set-up.
+    #[must_use]
+    pub fn tugs(&self) -> &[TugAtWork] {
+        &self.world.tugs
+    }
+
+    /// The mooring lines now, in the order of the set-up.
+    #[must_use]
+    pub fn lines(&self) -> &[Mooring] {
+        &self.world.lines
+    }
+
+    /// Contact wrenches of the last step, one a body; zero before the first.
+    #[must_use]
+    pub fn wrenches(&self) -> &[Wrench] {
+        self.work.wrenches()
+    }
+
+    /// The contacts of the last step.
+    #[must_use]
+    pub fn contacts(&self) -> &[Contact] {
+        self.work.contacts()
+    }
+
     /// The berthing by formula and as it came out; `None` where the set-up asks for none, or no fender
     /// was touched yet. An error where ship or speed is none that the formulas are for.
     #[must_use]
@@ -231,18 +256,6 @@ impl Simulation {
         let state = state.ok_or(SetupError::BadBody { owner: "fault", body: vessel })?;
         state.faults = faults;
         Ok(())
-    }
-
-    /// The tugs now, in the order of the set-up.
-    #[must_use]
-    pub fn tugs(&self) -> &[TugAtWork] {
-        &self.world.tugs
-    }
-
-    /// The lines now, in the order of the set-up.
-    #[must_use]
-    pub fn lines(&self) -> &[Mooring] {
-        &self.world.lines
     }
 
     /// Takes one step; beyond the run's duration it simply goes on.
@@ -428,6 +441,25 @@ impl Simulation {
     }
 }
 
+impl Setup {
+    /// The contact problem of these bodies alone, without the world around them: for hosts that move their
+    /// bodies by themselves and show them to the contact engine. The method and the integrator decide what
+    /// a body's mass is: the engine turns her momentum where it moves her itself, by the coupled method
+    /// with the semi-implicit integrator.
+    ///
+    /// # Errors
+    /// [`SetupError`], naming what is wrong.
+    pub fn contact_model(&self) -> Result<Model, SetupError> {
+        build_model(self, &inertias(self)?)
+    }
+
+    /// The states that the bodies start from, in the order of the set-up.
+    #[must_use]
+    pub fn initial_states(&self) -> Vec<BodyState> {
+        self.bodies.iter().map(initial_state).collect()
+    }
+}
+
 fn rates_of(
     inertias: &[Inertia],
     states: &[BodyState],
@@ -513,7 +545,7 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
 }
 
 /// Lines between bodies that are there; those that are fast from the start on can be.
-fn check_lines(setup: &Setup, states: &[BodyState]) -> Result<(), SetupError> {
+fn check_lines(setup: &Setup) -> Result<(), SetupError> {
     for line in &setup.world.lines {
         let far = match line.end {
             LineEnd::OnBody { body, .. } => body,
@@ -525,7 +557,8 @@ fn check_lines(setup: &Setup, states: &[BodyState]) -> Result<(), SetupError> {
             }
         }
         if line.from_s <= 0.0 {
-            line.check(states).map_err(SetupError::Line)?;
+            let tide = &setup.world.environment.tide;
+            line.check_at_start(&setup.bodies, tide).map_err(SetupError::Line)?;
         }
     }
     Ok(())

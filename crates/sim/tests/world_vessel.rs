@@ -49,6 +49,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
                 body: 0,
                 origin: Origin::default(),
                 ship: vessel.ship,
+                deep: vessel.ship,
                 rudder: vessel.steering,
                 shaft: RateLimited { value: shaft_rps, rate_per_s: 0.1, stop: shaft_rps },
                 thrusters: vec![],

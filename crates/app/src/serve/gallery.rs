@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use fenderline_live::message::GalleryEntry;
 use fenderline_live::{Recording, Session, Source};
+use fenderline_scenario::read_text as read;
 
 use super::recorder::ENDING;
-use crate::load::read;
 
 /// What is read from the files of a gallery at most.
 const MOST: usize = 200;

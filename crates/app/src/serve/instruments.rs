@@ -114,7 +114,7 @@ impl<'s> Vessel<'s> {
             wind_over_deck: from_and_speed(air - self.ground),
             true_wind: from_and_speed(air),
             // The transducer is in the keel.
-            depth_m: self.of.under_keel_m(vessel, environment).map(|under_m| (under_m, 0.0)),
+            depth_m: vessel.under_keel_m.map(|under_m| (under_m, 0.0)),
             rudder_rad: propelled.then_some(vessel.rudder.value),
             shafts: propelled
                 .then_some(Shaft { number: 0, rps: vessel.shaft.value })

@@ -29,6 +29,7 @@ use std::sync::{Arc, mpsc};
 
 use fenderline_live::message::{Link, Role};
 use fenderline_live::{Recording, Session};
+use fenderline_scenario::read_text as read;
 use tokio::net::{TcpListener, TcpSocket, UdpSocket};
 use tokio::runtime::Runtime;
 
@@ -40,7 +41,6 @@ use self::hub::{Hub, Told};
 use self::page::Page;
 use crate::cli::{ReplayArgs, ServeArgs};
 use crate::failure::Failure;
-use crate::load::read;
 use crate::terminal::{say, tell};
 
 /// Threads for the network. The simulation has its own.

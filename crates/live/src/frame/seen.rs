@@ -110,6 +110,9 @@ fn world_text(event: &WorldEvent, setup: &Setup) -> String {
     match event.kind {
         WorldEventKind::OrderClamped => format!("{}: an order beyond its stop", vessel()),
         WorldEventKind::Aground => format!("{} IS AGROUND", vessel()),
+        WorldEventKind::ShallowHeld => {
+            format!("{}: shallower than the formulas for shallow water reach", vessel())
+        }
         WorldEventKind::TugLimited => {
             format!("tug {} cannot give that much at this speed and angle", tug())
         }

@@ -44,7 +44,7 @@ pub(super) fn now(simulation: &Simulation, index: usize, berth: Option<&Berth>) 
         heel_rad: vessel.attitude.roll.value + roll,
         trim_rad: vessel.attitude.pitch.value + pitch,
         squat_m: vessel.squat_m,
-        under_keel_m: of.under_keel_m(vessel, environment),
+        under_keel_m: vessel.under_keel_m,
         aground: vessel.aground,
         berth: berth.map(|berth| berth.seen_from(&body.outline, state)),
         faults: Fault::standing(&vessel.faults),

@@ -15,6 +15,7 @@ mod line;
 mod order;
 mod pilot;
 mod setup;
+mod shore;
 mod tug;
 mod vessel;
 
@@ -22,7 +23,9 @@ use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
 
 use self::azimuth_pilot::Stream;
 use self::pilot::Abilities;
+use self::shore::Shore;
 use crate::fender::FenderSetup;
+use crate::setup::BodySetup;
 
 pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
 pub use azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
@@ -51,10 +54,12 @@ pub(crate) struct World {
     /// Vessels that had an order beyond a stop in the last step: told once.
     clamped: Vec<bool>,
     helpers_n: Vec<f64>,
+    /// Bodies that do not float: the tide comes and goes about them.
+    fixed: Vec<bool>,
 }
 
 impl World {
-    pub(crate) fn new(setup: &WorldSetup) -> World {
+    pub(crate) fn new(setup: &WorldSetup, bodies: &[BodySetup]) -> World {
         let water = setup.environment.density();
         let mut orders = setup.orders.clone();
         orders.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
@@ -69,6 +74,7 @@ impl World {
             taken: 0,
             clamped: vec![false; setup.vessels.len()],
             helpers_n: Vec::new(),
+            fixed: bodies.iter().map(BodySetup::is_fixed).collect(),
         }
     }
 
@@ -110,7 +116,13 @@ impl World {
             }
             self.clamped[index] = clamped;
             own.squat_m = vessel.squat_m(state, &setup.environment, t_s);
-            let aground = vessel.is_aground(own, &setup.environment);
+            own.under_keel_m = vessel.under_keel_m(own.squat_m, &setup.environment, t_s);
+            let held = vessel.is_held(&setup.environment, t_s);
+            if held && !own.held {
+                self.events.push(WorldEvent { who: index, kind: WorldEventKind::ShallowHeld });
+            }
+            own.held = held;
+            let aground = VesselSetup::is_aground(own);
             if aground && !own.aground {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
             }
@@ -131,7 +143,9 @@ impl World {
             loads[vessel.body].moment_nm += wrench.moment_nm;
         }
         for (index, (mooring, line)) in self.lines.iter_mut().zip(&setup.lines).enumerate() {
-            mooring.step(index, line, states, (t_s, step_s), loads, &mut self.events);
+            let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
+            let (times, events) = ((t_s, step_s), &mut self.events);
+            mooring.step(index, line, (states, shore), times, loads, events);
         }
     }
 
@@ -194,6 +208,7 @@ impl World {
         states: &[BodyState],
         (t_s, step_s): (f64, f64),
     ) {
+        let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
         for (index, vessel) in setup.vessels.iter().enumerate() {
             let state = &states[vessel.body];
             self.vessels[index].wave_motion =
@@ -212,8 +227,10 @@ impl World {
                     _ => continue,
                 };
                 // A fender's own height; outlines press at the waterline.
-                let height_m =
-                    contact.fender.map_or(0.0, |id| fenders[id.0 as usize].above_water_m);
+                let height_m = contact.fender.map_or(0.0, |id| {
+                    let fender = &fenders[id.0 as usize];
+                    shore.above_water_m(fender.body, fender.above_water_m)
+                });
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
                 // Squat takes her centre of gravity down, the fender stays where it is.
                 let gravity_m = float.gravity_above_water_m - self.vessels[index].squat_m;

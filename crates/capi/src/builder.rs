@@ -1,0 +1,218 @@
+//! Engines made by calls.
+
+use core::ffi::c_char;
+use core::ptr;
+
+use fenderline_contact::outline::MAX_VERTICES;
+use fenderline_contact::vec2;
+use fenderline_embed::{BodyParts, EngineBuilder, FenderParts};
+
+use crate::border::{LONGEST_NAME, check, put_text, read_all, read_sized, text, write};
+use crate::engine::{hold, settings_of};
+use crate::failure::{FlStatus, failure};
+use crate::library::keep_last;
+use crate::table::{BUILDERS, FlBuilder, FlEngine, no_panic};
+use crate::types::{FlBody, FlFender, FlMaterial, FlSettings};
+
+/// Most points of a reaction curve.
+const MOST_POINTS: usize = 10_000;
+
+/// Makes an empty builder at `*builder`, to be destroyed by fl_builder_destroy().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_new(builder: *mut *mut FlBuilder) -> FlStatus {
+    no_panic(|| {
+        check(builder, "builder")?;
+        let made = BUILDERS.insert(EngineBuilder::new())?;
+        // SAFETY: as the caller promises.
+        unsafe { write(builder, made, "builder") }
+    })
+}
+
+/// Destroys a builder. The engines that it made stay. NULL is nothing to destroy, and good.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_builder_destroy(builder: *mut FlBuilder) -> FlStatus {
+    no_panic(|| if builder.is_null() { Ok(()) } else { BUILDERS.remove(builder) })
+}
+
+/// Copies the text of the last call on this builder that failed: as fl_last_error().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_error(
+    builder: *const FlBuilder,
+    buffer: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> FlStatus {
+    keep_last(|_| {
+        let own = BUILDERS.error(builder)?;
+        // SAFETY: as the caller promises.
+        unsafe { put_text(&own, buffer, capacity, length) }
+    })
+}
+
+/// Adds a material under a unique name; its index, counted from 0, goes to `index` where that is not NULL. Its
+/// numbers are checked by fl_builder_build().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_add_material(
+    builder: *mut FlBuilder,
+    name: *const c_char,
+    name_length: usize,
+    material: *const FlMaterial,
+    index: *mut u32,
+) -> FlStatus {
+    BUILDERS.call(builder, |builder| {
+        // SAFETY: as the caller promises.
+        let name = unsafe { text(name, name_length, LONGEST_NAME, "name") }?;
+        // SAFETY: as the caller promises.
+        let material = unsafe { read_sized(material, "material") }?;
+        check_index(index)?;
+        let own = builder.material(&name, material.inward())?;
+        // SAFETY: as the caller promises.
+        unsafe { give_index(index, own) }
+    })
+}
+
+/// Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard of
+/// the centre of gravity) [m], in either direction, convex or not. Its index, counted from 0, goes to `index`
+/// where that is not NULL. Its masses are checked by fl_builder_build().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_add_body(
+    builder: *mut FlBuilder,
+    name: *const c_char,
+    name_length: usize,
+    body: *const FlBody,
+    outline_m: *const f64,
+    vertices: usize,
+    index: *mut u32,
+) -> FlStatus {
+    BUILDERS.call(builder, |builder| {
+        // SAFETY: as the caller promises.
+        let name = unsafe { text(name, name_length, LONGEST_NAME, "name") }?;
+        // SAFETY: as the caller promises.
+        let body = unsafe { read_sized(body, "body") }?;
+        // SAFETY: as the caller promises.
+        let outline_m = unsafe { pairs(outline_m, vertices, MAX_VERTICES, "outline_m") }?;
+        let outline_m: Vec<_> = outline_m.into_iter().map(|[x, y]| vec2(x, y)).collect();
+        check_index(index)?;
+        let own = builder.body(&BodyParts {
+            name: &name,
+            outline_m: &outline_m,
+            mass: body.mass(),
+            position_m: vec2(body.north_m, body.east_m),
+            heading_rad: body.heading_rad,
+        })?;
+        // SAFETY: as the caller promises.
+        unsafe { give_index(index, own) }
+    })
+}
+
+/// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection [m] and reaction
+/// [N], from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
+/// stiffness times the area of the overlap. Its index, counted from 0, goes to `index` where that is not
+/// NULL. Its numbers are checked by fl_builder_build().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_add_fender(
+    builder: *mut FlBuilder,
+    name: *const c_char,
+    name_length: usize,
+    fender: *const FlFender,
+    curve: *const f64,
+    points: usize,
+    index: *mut u32,
+) -> FlStatus {
+    BUILDERS.call(builder, |builder| {
+        // SAFETY: as the caller promises.
+        let name = unsafe { text(name, name_length, LONGEST_NAME, "name") }?;
+        // SAFETY: as the caller promises.
+        let fender = unsafe { read_sized(fender, "fender") }?;
+        // SAFETY: as the caller promises.
+        let curve = unsafe { pairs(curve, points, MOST_POINTS, "curve") }?;
+        check_index(index)?;
+        let own = builder.fender(&FenderParts {
+            name: &name,
+            body: fender.body as usize,
+            position_m: fender.position_m(),
+            facing_rad: fender.facing_rad,
+            width_m: fender.width_m,
+            projection_m: fender.projection_m,
+            law: FlFender::law(curve),
+            material: fender.material as usize,
+            rated_deflection_m: fender.rated_deflection_m(),
+            stop: fender.stop(),
+        })?;
+        // SAFETY: as the caller promises.
+        unsafe { give_index(index, own) }
+    })
+}
+
+/// Lets two bodies touch, with a material.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_builder_add_pair(
+    builder: *mut FlBuilder,
+    body_1: u32,
+    body_2: u32,
+    material: u32,
+) -> FlStatus {
+    BUILDERS.call(builder, |builder| {
+        Ok(builder.pair([body_1 as usize, body_2 as usize], material as usize)?)
+    })
+}
+
+/// Lets all pairs of bodies touch that fl_builder_add_pair() does not name, with a material.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_builder_every_other_pair(builder: *mut FlBuilder, material: u32) -> FlStatus {
+    BUILDERS.call(builder, |builder| Ok(builder.every_other_pair(material as usize)?))
+}
+
+/// Makes an engine of all that was added, at `*engine`, to be destroyed by fl_engine_destroy(); NULL where
+/// that fails. `settings` may be NULL: all defaults. The builder stays as it is, and can go on.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_builder_build(
+    builder: *mut FlBuilder,
+    settings: *const FlSettings,
+    engine: *mut *mut FlEngine,
+) -> FlStatus {
+    BUILDERS.call(builder, |builder| {
+        // SAFETY: as the caller promises.
+        unsafe { write(engine, ptr::null_mut(), "engine") }?;
+        // SAFETY: as the caller promises.
+        let settings = unsafe { settings_of(settings) }?;
+        let made = hold(builder.build(&settings)?)?;
+        // SAFETY: as the caller promises.
+        unsafe { write(engine, made, "engine") }
+    })
+}
+
+/// An index is asked for, or not.
+fn check_index(index: *mut u32) -> crate::failure::Outcome {
+    if index.is_null() { Ok(()) } else { check(index, "index") }
+}
+
+/// # Safety
+/// The caller's promise.
+unsafe fn give_index(index: *mut u32, own: usize) -> crate::failure::Outcome {
+    if index.is_null() {
+        return Ok(());
+    }
+    // SAFETY: as the caller promises.
+    unsafe { write(index, own as u32, "index") }
+}
+
+/// Pairs of numbers.
+///
+/// # Safety
+/// The caller's promise for `count` pairs.
+unsafe fn pairs(
+    pointer: *const f64,
+    count: usize,
+    most: usize,
+    name: &str,
+) -> crate::failure::Outcome<Vec<[f64; 2]>> {
+    if count > most {
+        let text = format_args!("`{name}` has {count} points, at most {most} are taken");
+        return failure(FlStatus::BadArgument, text);
+    }
+    let mut numbers = Vec::new();
+    // SAFETY: as the caller promises; `count` is within its bound.
+    unsafe { read_all(pointer, 2 * count, name, |number| number, &mut numbers) }?;
+    Ok(numbers.chunks_exact(2).map(|two| [two[0], two[1]]).collect())
+}

@@ -1,0 +1,558 @@
+//! Engines.
+
+use core::ffi::c_char;
+use core::ptr;
+use std::path::Path;
+
+use fenderline_contact::{BodyState, StepError, Wrench};
+use fenderline_embed::{Engine, EngineError, Results, Settings};
+use fenderline_scenario::{Override, Scenario, ScenarioError};
+
+use crate::border::{
+    LONGEST_NAME, LONGEST_PATH, LONGEST_SCENARIO, bytes, check, check_size, put_bytes, put_text,
+    read, read_all, read_sized, text, write, write_all,
+};
+use crate::failure::{FlStatus, Outcome, failure};
+use crate::library::keep_last;
+use crate::table::{ENGINES, EngineHeld, FlEngine, no_panic};
+use crate::types::{FlContact, FlEvent, FlSettings, FlState, FlWrench};
+
+/// Makes an engine of a scenario file, at `*engine`, to be destroyed by fl_engine_destroy(); NULL where that
+/// fails. Files that the scenario names lie beside it. `overrides` replaces keys of the scenario, one
+/// KEY=VALUE a line, as in "contact.method=coupled"; none: NULL and 0. `settings` may be NULL: all defaults.
+///
+/// The engine takes the scenario's bodies, fenders, materials and pairs. What else acts on the bodies there,
+/// loads and wind and the like, is the host's: see fl_engine_notices().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_from_file(
+    path: *const c_char,
+    path_length: usize,
+    overrides: *const c_char,
+    overrides_length: usize,
+    settings: *const FlSettings,
+    engine: *mut *mut FlEngine,
+) -> FlStatus {
+    no_panic(|| {
+        // SAFETY: as the caller promises.
+        unsafe { write(engine, ptr::null_mut(), "engine") }?;
+        // SAFETY: as the caller promises.
+        let path = unsafe { text(path, path_length, LONGEST_PATH, "path") }?;
+        // SAFETY: as the caller promises.
+        let overrides = unsafe { text(overrides, overrides_length, LONGEST_PATH, "overrides") }?;
+        // SAFETY: as the caller promises.
+        let settings = unsafe { settings_of(settings) }?;
+        let scenario = Scenario::load(Path::new(&path), &overrides_of(&overrides)?);
+        let scenario = scenario.or_else(|error| failure(FlStatus::BadScenario, error))?;
+        let made = hold(Engine::from_scenario(scenario, &settings)?)?;
+        // SAFETY: as the caller promises.
+        unsafe { write(engine, made, "engine") }
+    })
+}
+
+/// As fl_engine_from_file(), of the text of a scenario that names no other files.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_from_text(
+    scenario: *const c_char,
+    scenario_length: usize,
+    overrides: *const c_char,
+    overrides_length: usize,
+    settings: *const FlSettings,
+    engine: *mut *mut FlEngine,
+) -> FlStatus {
+    no_panic(|| {
+        // SAFETY: as the caller promises.
+        unsafe { write(engine, ptr::null_mut(), "engine") }?;
+        // SAFETY: as the caller promises.
+        let own = unsafe { text(scenario, scenario_length, LONGEST_SCENARIO, "scenario") }?;
+        // SAFETY: as the caller promises.
+        let overrides = unsafe { text(overrides, overrides_length, LONGEST_PATH, "overrides") }?;
+        // SAFETY: as the caller promises.
+        let settings = unsafe { settings_of(settings) }?;
+        let scenario = Scenario::parse_with(&own, "scenario", &overrides_of(&overrides)?);
+        let scenario = scenario.or_else(bad_scenario)?;
+        let made = hold(Engine::from_scenario(scenario, &settings)?)?;
+        // SAFETY: as the caller promises.
+        unsafe { write(engine, made, "engine") }
+    })
+}
+
+/// Destroys an engine. NULL is nothing to destroy, and good.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_engine_destroy(engine: *mut FlEngine) -> FlStatus {
+    no_panic(|| if engine.is_null() { Ok(()) } else { ENGINES.remove(engine) })
+}
+
+/// Copies the text of the last call on this engine that failed: as fl_last_error().
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_error(
+    engine: *const FlEngine,
+    buffer: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> FlStatus {
+    keep_last(|_| {
+        let own = ENGINES.error(engine)?;
+        // SAFETY: as the caller promises.
+        unsafe { put_text(&own, buffer, capacity, length) }
+    })
+}
+
+/// Forgets all that happened, was shown and was told: the next step is the first.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_engine_reset(engine: *mut FlEngine) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        held.engine.reset();
+        Ok(())
+    })
+}
+
+/// Copies what a user should know of the scenario, and what of it is left to the host; one line each, maybe
+/// none. `length` may be NULL. See "Texts" in the preamble.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_notices(
+    engine: *const FlEngine,
+    buffer: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        let notices = held.engine.notices().join("\n");
+        // SAFETY: as the caller promises.
+        unsafe { put_text(&notices, buffer, capacity, length) }
+    })
+}
+
+/// Number of bodies. Indices count from 0, in the order of the scenario or of the builder's calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_body_count(
+    engine: *const FlEngine,
+    count: *mut usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        unsafe { write(count, held.engine.model().bodies().len(), "count") }
+    })
+}
+
+/// Copies the name of a body. `length` may be NULL. See "Texts" in the preamble.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_body_name(
+    engine: *const FlEngine,
+    body: u32,
+    buffer: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        let body = among("body", held.engine.model().bodies(), body)?;
+        // SAFETY: as the caller promises.
+        unsafe { put_text(&body.name, buffer, capacity, length) }
+    })
+}
+
+/// Index of the body of a name.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_find_body(
+    engine: *const FlEngine,
+    name: *const c_char,
+    name_length: usize,
+    body: *mut u32,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        let name = unsafe { text(name, name_length, LONGEST_NAME, "name") }?;
+        let index = held.engine.body_named(&name)?;
+        // SAFETY: as the caller promises.
+        unsafe { write(body, index as u32, "body") }
+    })
+}
+
+/// Number of fenders. Indices count from 0, in the order of the scenario or of the builder's calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_fender_count(
+    engine: *const FlEngine,
+    count: *mut usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        unsafe { write(count, held.engine.model().fenders().len(), "count") }
+    })
+}
+
+/// Copies the name of a fender. `length` may be NULL. See "Texts" in the preamble.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_fender_name(
+    engine: *const FlEngine,
+    fender: u32,
+    buffer: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        let fender = among("fender", held.engine.model().fenders(), fender)?;
+        // SAFETY: as the caller promises.
+        unsafe { put_text(&fender.name, buffer, capacity, length) }
+    })
+}
+
+/// Index of the fender of a name.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_find_fender(
+    engine: *const FlEngine,
+    name: *const c_char,
+    name_length: usize,
+    fender: *mut u32,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        let name = unsafe { text(name, name_length, LONGEST_NAME, "name") }?;
+        let index = held.engine.fender_named(&name)?;
+        // SAFETY: as the caller promises.
+        unsafe { write(fender, index as u32, "fender") }
+    })
+}
+
+/// Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row
+/// by row: 9 numbers [kg, kg m, kg m2]; zeros for a fixed body. A following host must move its bodies with it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_mass_matrix(
+    engine: *const FlEngine,
+    body: u32,
+    matrix: *mut f64,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        let body = among("body", held.engine.model().bodies(), body)?;
+        let own = body.mobility.matrix().unwrap_or_default();
+        // SAFETY: as the caller promises, for 9 numbers.
+        unsafe { write_all(matrix, own.as_flattened(), "matrix", |number| number) }
+    })
+}
+
+/// Copies the states from which the scenario or the builder lets the bodies begin; `count` is the number of
+/// bodies.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_initial_states(
+    engine: *const FlEngine,
+    states: *mut FlState,
+    count: usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        unsafe { give(held.engine.initial_states(), states, count, FlState::outward) }
+    })
+}
+
+/// Shows the state of one body for the next step. A fixed body need not be shown.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_set_state(
+    engine: *mut FlEngine,
+    body: u32,
+    state: *const FlState,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        let state = unsafe { read(state, "state") }?;
+        Ok(held.engine.set_state(body as usize, &state.inward())?)
+    })
+}
+
+/// Shows the states of all bodies for the next step: all of them, or none where one is refused. `count` is
+/// the number of bodies.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_set_states(
+    engine: *mut FlEngine,
+    states: *const FlState,
+    count: usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        unsafe { take_states(held, states, count) }?;
+        Ok(held.engine.set_states(&held.states)?)
+    })
+}
+
+/// Tells all that acts on each body except contact, until it is told again; `count` is the number of bodies.
+/// NULL and 0: not told, as at the start. Then a host of the present has no loads, and those of a following
+/// host are found in its states. By the paper's method there are no loads.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_set_loads(
+    engine: *mut FlEngine,
+    loads: *const FlWrench,
+    count: usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        let told = unsafe { take_loads(held, loads, count) }?;
+        Ok(held.engine.set_loads(told.then_some(&held.loads))?)
+    })
+}
+
+/// Takes a step of `step_s` seconds from the states that were shown last. All floating bodies must have been
+/// shown.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_engine_step(engine: *mut FlEngine, step_s: f64) -> FlStatus {
+    ENGINES.call(engine, |held| Ok(held.engine.step(step_s)?))
+}
+
+/// In one call: fl_engine_set_states(), fl_engine_set_loads() where `loads` is not NULL, fl_engine_step() and
+/// fl_engine_wrenches(). All arrays have `count` members, which is the number of bodies. Where any of it fails
+/// nothing has changed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_advance(
+    engine: *mut FlEngine,
+    states: *const FlState,
+    loads: *const FlWrench,
+    count: usize,
+    step_s: f64,
+    wrenches: *mut FlWrench,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        unsafe { take_states(held, states, count) }?;
+        let told = !loads.is_null();
+        if told {
+            // SAFETY: as the caller promises.
+            unsafe { take_loads(held, loads, count) }?;
+        }
+        if count > 0 {
+            check(wrenches, "wrenches")?;
+        }
+        let EngineHeld { engine, states, loads } = held;
+        let own = engine.advance(states, told.then_some(loads), step_s)?;
+        // SAFETY: as the caller promises.
+        unsafe { give(own, wrenches, count, FlWrench::outward) }
+    })
+}
+
+/// Copies the wrenches of the last step, which the host is to add to its forces for that step; `count` is the
+/// number of bodies.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_wrenches(
+    engine: *const FlEngine,
+    wrenches: *mut FlWrench,
+    count: usize,
+) -> FlStatus {
+    results(engine, |results| {
+        // SAFETY: as the caller promises.
+        unsafe { give(results.wrenches, wrenches, count, FlWrench::outward) }
+    })
+}
+
+/// Copies the states that the engine came to at the end of the last step, for hosts that let it move the
+/// bodies: by the coupled method with a host of the present. `count` is the number of bodies.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_states_after(
+    engine: *const FlEngine,
+    states: *mut FlState,
+    count: usize,
+) -> FlStatus {
+    results(engine, |results| {
+        if results.states_after.is_empty() && !results.wrenches.is_empty() {
+            let text =
+                "only by the coupled method with a host of the present the engine moves bodies";
+            return failure(FlStatus::NotAvailable, text);
+        }
+        // SAFETY: as the caller promises.
+        unsafe { give(results.states_after, states, count, FlState::outward) }
+    })
+}
+
+/// Copies what the last step took for a following host's present states, which it will show when they are old
+/// enough, and its loads, told or observed. `count` is the number of bodies.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_reckoned(
+    engine: *const FlEngine,
+    states: *mut FlState,
+    loads: *mut FlWrench,
+    count: usize,
+) -> FlStatus {
+    results(engine, |results| {
+        let Some(reckoned) = results.reckoned else {
+            return failure(
+                FlStatus::NotAvailable,
+                "only of a following host something is reckoned",
+            );
+        };
+        if count > 0 {
+            check(loads, "loads")?;
+        }
+        // SAFETY: as the caller promises.
+        unsafe { give(reckoned.states, states, count, FlState::outward) }?;
+        // SAFETY: as the caller promises.
+        unsafe { give(reckoned.loads, loads, count, FlWrench::outward) }
+    })
+}
+
+/// Number of patches that touched in the last step.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_contact_count(
+    engine: *const FlEngine,
+    count: *mut usize,
+) -> FlStatus {
+    results(engine, |results| {
+        // SAFETY: as the caller promises.
+        unsafe { write(count, results.contacts.len(), "count") }
+    })
+}
+
+/// Copies a contact of the last step, counted from 0 in a fixed order. The caller sets `contact->size`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_contact(
+    engine: *const FlEngine,
+    index: u32,
+    contact: *mut FlContact,
+) -> FlStatus {
+    results(engine, |results| {
+        let own = among("contact", results.contacts, index)?;
+        check_size(contact, "contact")?;
+        // SAFETY: as the caller promises.
+        unsafe { write(contact, FlContact::outward(own), "contact") }
+    })
+}
+
+/// Number of events of the last step.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_event_count(
+    engine: *const FlEngine,
+    count: *mut usize,
+) -> FlStatus {
+    results(engine, |results| {
+        // SAFETY: as the caller promises.
+        unsafe { write(count, results.events.len(), "count") }
+    })
+}
+
+/// Copies an event of the last step, counted from 0 in a fixed order. The caller sets `event->size`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_event(
+    engine: *const FlEngine,
+    index: u32,
+    event: *mut FlEvent,
+) -> FlStatus {
+    results(engine, |results| {
+        let own = among("event", results.events, index)?;
+        check_size(event, "event")?;
+        // SAFETY: as the caller promises.
+        unsafe { write(event, FlEvent::outward(own), "event") }
+    })
+}
+
+/// Copies all of the engine that can change as bytes, results included: they are of one version of the
+/// library, the same on every machine, and check-summed. NULL and a capacity of 0 ask for `*length` alone.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_save(
+    engine: *const FlEngine,
+    buffer: *mut u8,
+    capacity: usize,
+    length: *mut usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        unsafe { put_bytes(&held.engine.save(), buffer, capacity, length) }
+    })
+}
+
+/// Becomes what fl_engine_save() saved, of this engine or of another with the same model and settings, and
+/// goes on with the same bits. Any bytes may be given: those that are no such save are refused.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_restore(
+    engine: *mut FlEngine,
+    saved: *const u8,
+    length: usize,
+) -> FlStatus {
+    ENGINES.call(engine, |held| {
+        // SAFETY: as the caller promises.
+        let saved = unsafe { bytes(saved, length, "saved") }?;
+        Ok(held.engine.restore(&saved)?)
+    })
+}
+
+/// Holds an engine; gives its handle.
+pub(crate) fn hold(engine: Engine) -> Outcome<*mut FlEngine> {
+    ENGINES.insert(EngineHeld { engine, states: Vec::new(), loads: Vec::new() })
+}
+
+/// Settings, or the defaults where there are none.
+///
+/// # Safety
+/// The caller's promise.
+pub(crate) unsafe fn settings_of(settings: *const FlSettings) -> Outcome<Settings> {
+    if settings.is_null() {
+        return Ok(Settings::default());
+    }
+    // SAFETY: as the caller promises.
+    unsafe { read_sized(settings, "settings") }?.inward()
+}
+
+fn overrides_of(text: &str) -> Outcome<Vec<Override>> {
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    let read: Result<Vec<Override>, ScenarioError> = lines.map(Override::parse).collect();
+    read.or_else(bad_scenario)
+}
+
+fn bad_scenario<T>(error: ScenarioError) -> Outcome<T> {
+    failure(FlStatus::BadScenario, error)
+}
+
+/// Runs a call on the results of an engine.
+fn results(engine: *const FlEngine, call: impl FnOnce(Results<'_>) -> Outcome) -> FlStatus {
+    ENGINES.call(engine, |held| call(held.engine.results()?))
+}
+
+fn among<'a, T>(what: &'static str, all: &'a [T], index: u32) -> Outcome<&'a T> {
+    let index = index as usize;
+    Ok(all.get(index).ok_or(EngineError::NoSuch { what, index, count: all.len() })?)
+}
+
+/// Refuses arrays that have not one member a body, before anything is read or written.
+fn check_count(bodies: usize, count: usize) -> Outcome {
+    if bodies == count {
+        return Ok(());
+    }
+    Err(EngineError::Input(StepError::WrongCount { bodies, states: count }).into())
+}
+
+/// Reads states into the buffer.
+///
+/// # Safety
+/// The caller's promise for `count` of them.
+unsafe fn take_states(held: &mut EngineHeld, states: *const FlState, count: usize) -> Outcome {
+    check_count(held.engine.states().len(), count)?;
+    // SAFETY: as the caller promises; `count` is the number of bodies.
+    unsafe { read_all(states, count, "states", FlState::inward, &mut held.states) }
+}
+
+/// Reads loads into the buffer; false for none.
+///
+/// # Safety
+/// The caller's promise for `count` of them.
+unsafe fn take_loads(held: &mut EngineHeld, loads: *const FlWrench, count: usize) -> Outcome<bool> {
+    if loads.is_null() && count == 0 {
+        return Ok(false);
+    }
+    check_count(held.engine.states().len(), count)?;
+    // SAFETY: as the caller promises; `count` is the number of bodies.
+    unsafe { read_all(loads, count, "loads", FlWrench::inward, &mut held.loads) }?;
+    Ok(true)
+}
+
+/// Copies one value a body out.
+///
+/// # Safety
+/// The caller's promise for `count` of them.
+unsafe fn give<T: Copy, U: Copy>(
+    own: &[T],
+    into: *mut U,
+    count: usize,
+    turn: impl Fn(T) -> U,
+) -> Outcome {
+    check_count(own.len(), count)?;
+    // SAFETY: as the caller promises; `count` is the number of values.
+    unsafe { write_all(into, own, "the array", turn) }
+}
+
+const _: fn() = || {
+    // Handles are used from any thread.
+    fn is_send<T: Send>() {}
+    is_send::<(EngineHeld, BodyState, Wrench)>();
+};

@@ -1,0 +1,70 @@
+//! The library as a whole.
+
+use core::ffi::{CStr, c_char};
+use std::cell::RefCell;
+
+use crate::border::put_text;
+use crate::failure::FlStatus;
+use crate::table::no_panic;
+
+/// Version of this interface. It changes when a program must be compiled anew.
+pub const FL_ABI_VERSION: u32 = 1;
+
+thread_local! {
+    /// Text of the last call of this thread that failed.
+    static LAST: RefCell<String> = const { RefCell::new(String::new()) };
+}
+
+/// Keeps a failure's text for [`fl_last_error`].
+#[cold]
+pub(crate) fn remember(text: String) {
+    // A thread that is ending has no place for it any more.
+    let _ = LAST.try_with(|last| *last.borrow_mut() = text);
+}
+
+/// The interface of the library that is linked, to be held against FL_ABI_VERSION of the header.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_abi_version() -> u32 {
+    FL_ABI_VERSION
+}
+
+/// The library's version, as in "0.1.0". The text is the library's.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_version() -> *const c_char {
+    const VERSION: &CStr =
+        match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
+            Ok(version) => version,
+            Err(_) => c"",
+        };
+    VERSION.as_ptr()
+}
+
+/// What a status means, in a few words. The text is the library's; any number may be asked about.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_status_text(status: i32) -> *const c_char {
+    let known = FlStatus::ALL.into_iter().find(|known| *known as i32 == status);
+    known.map_or(c"no status", FlStatus::text).as_ptr()
+}
+
+/// Copies the text of the last call of this thread that failed; empty where none did. It stays until another
+/// call fails. `length` may be NULL. See "Texts" in the preamble; a buffer that is too small does not count
+/// as a call that failed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_last_error(
+    buffer: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> FlStatus {
+    // SAFETY: as the caller promises.
+    keep_last(|text| unsafe { put_text(text, buffer, capacity, length) })
+}
+
+/// Tells of an error without becoming the last one itself.
+pub(crate) fn keep_last(tell: impl FnOnce(&str) -> crate::failure::Outcome) -> FlStatus {
+    let text = LAST.try_with(|last| last.borrow().clone()).unwrap_or_default();
+    let status = no_panic(|| tell(&text));
+    if status != FlStatus::Ok {
+        remember(text);
+    }
+    status
+}

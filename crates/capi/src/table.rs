@@ -1,0 +1,173 @@
+//! What handles stand for. A handle is a number in the shape of a pointer, looked up here and never followed:
+//! it holds a mark that no address has, the kind of its object and a serial number that is not given again.
+
+use core::ptr;
+use std::any::Any;
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, RwLock};
+
+use fenderline_contact::{BodyState, Wrench};
+use fenderline_embed::{Engine, EngineBuilder};
+
+use crate::failure::{Failure, FlStatus, Outcome, failure};
+use crate::library::remember;
+
+/// An engine. Of its own, with nothing shared but the table of handles.
+pub struct FlEngine {
+    _opaque: [u8; 0],
+}
+
+/// Parts from which an engine is to be made.
+pub struct FlBuilder {
+    _opaque: [u8; 0],
+}
+
+/// An engine with the buffers of its border.
+pub(crate) struct EngineHeld {
+    pub(crate) engine: Engine,
+    pub(crate) states: Vec<BodyState>,
+    pub(crate) loads: Vec<Wrench>,
+}
+
+/// All objects of one kind.
+pub(crate) struct Table<T> {
+    /// The low four bits of its handles; odd, as no pointer to anything is.
+    kind: usize,
+    held: RwLock<Held<T>>,
+}
+
+struct Held<T> {
+    serial: usize,
+    objects: BTreeMap<usize, Arc<Mutex<Object<T>>>>,
+}
+
+/// One object.
+pub(crate) struct Object<T> {
+    pub(crate) content: T,
+    /// Text of its last call that failed.
+    pub(crate) error: String,
+    /// A call panicked: the content may be half changed.
+    panicked: bool,
+}
+
+pub(crate) static ENGINES: Table<EngineHeld> = Table::new(0b0101);
+pub(crate) static BUILDERS: Table<EngineBuilder> = Table::new(0b1011);
+
+/// In the high bits where there is room: an address with these is none.
+const MARK: usize = if usize::BITS == 64 { 0xfede_usize.rotate_right(16) } else { 0 };
+const SERIALS: usize = if usize::BITS == 64 { 1 << 40 } else { usize::MAX >> 4 };
+
+impl<T> Table<T> {
+    const fn new(kind: usize) -> Table<T> {
+        Table { kind, held: RwLock::new(Held { serial: 0, objects: BTreeMap::new() }) }
+    }
+
+    /// Holds an object; gives its handle.
+    pub(crate) fn insert<H>(&self, content: T) -> Outcome<*mut H> {
+        let mut held = self.held.write().unwrap_or_else(PoisonError::into_inner);
+        if held.serial + 1 >= SERIALS {
+            return failure(FlStatus::NotAvailable, "all handles have been given");
+        }
+        held.serial += 1;
+        let serial = held.serial;
+        let object = Object { content, error: String::new(), panicked: false };
+        held.objects.insert(serial, Arc::new(Mutex::new(object)));
+        Ok(ptr::without_provenance_mut(MARK | (serial << 4) | self.kind))
+    }
+
+    /// Lets go of an object, which lasts until a call on it that is under way has ended.
+    pub(crate) fn remove<H>(&self, handle: *const H) -> Outcome {
+        let serial = self.serial_of(handle)?;
+        let mut held = self.held.write().unwrap_or_else(PoisonError::into_inner);
+        let Some(object) = held.objects.remove(&serial) else { return self.unknown(handle) };
+        // What it holds is dropped without the lock.
+        drop(held);
+        drop(object);
+        Ok(())
+    }
+
+    /// The object of a handle.
+    fn find<H>(&self, handle: *const H) -> Outcome<Arc<Mutex<Object<T>>>> {
+        let serial = self.serial_of(handle)?;
+        let held = self.held.read().unwrap_or_else(PoisonError::into_inner);
+        match held.objects.get(&serial) {
+            Some(object) => Ok(Arc::clone(object)),
+            None => self.unknown(handle),
+        }
+    }
+
+    fn serial_of<H>(&self, handle: *const H) -> Outcome<usize> {
+        let value = handle.addr();
+        let serial = (value & !MARK) >> 4;
+        if value == MARK | (serial << 4) | self.kind { Ok(serial) } else { self.unknown(handle) }
+    }
+
+    #[cold]
+    fn unknown<H, R>(&self, handle: *const H) -> Outcome<R> {
+        if handle.is_null() {
+            return failure(FlStatus::BadPointer, "the handle is NULL");
+        }
+        failure(FlStatus::BadHandle, "the handle was destroyed, or is none of this kind")
+    }
+
+    /// Runs a call on the object of a handle, one at a time.
+    pub(crate) fn call<H>(
+        &self,
+        handle: *const H,
+        call: impl FnOnce(&mut T) -> Outcome,
+    ) -> FlStatus {
+        no_panic(|| {
+            let object = self.find(handle)?;
+            let mut object = lock(&object);
+            if object.panicked {
+                return failure(FlStatus::Panicked, &object.error);
+            }
+            let content = &mut object.content;
+            let outcome = match catch_unwind(AssertUnwindSafe(|| call(content))) {
+                Ok(outcome) => outcome,
+                Err(payload) => {
+                    object.panicked = true;
+                    Err(panicked(payload.as_ref()))
+                }
+            };
+            if let Err(failure) = &outcome {
+                object.error.clone_from(&failure.text);
+            }
+            outcome
+        })
+    }
+
+    /// The text of the last call on a handle that failed.
+    pub(crate) fn error<H>(&self, handle: *const H) -> Outcome<String> {
+        let object = self.find(handle)?;
+        let text = lock(&object).error.clone();
+        Ok(text)
+    }
+}
+
+fn lock<T>(object: &Mutex<Object<T>>) -> MutexGuard<'_, Object<T>> {
+    // A panic within is told by `panicked`.
+    object.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Runs a call; its failure or panic becomes a status, and its text that of [`crate::fl_last_error`].
+pub(crate) fn no_panic(call: impl FnOnce() -> Outcome) -> FlStatus {
+    let outcome = catch_unwind(AssertUnwindSafe(call));
+    match outcome.unwrap_or_else(|payload| Err(panicked(payload.as_ref()))) {
+        Ok(()) => FlStatus::Ok,
+        Err(Failure { status, text }) => {
+            remember(text);
+            status
+        }
+    }
+}
+
+#[cold]
+fn panicked(payload: &(dyn Any + Send)) -> Failure {
+    let own = payload.downcast_ref::<&str>().copied();
+    let message = own.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    let message = message.unwrap_or("no message");
+    let text = format!("a fault of the library, not of its caller: {message}");
+    Failure { status: FlStatus::Panicked, text }
+}

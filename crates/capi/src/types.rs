@@ -1,0 +1,451 @@
+//! Structures that cross the border.
+
+use fenderline_contact::{
+    BodyState, Contact, Event, EventKind, FenderLaw, Friction, HostIntegration, HostSettings,
+    Material, Stop, Vec2, Wrench, vec2,
+};
+use fenderline_embed::{Host, Settings, Turning};
+use fenderline_sim::{MassProperties, Method};
+
+use crate::failure::{FlStatus, Outcome, failure};
+
+/// Given for the length of a text: it ends with a NUL. cbindgen has no name for the value: the header's own
+/// line is in cbindgen.toml.
+/// cbindgen:ignore
+pub const FL_NUL: usize = usize::MAX;
+
+/// No fender: two outlines touch.
+pub const FL_NONE: u32 = u32::MAX;
+
+/// fl_settings.method: the scenario's; FL_METHOD_COUPLED where there is no scenario.
+pub const FL_METHOD_DEFAULT: u32 = 0;
+/// fl_settings.method: all contacts of a step are solved together with the loads.
+pub const FL_METHOD_COUPLED: u32 = 1;
+/// fl_settings.method: the paper's, each pair by itself and without loads.
+pub const FL_METHOD_PAPER: u32 = 2;
+
+/// fl_settings.host: it shows the states of each step's beginning and tells all its loads.
+pub const FL_HOST_PRESENT: u32 = 0;
+/// fl_settings.host: it moves its bodies by itself, may show old states and need not tell its loads, as a
+/// co-simulation master. The engine finds the loads in the states, reckons the states that it is not shown yet,
+/// and gives wrenches that take the host where the engine went. By the coupled method only.
+pub const FL_HOST_FOLLOWING: u32 = 1;
+
+/// fl_settings.turning: as `fenderline run` has it with the scenario's integrator; FL_TURNING_BY_ENGINE where
+/// there is no scenario.
+pub const FL_TURNING_DEFAULT: u32 = 0;
+/// fl_settings.turning: the loads that the host tells are without the Coriolis and centripetal terms of a
+/// body's added mass, which the engine adds.
+pub const FL_TURNING_BY_ENGINE: u32 = 1;
+/// fl_settings.turning: the loads that the host tells hold these terms.
+pub const FL_TURNING_IN_LOADS: u32 = 2;
+
+/// fl_settings.integration: the host moves positions with the old velocities, then changes the velocities.
+pub const FL_INTEGRATION_FORWARD_EULER: u32 = 0;
+/// fl_settings.integration: the host changes the velocities, then moves positions with the new ones.
+pub const FL_INTEGRATION_SEMI_IMPLICIT: u32 = 1;
+
+/// fl_event.kind: a patch of contact came into being.
+pub const FL_EVENT_CONTACT_BEGAN: u32 = 0;
+/// fl_event.kind: a patch of contact ceased.
+pub const FL_EVENT_CONTACT_ENDED: u32 = 1;
+/// fl_event.kind: one patch became several.
+pub const FL_EVENT_PATCH_SPLIT: u32 = 2;
+/// fl_event.kind: several patches became one.
+pub const FL_EVENT_PATCHES_MERGED: u32 = 3;
+/// fl_event.kind: one body lies wholly within the other.
+pub const FL_EVENT_CONTAINED: u32 = 4;
+/// fl_event.kind: the overlap is deeper than half the smaller body is wide.
+pub const FL_EVENT_DEEP_OVERLAP: u32 = 5;
+/// fl_event.kind: a body moved by more than its velocities explain; its contacts start afresh.
+pub const FL_EVENT_TELEPORTED: u32 = 6;
+/// fl_event.kind: a fender is deflected beyond what it is rated for.
+pub const FL_EVENT_FENDER_OVER_RATED: u32 = 7;
+/// fl_event.kind: a fender is in its stop, or as deep as it projects.
+pub const FL_EVENT_FENDER_FAILED: u32 = 8;
+/// fl_event.kind: the solve of these bodies' contact did not settle within its bounded work.
+pub const FL_EVENT_NOT_CONVERGED: u32 = 9;
+
+/// fl_contact.flags: the friction slips; else it sticks.
+pub const FL_CONTACT_SLIPS: u32 = 1;
+/// fl_contact.flags: the limit from momentum cut the normal or the tangential force.
+pub const FL_CONTACT_LIMITED: u32 = 2;
+
+/// State of a body, earth-fixed, of its centre of gravity.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FlState {
+    /// Position [m].
+    pub north_m: f64,
+    /// Position [m].
+    pub east_m: f64,
+    /// Clockwise from north [rad].
+    pub heading_rad: f64,
+    /// Velocity [m/s].
+    pub north_mps: f64,
+    /// Velocity [m/s].
+    pub east_mps: f64,
+    /// Rate of turn, positive to starboard [rad/s].
+    pub yaw_rate_radps: f64,
+}
+
+/// A force at a body's centre of gravity and a moment about it, earth-fixed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FlWrench {
+    /// Force [N].
+    pub north_n: f64,
+    /// Force [N].
+    pub east_n: f64,
+    /// Moment about the vertical, positive to starboard [N m].
+    pub moment_nm: f64,
+}
+
+/// How an engine is to work; all members but `size` may be 0.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FlSettings {
+    /// sizeof(fl_settings)
+    pub size: usize,
+    /// FL_METHOD_...
+    pub method: u32,
+    /// FL_HOST_...
+    pub host: u32,
+    /// FL_TURNING_..., of a host of the present; 0 for a following one, whose loads hold the turning terms.
+    pub turning: u32,
+    /// FL_INTEGRATION_... of a following host; else 0.
+    pub integration: u32,
+    /// Age of the states that a following host shows, in its steps, at most 1000; else 0.
+    pub delay_steps: u32,
+}
+
+/// Contact parameters of a pair of bodies.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FlMaterial {
+    /// sizeof(fl_material)
+    pub size: usize,
+    /// Area stiffness [N/m2].
+    pub stiffness_npm2: f64,
+    /// Area damping [N s/m2].
+    pub damping_nspm2: f64,
+    /// Shear stiffness [N/m].
+    pub shear_stiffness_npm: f64,
+    /// Coefficient of static friction.
+    pub friction_static: f64,
+    /// Coefficient of dynamic friction, at most the static one.
+    pub friction_dynamic: f64,
+    /// Coefficient of restitution, 0 to 1.
+    pub restitution: f64,
+}
+
+/// A body. Its outline is given apart.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FlBody {
+    /// sizeof(fl_body)
+    pub size: usize,
+    /// Displacement [kg]. 0, and all other masses too: a fixed body.
+    pub mass_kg: f64,
+    /// Moment of inertia about the vertical [kg m2].
+    pub yaw_inertia_kgm2: f64,
+    /// Added mass in surge [kg].
+    pub added_surge_kg: f64,
+    /// Added mass in sway [kg].
+    pub added_sway_kg: f64,
+    /// Added moment of inertia in yaw [kg m2].
+    pub added_yaw_kgm2: f64,
+    /// Where a fixed body stands, and a floating one begins [m].
+    pub north_m: f64,
+    /// Where a fixed body stands, and a floating one begins [m].
+    pub east_m: f64,
+    /// Its heading there [rad].
+    pub heading_rad: f64,
+}
+
+/// A fender: a face on a body with a reaction curve, which is given apart. It touches the outlines of the
+/// bodies that its own body makes a pair with.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FlFender {
+    /// sizeof(fl_fender)
+    pub size: usize,
+    /// Middle of the line where it is mounted, in the body's frame [m].
+    pub forward_m: f64,
+    /// Middle of the line where it is mounted, in the body's frame [m].
+    pub starboard_m: f64,
+    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+    pub facing_rad: f64,
+    /// Width of the face [m].
+    pub width_m: f64,
+    /// From the mounting to the face, uncompressed [m].
+    pub projection_m: f64,
+    /// The deflection that it is made for [m]; 0: its projection. 0 where it has no curve.
+    pub rated_deflection_m: f64,
+    /// Deflection at which it begins to stiffen to a stop [m].
+    pub stop_from_m: f64,
+    /// Stiffness of the stop [N/m]; 0, and its beginning too: it has none.
+    pub stop_stiffness_npm: f64,
+    /// Index of the body that carries it.
+    pub body: u32,
+    /// Index of its material: friction, restitution, damping, and stiffness where it has no curve.
+    pub material: u32,
+}
+
+/// One patch of contact in the last step. The force on body 1 is -normal_force_n times the normal and
+/// tangential_force_n times the normal turned by +90 degrees (north to east); on body 2 exactly the opposite.
+/// Forces are means over the step by the coupled method; peaks are the true ones, sub-steps included.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FlContact {
+    /// sizeof(fl_contact), to be set by the caller.
+    pub size: usize,
+    /// The body added first.
+    pub body_1: u32,
+    /// The body added later.
+    pub body_2: u32,
+    /// The fender that is pressed; FL_NONE: outline on outline.
+    pub fender: u32,
+    /// Number of the patch within the pair.
+    pub patch: u32,
+    /// FL_CONTACT_..., added up.
+    pub flags: u32,
+    /// 0.
+    pub reserved: u32,
+    /// Area of the overlap [m2].
+    pub area_m2: f64,
+    /// Extent of the overlap along the normal, or deflection of the fender [m].
+    pub depth_m: f64,
+    /// Where the force acts [m].
+    pub north_m: f64,
+    /// Where the force acts [m].
+    pub east_m: f64,
+    /// Body 1's outward normal.
+    pub normal_north: f64,
+    /// Body 1's outward normal.
+    pub normal_east: f64,
+    /// Speed of approach along the normal [m/s].
+    pub v_normal_mps: f64,
+    /// Speed of body 1 relative to body 2 along the tangent [m/s].
+    pub v_tangential_mps: f64,
+    /// Shear of the contact [m].
+    pub shear_m: f64,
+    /// Normal force, at least 0 [N].
+    pub normal_force_n: f64,
+    /// Tangential force on body 1 [N].
+    pub tangential_force_n: f64,
+    /// Largest normal force within the step [N].
+    pub peak_normal_force_n: f64,
+    /// Largest depth within the step [m].
+    pub peak_depth_m: f64,
+    /// Of the normal force: area spring or reaction curve [N].
+    pub spring_n: f64,
+    /// Of the normal force: the stop past a fender's travel [N].
+    pub stop_n: f64,
+    /// Of the normal force: the damper [N].
+    pub damper_n: f64,
+    /// What the limit from momentum took off the normal force [N].
+    pub limiter_n: f64,
+    /// Energy in a fender's spring and stop at the step's start [J]; 0 for outline on outline.
+    pub stored_j: f64,
+    /// The largest of it within the step [J].
+    pub peak_stored_j: f64,
+    /// Angle between a fender's face and the hull [rad].
+    pub tilt_rad: f64,
+    /// Factor on a fender's reaction.
+    pub factor: f64,
+}
+
+/// Something that a user should know of, told in the step in which it begins.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FlEvent {
+    /// sizeof(fl_event), to be set by the caller.
+    pub size: usize,
+    /// FL_EVENT_...
+    pub kind: u32,
+    /// The body.
+    pub body_1: u32,
+    /// The other body; the same where it is about one alone.
+    pub body_2: u32,
+    /// The fender; FL_NONE where it is about none.
+    pub fender: u32,
+}
+
+impl FlState {
+    pub(crate) fn inward(self) -> BodyState {
+        BodyState {
+            position_m: vec2(self.north_m, self.east_m),
+            heading_rad: self.heading_rad,
+            velocity_mps: vec2(self.north_mps, self.east_mps),
+            yaw_rate_radps: self.yaw_rate_radps,
+        }
+    }
+
+    pub(crate) fn outward(state: BodyState) -> FlState {
+        FlState {
+            north_m: state.position_m.x,
+            east_m: state.position_m.y,
+            heading_rad: state.heading_rad,
+            north_mps: state.velocity_mps.x,
+            east_mps: state.velocity_mps.y,
+            yaw_rate_radps: state.yaw_rate_radps,
+        }
+    }
+}
+
+impl FlWrench {
+    pub(crate) fn inward(self) -> Wrench {
+        Wrench { force_n: vec2(self.north_n, self.east_n), moment_nm: self.moment_nm }
+    }
+
+    pub(crate) fn outward(wrench: Wrench) -> FlWrench {
+        let Wrench { force_n, moment_nm } = wrench;
+        FlWrench { north_n: force_n.x, east_n: force_n.y, moment_nm }
+    }
+}
+
+impl FlMaterial {
+    pub(crate) fn inward(&self) -> Material {
+        Material {
+            stiffness_npm2: self.stiffness_npm2,
+            damping_nspm2: self.damping_nspm2,
+            shear_stiffness_npm: self.shear_stiffness_npm,
+            friction_static: self.friction_static,
+            friction_dynamic: self.friction_dynamic,
+            restitution: self.restitution,
+        }
+    }
+}
+
+impl FlBody {
+    /// `None` for a fixed body.
+    pub(crate) fn mass(&self) -> Option<MassProperties> {
+        let mass = MassProperties {
+            mass_kg: self.mass_kg,
+            yaw_inertia_kgm2: self.yaw_inertia_kgm2,
+            added_surge_kg: self.added_surge_kg,
+            added_sway_kg: self.added_sway_kg,
+            added_yaw_kgm2: self.added_yaw_kgm2,
+        };
+        (mass != MassProperties::default()).then_some(mass)
+    }
+}
+
+impl FlFender {
+    pub(crate) fn position_m(&self) -> Vec2 {
+        vec2(self.forward_m, self.starboard_m)
+    }
+
+    pub(crate) fn law(curve: Vec<[f64; 2]>) -> FenderLaw {
+        if curve.is_empty() { FenderLaw::Area } else { FenderLaw::Curve(curve) }
+    }
+
+    pub(crate) fn rated_deflection_m(&self) -> Option<f64> {
+        (self.rated_deflection_m != 0.0).then_some(self.rated_deflection_m)
+    }
+
+    pub(crate) fn stop(&self) -> Option<Stop> {
+        let stop = Stop { from_m: self.stop_from_m, stiffness_npm: self.stop_stiffness_npm };
+        (stop.from_m != 0.0 || stop.stiffness_npm != 0.0).then_some(stop)
+    }
+}
+
+impl FlSettings {
+    pub(crate) fn inward(&self) -> Outcome<Settings> {
+        let method = match self.method {
+            FL_METHOD_DEFAULT => None,
+            FL_METHOD_COUPLED => Some(Method::Coupled),
+            FL_METHOD_PAPER => Some(Method::Paper),
+            other => return unknown("method", other),
+        };
+        let turning = match self.turning {
+            FL_TURNING_DEFAULT => None,
+            FL_TURNING_BY_ENGINE => Some(Turning::Engine),
+            FL_TURNING_IN_LOADS => Some(Turning::Loads),
+            other => return unknown("turning", other),
+        };
+        let integration = match self.integration {
+            FL_INTEGRATION_FORWARD_EULER => HostIntegration::ForwardEuler,
+            FL_INTEGRATION_SEMI_IMPLICIT => HostIntegration::SemiImplicit,
+            other => return unknown("integration", other),
+        };
+        let host = match self.host {
+            FL_HOST_PRESENT => {
+                if self.integration != 0 || self.delay_steps != 0 {
+                    let text = "`integration` and `delay_steps` are of a following host only";
+                    return failure(FlStatus::BadArgument, text);
+                }
+                Host::Present { turning }
+            }
+            FL_HOST_FOLLOWING => {
+                if self.turning != 0 {
+                    let text = "`turning` is of a host of the present only";
+                    return failure(FlStatus::BadArgument, text);
+                }
+                Host::Following(HostSettings { delay_steps: self.delay_steps, integration })
+            }
+            other => return unknown("host", other),
+        };
+        Ok(Settings { method, host })
+    }
+}
+
+fn unknown<T>(member: &str, value: u32) -> Outcome<T> {
+    failure(FlStatus::BadArgument, format_args!("fl_settings.{member} cannot be {value}"))
+}
+
+impl FlContact {
+    pub(crate) fn outward(c: &Contact) -> FlContact {
+        FlContact {
+            size: size_of::<FlContact>(),
+            body_1: c.body_1.0,
+            body_2: c.body_2.0,
+            fender: c.fender.map_or(FL_NONE, |fender| fender.0),
+            patch: c.patch,
+            flags: if c.friction == Friction::Slip { FL_CONTACT_SLIPS } else { 0 }
+                + if c.limited { FL_CONTACT_LIMITED } else { 0 },
+            reserved: 0,
+            area_m2: c.area_m2,
+            depth_m: c.depth_m,
+            north_m: c.point_m.x,
+            east_m: c.point_m.y,
+            normal_north: c.normal.x,
+            normal_east: c.normal.y,
+            v_normal_mps: c.v_normal_mps,
+            v_tangential_mps: c.v_tangential_mps,
+            shear_m: c.shear_m,
+            normal_force_n: c.normal_force_n,
+            tangential_force_n: c.tangential_force_n,
+            peak_normal_force_n: c.peak_normal_force_n,
+            peak_depth_m: c.peak_depth_m,
+            spring_n: c.parts.spring_n,
+            stop_n: c.parts.stop_n,
+            damper_n: c.parts.damper_n,
+            limiter_n: c.parts.limiter_n,
+            stored_j: c.stored_j,
+            peak_stored_j: c.peak_stored_j,
+            tilt_rad: c.tilt_rad,
+            factor: c.factor,
+        }
+    }
+}
+
+impl FlEvent {
+    pub(crate) fn outward(event: &Event) -> FlEvent {
+        let (kind, fender) = match event.kind {
+            EventKind::ContactBegan => (FL_EVENT_CONTACT_BEGAN, FL_NONE),
+            EventKind::ContactEnded => (FL_EVENT_CONTACT_ENDED, FL_NONE),
+            EventKind::PatchSplit => (FL_EVENT_PATCH_SPLIT, FL_NONE),
+            EventKind::PatchesMerged => (FL_EVENT_PATCHES_MERGED, FL_NONE),
+            EventKind::Contained => (FL_EVENT_CONTAINED, FL_NONE),
+            EventKind::DeepOverlap => (FL_EVENT_DEEP_OVERLAP, FL_NONE),
+            EventKind::Teleported => (FL_EVENT_TELEPORTED, FL_NONE),
+            EventKind::FenderOverRated(fender) => (FL_EVENT_FENDER_OVER_RATED, fender.0),
+            EventKind::FenderFailed(fender) => (FL_EVENT_FENDER_FAILED, fender.0),
+            EventKind::NotConverged => (FL_EVENT_NOT_CONVERGED, FL_NONE),
+        };
+        let [body_1, body_2] = event.bodies.map(|body| body.0);
+        FlEvent { size: size_of::<FlEvent>(), kind, body_1, body_2, fender }
+    }
+}

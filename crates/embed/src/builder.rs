@@ -1,0 +1,236 @@
+//! An engine made by calls.
+
+use fenderline_contact::{FenderLaw, Material, Outline, ReactionFactors, Stop, Vec2};
+use fenderline_sim::{
+    BodySetup, BodyVelocity, FenderSetup, Integrator, MassProperties, Method, NamedMaterial,
+    PairSetup, Rated, Setup, WorldSetup,
+};
+
+use crate::engine::Engine;
+use crate::error::EngineError;
+use crate::settings::Settings;
+
+/// Collects the parts of an [`Engine`]. Indices count from 0 in the order of the calls.
+///
+/// ```
+/// use fenderline_contact::{Material, vec2};
+/// use fenderline_embed::*;
+/// use fenderline_sim::MassProperties;
+/// let square = [vec2(-5.0, -5.0), vec2(5.0, -5.0), vec2(5.0, 5.0), vec2(-5.0, 5.0)];
+/// let mass = MassProperties { mass_kg: 1e6, yaw_inertia_kgm2: 2e7, ..Default::default() };
+/// let mut builder = EngineBuilder::new();
+/// let rubber = builder.material("rubber", Material { stiffness_npm2: 500e3, damping_nspm2: 0.0,
+///     shear_stiffness_npm: 3e6, friction_static: 0.5, friction_dynamic: 0.5, restitution: 0.1 })?;
+/// let tug = builder.body(&BodyParts { name: "tug", outline_m: &square, mass: Some(mass),
+///     position_m: vec2(0.0, 0.0), heading_rad: 0.0 })?;
+/// let quay = builder.body(&BodyParts { name: "quay", outline_m: &square, mass: None,
+///     position_m: vec2(9.9, 0.0), heading_rad: 0.0 })?;
+/// builder.pair([tug, quay], rubber)?;
+/// let mut engine = builder.build(&Settings::default())?;
+/// let states = engine.initial_states().to_vec();
+/// let wrenches = engine.advance(&states, None, 0.1)?;
+/// assert!(wrenches[tug].force_n.x < -1e5);
+/// # Ok::<(), EngineError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct EngineBuilder {
+    setup: Setup,
+}
+
+/// A body to be added.
+#[derive(Clone, Copy, Debug)]
+pub struct BodyParts<'a> {
+    /// Unique name.
+    pub name: &'a str,
+    /// Outline, x forward and y to starboard of the centre of gravity [m]; in either direction.
+    pub outline_m: &'a [Vec2],
+    /// Mass and added mass; `None` for a fixed body.
+    pub mass: Option<MassProperties>,
+    /// Where a fixed body stands and a floating one begins: north, east [m].
+    pub position_m: Vec2,
+    /// Its heading there [rad].
+    pub heading_rad: f64,
+}
+
+/// A fender to be added: see [`fenderline_contact::Fender`].
+#[derive(Clone, Debug)]
+pub struct FenderParts<'a> {
+    /// Unique name.
+    pub name: &'a str,
+    /// Index of the body that carries it.
+    pub body: usize,
+    /// Middle of the line where it is mounted, in the body's frame [m].
+    pub position_m: Vec2,
+    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+    pub facing_rad: f64,
+    /// Width of the face [m].
+    pub width_m: f64,
+    /// From the mounting to the face, uncompressed [m].
+    pub projection_m: f64,
+    /// Reaction from deflection.
+    pub law: FenderLaw,
+    /// Index of its material: friction, restitution, damping and, for an area law, stiffness.
+    pub material: usize,
+    /// The deflection that it is made for [m]; `None`: its projection. Reaction curves only.
+    pub rated_deflection_m: Option<f64>,
+    /// Where it stiffens to a stop; `None` for a law that stiffens by itself.
+    pub stop: Option<Stop>,
+}
+
+impl Default for EngineBuilder {
+    fn default() -> EngineBuilder {
+        EngineBuilder::new()
+    }
+}
+
+impl EngineBuilder {
+    /// Nothing yet.
+    #[must_use]
+    pub fn new() -> EngineBuilder {
+        EngineBuilder {
+            setup: Setup {
+                // The host's: an engine reads neither.
+                step_s: 1.0,
+                duration_s: 1.0,
+                integrator: Integrator::SemiImplicit,
+                method: Method::Coupled,
+                bodies: Vec::new(),
+                materials: Vec::new(),
+                pairs: Vec::new(),
+                every_other_pair: None,
+                fenders: Vec::new(),
+                berthing: None,
+                loads: Vec::new(),
+                world: WorldSetup::default(),
+            },
+        }
+    }
+
+    /// Adds a material; its numbers are checked by [`EngineBuilder::build`].
+    ///
+    /// # Errors
+    /// A name that is empty or stands twice.
+    pub fn material(&mut self, name: &str, material: Material) -> Result<usize, EngineError> {
+        let materials = &mut self.setup.materials;
+        check_name("material", name, materials.iter().map(|other| other.name.as_str()))?;
+        materials.push(NamedMaterial { name: name.to_owned(), material });
+        Ok(materials.len() - 1)
+    }
+
+    /// Adds a body; its masses are checked by [`EngineBuilder::build`].
+    ///
+    /// # Errors
+    /// A name that is empty or stands twice, an outline that is none.
+    pub fn body(&mut self, parts: &BodyParts<'_>) -> Result<usize, EngineError> {
+        let bodies = &mut self.setup.bodies;
+        check_name("body", parts.name, bodies.iter().map(|other| other.name.as_str()))?;
+        let name = parts.name.to_owned();
+        let outline = match Outline::new(parts.outline_m) {
+            Ok((outline, _)) => outline,
+            Err(error) => return Err(EngineError::Outline { body: name, error }),
+        };
+        bodies.push(BodySetup {
+            name,
+            outline,
+            mass: parts.mass,
+            position_m: parts.position_m,
+            heading_rad: parts.heading_rad,
+            velocity: BodyVelocity::default(),
+        });
+        Ok(bodies.len() - 1)
+    }
+
+    /// Adds a fender; its numbers are checked by [`EngineBuilder::build`].
+    ///
+    /// # Errors
+    /// A name that is empty or stands twice, no such body or material, a rated deflection of an area law.
+    pub fn fender(&mut self, parts: &FenderParts<'_>) -> Result<usize, EngineError> {
+        let names = self.setup.fenders.iter().map(|other| other.name.as_str());
+        check_name("fender", parts.name, names)?;
+        self.check_body(parts.body)?;
+        self.check_material(parts.material)?;
+        let rated =
+            match parts.rated_deflection_m {
+                None => None,
+                Some(deflection_m) => Some(Rated::of(&parts.law, deflection_m).ok_or(
+                    EngineError::Settings("a fender of an area law has no rated deflection"),
+                )?),
+            };
+        self.setup.fenders.push(FenderSetup {
+            name: parts.name.to_owned(),
+            body: parts.body,
+            position_m: parts.position_m,
+            facing_rad: parts.facing_rad,
+            width_m: parts.width_m,
+            // Of no matter to forces in the plane: pressure and heel are reports'.
+            height_m: 0.0,
+            above_water_m: 0.0,
+            projection_m: parts.projection_m,
+            law: parts.law.clone(),
+            material: parts.material,
+            rated,
+            stop: parts.stop,
+            factors: ReactionFactors::default(),
+            energy_by_angle: Vec::new(),
+            hull_pressure_limit_npm2: None,
+            source: None,
+        });
+        Ok(self.setup.fenders.len() - 1)
+    }
+
+    /// Lets two bodies touch.
+    ///
+    /// # Errors
+    /// No such body or material.
+    pub fn pair(&mut self, bodies: [usize; 2], material: usize) -> Result<(), EngineError> {
+        bodies.into_iter().try_for_each(|body| self.check_body(body))?;
+        self.check_material(material)?;
+        self.setup.pairs.push(PairSetup { bodies, material });
+        Ok(())
+    }
+
+    /// Lets every pair of bodies touch that no call of [`EngineBuilder::pair`] names.
+    ///
+    /// # Errors
+    /// No such material.
+    pub fn every_other_pair(&mut self, material: usize) -> Result<(), EngineError> {
+        self.check_material(material)?;
+        self.setup.every_other_pair = Some(material);
+        Ok(())
+    }
+
+    /// The engine of all that was added; the builder can go on.
+    ///
+    /// # Errors
+    /// What is out of range, by name of body, material or fender and field; settings that do not go together.
+    pub fn build(&self, settings: &Settings) -> Result<Engine, EngineError> {
+        Engine::from_setup(String::new(), self.setup.clone(), Vec::new(), settings)
+    }
+
+    fn check_body(&self, index: usize) -> Result<(), EngineError> {
+        check_index("body", index, self.setup.bodies.len())
+    }
+
+    fn check_material(&self, index: usize) -> Result<(), EngineError> {
+        check_index("material", index, self.setup.materials.len())
+    }
+}
+
+fn check_index(what: &'static str, index: usize, count: usize) -> Result<(), EngineError> {
+    if index < count { Ok(()) } else { Err(EngineError::NoSuch { what, index, count }) }
+}
+
+fn check_name<'n>(
+    what: &'static str,
+    name: &str,
+    mut others: impl Iterator<Item = &'n str>,
+) -> Result<(), EngineError> {
+    let why = if name.is_empty() {
+        "is empty"
+    } else if others.any(|other| other == name) {
+        "stands twice"
+    } else {
+        return Ok(());
+    };
+    Err(EngineError::Name { what, name: name.to_owned(), why })
+}

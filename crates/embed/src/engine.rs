@@ -1,0 +1,398 @@
+//! The engine in one object.
+
+use std::mem;
+use std::sync::Arc;
+
+use fenderline_contact::{
+    self as contact, BodyState, FollowingHost, HostWorkspace, Memory, Mobility, Model, StepError,
+    Workspace, Wrench,
+};
+use fenderline_scenario::Scenario;
+use fenderline_sim::{Integrator, Method, Setup};
+
+use crate::error::EngineError;
+use crate::results::{Results, Saved, of_following, of_present};
+use crate::settings::{Host, MOST_DELAY_STEPS, Settings, Turning};
+
+/// The contact engine with its model, its memory and what the host has shown and told. Cloning it branches
+/// the run; clones share the model.
+#[derive(Clone, Debug)]
+pub struct Engine {
+    pub(crate) plan: Arc<Plan>,
+    pub(crate) core: Core,
+    spare: Core,
+    /// What the host has shown, one a body.
+    pub(crate) states: Vec<BodyState>,
+    /// Which of them it has shown; fixed bodies need not be.
+    pub(crate) shown: Vec<bool>,
+    /// The loads told, one a body; `None` where none were.
+    pub(crate) loads: Option<Vec<Wrench>>,
+    pub(crate) latest: Latest,
+    /// Zero loads, for hosts of the present that have told none.
+    no_loads: Vec<Wrench>,
+}
+
+/// The constant part.
+#[derive(Debug)]
+pub(crate) struct Plan {
+    pub(crate) title: String,
+    pub(crate) model: Model,
+    pub(crate) initial: Vec<BodyState>,
+    pub(crate) method: Method,
+    pub(crate) host: Host,
+    notices: Vec<String>,
+}
+
+/// The mutable part, and buffers. There are two: a step is taken on a copy of the one in the other, and counts
+/// when it is good.
+#[derive(Clone, Debug)]
+pub(crate) enum Core {
+    Present { memory: Memory, work: Box<Workspace> },
+    Following { host: FollowingHost, work: Box<HostWorkspace> },
+}
+
+/// Where the latest results are.
+#[derive(Clone, Debug)]
+pub(crate) enum Latest {
+    Nowhere,
+    InWorkspace,
+    Saved(Box<Saved>),
+}
+
+impl Engine {
+    /// An engine for the bodies, fenders, materials and pairs of a scenario. What else acts on the bodies
+    /// (loads, wind, vessels' propellers, lines, tugs) is the host's: [`Engine::notices`] names what of
+    /// the scenario is left to it.
+    ///
+    /// # Errors
+    /// [`EngineError`] for settings that do not go together or do not fit the scenario.
+    pub fn from_scenario(scenario: Scenario, settings: &Settings) -> Result<Engine, EngineError> {
+        let Scenario { title, setup, notices } = scenario;
+        let mut notices: Vec<String> = notices.iter().map(ToString::to_string).collect();
+        notices.extend(left_to_the_host(&setup));
+        Engine::from_setup(title, setup, notices, settings)
+    }
+
+    pub(crate) fn from_setup(
+        title: String,
+        mut setup: Setup,
+        notices: Vec<String>,
+        settings: &Settings,
+    ) -> Result<Engine, EngineError> {
+        let method = settings.method.unwrap_or(setup.method);
+        setup.method = method;
+        match settings.host {
+            Host::Present { turning: None } => {}
+            Host::Present { turning: Some(Turning::Engine) } => {
+                setup.integrator = Integrator::SemiImplicit;
+            }
+            // What a following host's loads are observed to be holds the turning terms.
+            Host::Present { turning: Some(Turning::Loads) } | Host::Following(_) => {
+                setup.integrator = Integrator::Euler;
+            }
+        }
+        if let Host::Following(host) = settings.host {
+            if method == Method::Paper {
+                return Err(EngineError::Settings(
+                    "the paper's method cannot follow a host: take the coupled method",
+                ));
+            }
+            if host.delay_steps > MOST_DELAY_STEPS {
+                return Err(EngineError::Settings("a host may be at most 1000 steps late"));
+            }
+        }
+        let model = setup.contact_model()?;
+        let initial = setup.initial_states();
+        for (body, state) in initial.iter().enumerate() {
+            model.check_state(body, state)?;
+        }
+        let plan = Plan { title, model, initial, method, host: settings.host, notices };
+        Ok(Engine::of(Arc::new(plan)))
+    }
+
+    /// An engine of which nothing has been asked yet.
+    fn of(plan: Arc<Plan>) -> Engine {
+        let model = &plan.model;
+        let count = plan.initial.len();
+        let core = match plan.host {
+            Host::Present { .. } => {
+                Core::Present { memory: Memory::new(model), work: Box::new(Workspace::new(model)) }
+            }
+            Host::Following(settings) => Core::Following {
+                host: FollowingHost::new(model, settings),
+                work: Box::new(HostWorkspace::new(model)),
+            },
+        };
+        Engine {
+            spare: core.clone(),
+            core,
+            states: plan.initial.clone(),
+            shown: vec![false; count],
+            loads: None,
+            latest: Latest::Nowhere,
+            no_loads: vec![Wrench::default(); count],
+            plan,
+        }
+    }
+
+    /// Forgets all that happened, was shown and was told: the next step is the first.
+    pub fn reset(&mut self) {
+        *self = Engine::of(Arc::clone(&self.plan));
+    }
+
+    /// The scenario's title; empty for an engine made by calls.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.plan.title
+    }
+
+    /// Bodies, materials and fenders, with their names and masses.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.plan.model
+    }
+
+    /// The contact method.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        self.plan.method
+    }
+
+    /// The kind of host.
+    #[must_use]
+    pub fn host(&self) -> Host {
+        self.plan.host
+    }
+
+    /// The scenario's notices, and what of the scenario is left to the host; one line each.
+    #[must_use]
+    pub fn notices(&self) -> &[String] {
+        &self.plan.notices
+    }
+
+    /// The states that the scenario or the builder gives the bodies at the start.
+    #[must_use]
+    pub fn initial_states(&self) -> &[BodyState] {
+        &self.plan.initial
+    }
+
+    /// The states of the next step: what was shown last, else the initial ones.
+    #[must_use]
+    pub fn states(&self) -> &[BodyState] {
+        &self.states
+    }
+
+    /// The loads that were told; `None` where none were.
+    #[must_use]
+    pub fn loads(&self) -> Option<&[Wrench]> {
+        self.loads.as_deref()
+    }
+
+    /// Index of the body of a name.
+    ///
+    /// # Errors
+    /// [`EngineError::NoSuchName`].
+    pub fn body_named(&self, name: &str) -> Result<usize, EngineError> {
+        let found = self.plan.model.bodies().iter().position(|body| body.name == name);
+        found.ok_or_else(|| EngineError::NoSuchName { what: "body", name: name.to_owned() })
+    }
+
+    /// Index of the fender of a name.
+    ///
+    /// # Errors
+    /// [`EngineError::NoSuchName`].
+    pub fn fender_named(&self, name: &str) -> Result<usize, EngineError> {
+        let found = self.plan.model.fenders().iter().position(|fender| fender.name == name);
+        found.ok_or_else(|| EngineError::NoSuchName { what: "fender", name: name.to_owned() })
+    }
+
+    /// Shows the state of one body.
+    ///
+    /// # Errors
+    /// There is no such body, or a number that is not finite or out of range: body and field are named.
+    pub fn set_state(&mut self, body: usize, state: &BodyState) -> Result<(), EngineError> {
+        let count = self.states.len();
+        if body >= count {
+            return Err(EngineError::NoSuch { what: "body", index: body, count });
+        }
+        self.plan.model.check_state(body, state)?;
+        self.states[body] = *state;
+        self.shown[body] = true;
+        Ok(())
+    }
+
+    /// Shows the states of all bodies, in the order of the model.
+    ///
+    /// # Errors
+    /// As [`Engine::set_state`], or another number of states; then none is taken.
+    pub fn set_states(&mut self, states: &[BodyState]) -> Result<(), EngineError> {
+        self.check_states(states)?;
+        self.states.copy_from_slice(states);
+        self.shown.fill(true);
+        Ok(())
+    }
+
+    /// Tells all that acts on each body in the steps to come except contact, about its centre of gravity and
+    /// earth-fixed, until it is told again; in the order of the model. `None`: not told, as at the start. A
+    /// host of the present has no loads then; those of a following host are observed.
+    ///
+    /// # Errors
+    /// As [`Engine::set_states`]; by the paper's method, which knows no loads.
+    pub fn set_loads(&mut self, loads: Option<&[Wrench]>) -> Result<(), EngineError> {
+        let Some(loads) = loads else {
+            self.loads = None;
+            return Ok(());
+        };
+        self.check_loads(loads)?;
+        match &mut self.loads {
+            Some(own) => own.copy_from_slice(loads),
+            none => *none = Some(loads.to_vec()),
+        }
+        Ok(())
+    }
+
+    /// One step of `step_s` seconds, from the states shown last.
+    ///
+    /// # Errors
+    /// A floating body was never shown, or a step that is not positive and finite.
+    pub fn step(&mut self, step_s: f64) -> Result<(), EngineError> {
+        let mut bodies = self.plan.model.bodies().iter().zip(&self.shown);
+        let unseen = bodies.find(|(body, shown)| !**shown && body.mobility != Mobility::Fixed);
+        if let Some((body, _)) = unseen {
+            return Err(EngineError::NotShown { body: body.name.clone() });
+        }
+        let Engine { plan, core, spare, states, loads, no_loads, .. } = self;
+        spare.take_step(core, plan, states, loads.as_deref(), no_loads, step_s)?;
+        mem::swap(core, spare);
+        self.latest = Latest::InWorkspace;
+        Ok(())
+    }
+
+    /// In one call: [`Engine::set_states`], [`Engine::set_loads`] where there are some, [`Engine::step`];
+    /// gives the wrenches. Nothing is changed where any of it fails.
+    ///
+    /// # Errors
+    /// As these.
+    pub fn advance(
+        &mut self,
+        states: &[BodyState],
+        loads: Option<&[Wrench]>,
+        step_s: f64,
+    ) -> Result<&[Wrench], EngineError> {
+        self.check_states(states)?;
+        if let Some(loads) = loads {
+            self.check_loads(loads)?;
+        }
+        let told = loads.or(self.loads.as_deref());
+        let Engine { plan, core, spare, no_loads, .. } = self;
+        spare.take_step(core, plan, states, told, no_loads, step_s)?;
+        mem::swap(core, spare);
+        self.states.copy_from_slice(states);
+        self.shown.fill(true);
+        if loads.is_some() {
+            self.set_loads(loads)?;
+        }
+        self.latest = Latest::InWorkspace;
+        Ok(self.results()?.wrenches)
+    }
+
+    /// What the last step found.
+    ///
+    /// # Errors
+    /// No step was taken yet.
+    pub fn results(&self) -> Result<Results<'_>, EngineError> {
+        match &self.latest {
+            Latest::Nowhere => Err(EngineError::NoStepYet),
+            Latest::Saved(saved) => Ok(saved.view()),
+            Latest::InWorkspace => Ok(self.core.results(&self.plan)),
+        }
+    }
+
+    fn check_states(&self, states: &[BodyState]) -> Result<(), EngineError> {
+        self.check_count(states.len())?;
+        for (body, state) in states.iter().enumerate() {
+            self.plan.model.check_state(body, state)?;
+        }
+        Ok(())
+    }
+
+    fn check_loads(&self, loads: &[Wrench]) -> Result<(), EngineError> {
+        if self.plan.method == Method::Paper {
+            return Err(EngineError::NotHere("the paper's method knows no loads"));
+        }
+        self.check_count(loads.len())?;
+        for (body, load) in loads.iter().enumerate() {
+            self.plan.model.check_load(body, load)?;
+        }
+        Ok(())
+    }
+
+    fn check_count(&self, given: usize) -> Result<(), EngineError> {
+        let bodies = self.states.len();
+        if given == bodies {
+            return Ok(());
+        }
+        Err(StepError::WrongCount { bodies, states: given }.into())
+    }
+}
+
+impl Core {
+    /// A step from where `before` is. Where it fails this is of no use but for the next step; `before` is as
+    /// it was.
+    fn take_step(
+        &mut self,
+        before: &Core,
+        plan: &Plan,
+        states: &[BodyState],
+        told: Option<&[Wrench]>,
+        no_loads: &[Wrench],
+        step_s: f64,
+    ) -> Result<(), EngineError> {
+        let model = &plan.model;
+        match (&mut *self, before) {
+            (Core::Present { memory, work }, Core::Present { memory: now, .. }) => {
+                memory.copy_from(now);
+                match plan.method {
+                    Method::Paper => contact::step(model, memory, work, states, step_s)?,
+                    Method::Coupled => {
+                        let loads = told.unwrap_or(no_loads);
+                        contact::advance(model, memory, work, states, loads, step_s)?;
+                    }
+                }
+            }
+            (Core::Following { host, work }, Core::Following { host: now, .. }) => {
+                host.copy_from(now);
+                host.step(model, work, states, told, step_s)?;
+            }
+            _ => unreachable!("both are of the engine's kind of host"),
+        }
+        if self.results(plan).are_finite() { Ok(()) } else { Err(EngineError::NotFinite) }
+    }
+
+    /// What the step found.
+    fn results(&self, plan: &Plan) -> Results<'_> {
+        match self {
+            Core::Present { work, .. } => of_present(work, plan.method == Method::Coupled),
+            Core::Following { work, .. } => of_following(work),
+        }
+    }
+}
+
+/// What of a set-up acts on bodies and is no contact.
+fn left_to_the_host(setup: &Setup) -> Vec<String> {
+    let world = &setup.world;
+    let parts = [
+        (setup.loads.len(), "load"),
+        (world.vessels.len(), "vessel with hull forces"),
+        (world.orders.len(), "order"),
+        (world.tugs.len(), "tug"),
+        (world.lines.len(), "line"),
+        (world.providers.len(), "provider of forces"),
+    ];
+    let tell = |(count, what): (usize, &str)| match count {
+        0 => None,
+        1 => Some(format!("left to the host: 1 {what}")),
+        _ => Some(format!("left to the host: {count} of the kind \"{what}\"")),
+    };
+    parts.into_iter().filter_map(tell).collect()
+}

@@ -1,0 +1,133 @@
+//! What a step found.
+
+use fenderline_contact::{BodyState, Contact, Event, HostWorkspace, Workspace, Wrench};
+
+/// What the last step found, or what it had found when the engine was saved. One entry a body, in the order
+/// of the model, unless said otherwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Results<'a> {
+    /// What the host is to add to its forces for the step: earth-fixed, about the centre of gravity. For a
+    /// host of the present the mean contact wrench over the step; for a following host the wrench that
+    /// takes it where the engine went.
+    pub wrenches: &'a [Wrench],
+    /// The touching patches, in a fixed order.
+    pub contacts: &'a [Contact],
+    /// What happened in the step.
+    pub events: &'a [Event],
+    /// The states that the engine came to at the end of the step, for hosts that let it move the bodies;
+    /// empty by the paper's method and for a following host, who move the bodies themselves.
+    pub states_after: &'a [BodyState],
+    /// What was reckoned of a following host; `None` for a host of the present.
+    pub reckoned: Option<Reckoned<'a>>,
+}
+
+/// What an engine takes a following host to be doing now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reckoned<'a> {
+    /// The host's present states, which it will show when they are old enough.
+    pub states: &'a [BodyState],
+    /// The loads, told or observed.
+    pub loads: &'a [Wrench],
+}
+
+impl Results<'_> {
+    /// Is every number among them finite?
+    pub(crate) fn are_finite(&self) -> bool {
+        let of_state = |s: &BodyState| {
+            s.position_m.is_finite()
+                & s.heading_rad.is_finite()
+                & s.velocity_mps.is_finite()
+                & s.yaw_rate_radps.is_finite()
+        };
+        let of_wrench = |w: &Wrench| w.force_n.is_finite() & w.moment_nm.is_finite();
+        self.wrenches.iter().all(of_wrench)
+            && self.states_after.iter().all(of_state)
+            && self.reckoned.is_none_or(|reckoned| {
+                reckoned.states.iter().all(of_state) && reckoned.loads.iter().all(of_wrench)
+            })
+            && self.contacts.iter().all(|contact| numbers(contact).iter().all(|n| n.is_finite()))
+    }
+}
+
+/// All numbers of a contact, in the order in which they are saved.
+pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
+    let (p, w) = (&c.parts, &c.work);
+    [
+        c.point_m.x,
+        c.point_m.y,
+        c.arm_1_m.x,
+        c.arm_1_m.y,
+        c.arm_2_m.x,
+        c.arm_2_m.y,
+        c.normal.x,
+        c.normal.y,
+        c.area_m2,
+        c.depth_m,
+        c.v_normal_mps,
+        c.v_tangential_mps,
+        c.shear_m,
+        c.normal_force_n,
+        c.tangential_force_n,
+        c.peak_normal_force_n,
+        c.peak_depth_m,
+        p.spring_n,
+        p.stop_n,
+        p.damper_n,
+        p.limiter_n,
+        w.normal_j,
+        w.tangential_j,
+        w.damper_j,
+        w.limiter_j,
+        c.factor,
+        c.tilt_rad,
+        c.stored_j,
+        c.peak_stored_j,
+        c.shear_stored_j,
+    ]
+}
+
+/// How many they are.
+pub(crate) const CONTACT_NUMBERS: usize = 30;
+
+/// Results that were saved with an engine.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Saved {
+    pub(crate) wrenches: Vec<Wrench>,
+    pub(crate) contacts: Vec<Contact>,
+    pub(crate) events: Vec<Event>,
+    pub(crate) states_after: Vec<BodyState>,
+    pub(crate) reckoned: Option<(Vec<BodyState>, Vec<Wrench>)>,
+}
+
+impl Saved {
+    pub(crate) fn view(&self) -> Results<'_> {
+        Results {
+            wrenches: &self.wrenches,
+            contacts: &self.contacts,
+            events: &self.events,
+            states_after: &self.states_after,
+            reckoned: self.reckoned.as_ref().map(|(states, loads)| Reckoned { states, loads }),
+        }
+    }
+}
+
+/// Of a host of the present; `moved` by the coupled method.
+pub(crate) fn of_present(work: &Workspace, moved: bool) -> Results<'_> {
+    Results {
+        wrenches: work.wrenches(),
+        contacts: work.contacts(),
+        events: work.events(),
+        states_after: if moved { work.states_after() } else { &[] },
+        reckoned: None,
+    }
+}
+
+pub(crate) fn of_following(work: &HostWorkspace) -> Results<'_> {
+    Results {
+        wrenches: work.wrenches(),
+        contacts: work.contacts(),
+        events: work.events(),
+        states_after: &[],
+        reckoned: Some(Reckoned { states: work.present(), loads: work.loads() }),
+    }
+}

@@ -1,0 +1,220 @@
+//! An engine as bytes: versioned, little-endian, with a check sum.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 8 | `fndrmbed` |
+//! | 4, 4 | version of this form; [`SNAPSHOT_VERSION`] of what is within |
+//! | 8 | FNV-1a of the names of bodies and fenders in their order: indices stand for them below |
+//! | 4, 4, 4, 4 | method; kind of host; its delay in steps; its integration |
+//! | 4 + as many | length and bytes of the engine's own snapshot, which has the model's fingerprint |
+//! | 52 each | bodies: state, 1 or 0: was shown |
+//! | 4 + 24 each | 1 or 0: loads were told; the loads, where they were |
+//! | 4 + … | 1 or 0: there are results; the results, where there are |
+//! | 8 | FNV-1a of all before |
+//!
+//! Results are saved too, so that a restored engine tells what the saved one told.
+
+use fenderline_contact::{
+    FollowingHost, HostIntegration, HostSettings, Memory, RestoreError, SNAPSHOT_VERSION,
+};
+use fenderline_sim::Method;
+
+use crate::bytes::{Reader, Writer, check_sum};
+use crate::engine::{Core, Engine, Latest, Plan};
+use crate::error::EngineError;
+use crate::results::{Results, Saved};
+use crate::settings::Host;
+
+const MAGIC: &[u8; 8] = b"fndrmbed";
+const VERSION: u32 = 1;
+
+impl Engine {
+    /// All of this engine that can change, as bytes.
+    #[must_use]
+    pub fn save(&self) -> Vec<u8> {
+        let plan = &*self.plan;
+        let own = match &self.core {
+            Core::Present { memory, .. } => memory.snapshot(),
+            Core::Following { host, .. } => host.snapshot(&plan.model),
+        };
+        let mut out = Writer::default();
+        out.0.extend_from_slice(MAGIC);
+        out.word32(VERSION);
+        out.word32(SNAPSHOT_VERSION);
+        out.word64(names_of(plan));
+        settings_words(plan).into_iter().for_each(|word| out.word32(word));
+        out.word32(own.len() as u32);
+        out.0.extend_from_slice(&own);
+        for (state, &shown) in self.states.iter().zip(&self.shown) {
+            out.state(state);
+            out.word32(u32::from(shown));
+        }
+        out.word32(u32::from(self.loads.is_some()));
+        self.loads.iter().flatten().for_each(|load| out.wrench(load));
+        match self.results() {
+            Ok(results) => write_results(&mut out, &results),
+            Err(_) => out.word32(0),
+        }
+        let sum = check_sum(&out.0);
+        out.word64(sum);
+        out.0
+    }
+
+    /// Becomes what [`Engine::save`] saved, for an engine of the same model with bodies and fenders in the
+    /// same order and with the same settings. Any bytes may be given.
+    ///
+    /// # Errors
+    /// Bytes that are no whole, unchanged save, or that of another engine; this one is then as it was.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), EngineError> {
+        let mut restored = self.clone();
+        read(&mut restored, bytes)?;
+        *self = restored;
+        Ok(())
+    }
+}
+
+fn read(engine: &mut Engine, bytes: &[u8]) -> Result<(), EngineError> {
+    let plan = engine.plan.clone();
+    let model = &plan.model;
+    let mut input =
+        Reader { rest: bytes, bodies: model.bodies().len(), fenders: model.fenders().len() };
+    if input.take(8)? != MAGIC {
+        return Err(RestoreError::NotASnapshot.into());
+    }
+    for known in [VERSION, SNAPSHOT_VERSION] {
+        let found = input.word32()?;
+        if found != known {
+            return Err(RestoreError::Version { found }.into());
+        }
+    }
+    let end = bytes.len().checked_sub(8).ok_or(RestoreError::Length)?;
+    let (summed, sum) = bytes.split_at(end);
+    if sum != check_sum(summed).to_le_bytes() {
+        return Err(RestoreError::Checksum.into());
+    }
+    if input.word64()? != names_of(&plan) {
+        return Err(RestoreError::OtherModel.into());
+    }
+    for own in settings_words(&plan) {
+        if input.word32()? != own {
+            return Err(EngineError::OtherSettings);
+        }
+    }
+    let length = input.word32()? as usize;
+    let own = input.take(length)?;
+    match &mut engine.core {
+        Core::Present { memory, .. } => *memory = restored_memory(&plan, own)?,
+        Core::Following { host, .. } => *host = restored_host(&plan, host.settings(), own)?,
+    }
+    for body in 0..input.bodies {
+        let state = input.state()?;
+        model.check_state(body, &state).map_err(|_| RestoreError::Content)?;
+        engine.states[body] = state;
+        engine.shown[body] = input.flag()?;
+    }
+    engine.loads = None;
+    if input.flag()? {
+        if plan.method == Method::Paper {
+            return Err(RestoreError::Content.into());
+        }
+        let loads: Result<Vec<_>, _> = (0..input.bodies).map(|_| input.wrench()).collect();
+        let loads = loads?;
+        for (body, load) in loads.iter().enumerate() {
+            model.check_load(body, load).map_err(|_| RestoreError::Content)?;
+        }
+        engine.loads = Some(loads);
+    }
+    engine.latest = if input.flag()? {
+        Latest::Saved(Box::new(read_results(&mut input, &plan)?))
+    } else {
+        Latest::Nowhere
+    };
+    if input.rest.len() != 8 {
+        return Err(RestoreError::Length.into());
+    }
+    Ok(())
+}
+
+fn restored_memory(plan: &Plan, bytes: &[u8]) -> Result<Memory, RestoreError> {
+    let mut memory = Memory::new(&plan.model);
+    memory.restore(&plan.model, bytes)?;
+    Ok(memory)
+}
+
+fn restored_host(
+    plan: &Plan,
+    settings: HostSettings,
+    bytes: &[u8],
+) -> Result<FollowingHost, RestoreError> {
+    let mut host = FollowingHost::new(&plan.model, settings);
+    host.restore(&plan.model, bytes)?;
+    // The settings stand twice in the bytes: here and without.
+    if host.settings() == settings { Ok(host) } else { Err(RestoreError::Content) }
+}
+
+/// Tells models with other names or another order apart, which the fingerprint does not.
+fn names_of(plan: &Plan) -> u64 {
+    let mut out = Writer::default();
+    let bodies = plan.model.bodies().iter().map(|body| &body.name);
+    let fenders = plan.model.fenders().iter().map(|fender| &fender.name);
+    out.word32(plan.model.bodies().len() as u32);
+    for name in bodies.chain(fenders) {
+        out.word32(name.len() as u32);
+        out.0.extend_from_slice(name.as_bytes());
+    }
+    check_sum(&out.0)
+}
+
+/// Whose the turning is, the model's fingerprint tells.
+fn settings_words(plan: &Plan) -> [u32; 4] {
+    let method = match plan.method {
+        Method::Coupled => 0,
+        Method::Paper => 1,
+    };
+    let (kind, host) = match plan.host {
+        Host::Present { .. } => (0, HostSettings::default()),
+        Host::Following(settings) => (1, settings),
+    };
+    let integration = match host.integration {
+        HostIntegration::ForwardEuler => 0,
+        HostIntegration::SemiImplicit => 1,
+    };
+    [method, kind, host.delay_steps, integration]
+}
+
+fn write_results(out: &mut Writer, results: &Results<'_>) {
+    out.word32(1);
+    results.wrenches.iter().for_each(|wrench| out.wrench(wrench));
+    out.word32(results.contacts.len() as u32);
+    results.contacts.iter().for_each(|contact| out.contact(contact));
+    out.word32(results.events.len() as u32);
+    results.events.iter().for_each(|event| out.event(event));
+    results.states_after.iter().for_each(|state| out.state(state));
+    if let Some(reckoned) = results.reckoned {
+        reckoned.states.iter().for_each(|state| out.state(state));
+        reckoned.loads.iter().for_each(|load| out.wrench(load));
+    }
+}
+
+/// Which of them there are follows from the settings.
+fn read_results(input: &mut Reader<'_>, plan: &Plan) -> Result<Saved, RestoreError> {
+    let bodies = input.bodies;
+    let mut saved = Saved {
+        wrenches: (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?,
+        contacts: input.list(Reader::contact)?,
+        events: input.list(Reader::event)?,
+        ..Saved::default()
+    };
+    match plan.host {
+        Host::Present { .. } if plan.method == Method::Coupled => {
+            saved.states_after = (0..bodies).map(|_| input.state()).collect::<Result<_, _>>()?;
+        }
+        Host::Present { .. } => {}
+        Host::Following(_) => {
+            let states = (0..bodies).map(|_| input.state()).collect::<Result<_, _>>()?;
+            let loads = (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?;
+            saved.reckoned = Some((states, loads));
+        }
+    }
+    Ok(saved)
+}

@@ -1,0 +1,255 @@
+//! The engine as a host holds it: the same bits as the simulation, calls out of order, bytes of any kind.
+
+use fenderline_contact::{
+    BodyState, HostIntegration, HostSettings, Material, RestoreError, StepError, Wrench, vec2,
+};
+use fenderline_embed::{BodyParts, Engine, EngineBuilder, EngineError, Host, Settings, Turning};
+use fenderline_scenario::Scenario;
+use fenderline_sim::{MassProperties, Method, Simulation};
+
+const TUG: &str = "scenarios/paper/experiment_2_4kn.toml";
+const BERTH: &str = "scenarios/berth/eight_cones_at_5_deg.toml";
+
+fn scenario(name: &str) -> Scenario {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../");
+    Scenario::load(format!("{path}{name}").as_ref(), &[]).expect("a good scenario")
+}
+
+fn engine(name: &str, settings: &Settings) -> Engine {
+    Engine::from_scenario(scenario(name), settings).expect("good settings")
+}
+
+fn following(delay_steps: u32) -> Settings {
+    let host = HostSettings { delay_steps, integration: HostIntegration::ForwardEuler };
+    Settings { host: Host::Following(host), ..Settings::default() }
+}
+
+/// Some steps of the tug, by a host that moves her as the tug's model says.
+fn go_on(engine: &mut Engine, states: &mut [BodyState], steps: usize) {
+    for _ in 0..steps {
+        let wrenches = engine.advance(states, None, 0.1).expect("good states").to_vec();
+        for (body, wrench) in wrenches.iter().enumerate() {
+            let matrix = engine.model().bodies()[body].mobility.matrix().expect("both float");
+            states[body].position_m += states[body].velocity_mps * 0.1;
+            states[body].velocity_mps += wrench.force_n * (0.1 / matrix[0][0]);
+        }
+    }
+}
+
+/// The forces of `fenderline run` and of an engine that is shown the same states and told the same loads.
+#[test]
+fn the_same_states_give_the_same_bits_as_a_run() {
+    for (name, steps) in [(TUG, 200), (BERTH, 3600)] {
+        let mut engine = engine(name, &Settings::default());
+        let setup = scenario(name).setup;
+        let loads: Vec<Wrench> = (0..setup.bodies.len())
+            .map(|body| {
+                let own = setup.loads.iter().filter(|load| load.body == body);
+                own.fold(Wrench::default(), |sum, load| Wrench {
+                    force_n: sum.force_n + load.force_n,
+                    moment_nm: sum.moment_nm + load.moment_nm,
+                })
+            })
+            .collect();
+        let loads = (setup.method == Method::Coupled).then_some(loads);
+        let mut run = Simulation::new(setup).expect("a good set-up");
+        let mut contacts = 0;
+        for _ in 0..steps {
+            let record = run.step().expect("a good run");
+            engine.set_states(record.states).expect("good states");
+            engine.set_loads(loads.as_deref()).expect("good loads");
+            engine.step(0.1).expect("a good step");
+            let results = engine.results().expect("a step was taken");
+            assert_eq!(results.wrenches, record.wrenches, "{name} at {}", record.t_s);
+            assert_eq!(results.contacts, record.contacts);
+            assert_eq!(results.events, record.events);
+            if loads.is_some() {
+                assert_eq!(results.states_after, record.states_after);
+            }
+            contacts += results.contacts.len();
+        }
+        assert!(contacts > 10, "{name}");
+    }
+}
+
+#[test]
+fn what_acts_besides_contact_is_said_to_be_the_hosts() {
+    let notices = engine(BERTH, &Settings::default()).notices().join("\n");
+    assert!(notices.contains("left to the host: 1 load"), "{notices}");
+}
+
+#[test]
+fn calls_out_of_order_are_errors_and_change_nothing() {
+    let mut engine = engine(TUG, &Settings::default());
+    let fresh = engine.save();
+    assert_eq!(engine.results(), Err(EngineError::NoStepYet));
+    let ship = || EngineError::NotShown { body: "ship".into() };
+    assert_eq!(engine.step(0.1), Err(ship()));
+    let states = engine.initial_states().to_vec();
+    engine.set_state(1, &states[1]).expect("a good state");
+    assert_eq!(engine.step(0.1), Err(ship()));
+    assert!(matches!(engine.set_state(2, &states[1]), Err(EngineError::NoSuch { .. })));
+    let loads = [Wrench::default(); 2];
+    assert!(matches!(engine.set_loads(Some(&loads)), Err(EngineError::NotHere(_))));
+    engine.set_state(0, &states[0]).expect("a good state");
+    let bad_step = StepError::BadTimeStep { step_s: 0.0 };
+    assert_eq!(engine.step(0.0), Err(EngineError::Input(bad_step)));
+    assert_eq!(engine.results(), Err(EngineError::NoStepYet));
+    engine.step(0.1).expect("a good step");
+    engine.reset();
+    assert_eq!(engine.save(), fresh);
+}
+
+#[test]
+fn numbers_that_are_none_name_body_and_field() {
+    let mut engine = engine(BERTH, &Settings::default());
+    let good = engine.initial_states().to_vec();
+    engine.set_states(&good).expect("good states");
+    let before = engine.save();
+    let mut bad = good.clone();
+    bad[0].velocity_mps.y = f64::NAN;
+    let error = engine.set_states(&bad).unwrap_err().to_string();
+    assert_eq!(error, "east velocity of body `ship` is NaN");
+    assert_eq!(engine.set_state(0, &bad[0]).unwrap_err().to_string(), error);
+    assert_eq!(engine.advance(&bad, None, 0.1).unwrap_err().to_string(), error);
+    let mut loads = [Wrench::default(); 2];
+    loads[1].moment_nm = f64::INFINITY;
+    let error = engine.set_loads(Some(&loads)).unwrap_err().to_string();
+    assert_eq!(error, "moment of the load of body `quay` is inf");
+    assert!(engine.advance(&good, Some(&loads), 0.1).is_err());
+    assert!(engine.advance(&good[1..], None, 0.1).is_err());
+    assert!(engine.advance(&good, Some(&[Wrench::default(); 2]), -1.0).is_err());
+    assert_eq!(engine.save(), before);
+}
+
+/// Found by random calls from C: eleven days in one step, from within a contact.
+#[test]
+fn a_step_that_gives_no_numbers_is_refused_and_changes_nothing() {
+    let hull = [vec2(-10.0, -4.0), vec2(10.0, -4.0), vec2(10.0, 4.0), vec2(-10.0, 4.0)];
+    let mass = MassProperties {
+        mass_kg: 1e6,
+        yaw_inertia_kgm2: 5e7,
+        added_sway_kg: 5e5,
+        ..MassProperties::default()
+    };
+    let mut builder = EngineBuilder::new();
+    let rubber = Material {
+        stiffness_npm2: 5e5,
+        damping_nspm2: 0.0,
+        shear_stiffness_npm: 3e6,
+        friction_static: 0.5,
+        friction_dynamic: 0.5,
+        restitution: 0.1,
+    };
+    let rubber = builder.material("rubber", rubber).expect("a good name");
+    for (name, east_m) in [("one", 0.0), ("two", 7.0)] {
+        let position_m = vec2(0.0, east_m);
+        let mass = Some(mass);
+        let body = BodyParts { name, outline_m: &hull, mass, position_m, heading_rad: 0.0 };
+        builder.body(&body).expect("a good body");
+    }
+    builder.every_other_pair(rubber).expect("it is there");
+    let mut engine = builder.build(&Settings::default()).expect("a good model");
+    let mut states = engine.initial_states().to_vec();
+    engine.advance(&states, None, 0.1).expect("good states");
+    let (before, results) = (engine.save(), engine.results().map(|r| r.wrenches.to_vec()));
+    let mut refused = 0;
+    for angle in 0..60 {
+        states[0].heading_rad = 0.1 * f64::from(angle);
+        states[0].yaw_rate_radps = 0.05;
+        states[0].velocity_mps = vec2(1.0, 2.0);
+        match engine.advance(&states, None, 1e6) {
+            Ok(_) => engine.restore(&before).expect("its own bytes"),
+            Err(error) => {
+                assert_eq!(error, EngineError::NotFinite);
+                refused += 1;
+            }
+        }
+        assert_eq!(engine.save(), before);
+        assert_eq!(engine.results().map(|r| r.wrenches.to_vec()), results);
+    }
+    assert!(refused > 0);
+}
+
+#[test]
+fn a_fixed_body_need_not_be_shown() {
+    let mut engine = engine(BERTH, &Settings::default());
+    let ship = engine.initial_states()[0];
+    engine.set_state(0, &ship).expect("a good state");
+    engine.step(0.1).expect("the quay stays where the scenario has it");
+}
+
+#[test]
+fn a_restored_engine_tells_what_the_saved_one_told_and_goes_on_with_the_same_bits() {
+    let present = Host::Present { turning: Some(Turning::Loads) };
+    let coupled = Settings { method: Some(Method::Coupled), host: present };
+    let followed = Settings { method: Some(Method::Coupled), ..following(2) };
+    for settings in [Settings::default(), coupled, followed] {
+        let mut one = engine(TUG, &settings);
+        let mut states = one.initial_states().to_vec();
+        go_on(&mut one, &mut states, 15);
+        let bytes = one.save();
+        assert!(!one.results().expect("stepped").contacts.is_empty());
+        let mut two = engine(TUG, &settings);
+        two.restore(&bytes).expect("its own bytes");
+        assert_eq!(two.save(), bytes);
+        assert_eq!(two.results(), one.results());
+        assert_eq!((two.states(), two.loads()), (one.states(), one.loads()));
+        let mut again = states.clone();
+        go_on(&mut one, &mut states, 40);
+        go_on(&mut two, &mut again, 40);
+        assert_eq!(again, states);
+        assert_eq!(two.save(), one.save());
+        // Back to an older state, by the engine that went on.
+        one.restore(&bytes).expect("its own bytes");
+        assert_eq!(one.save(), bytes);
+    }
+}
+
+#[test]
+fn changed_cut_and_foreign_bytes_are_refused_and_change_nothing() {
+    let settings = Settings { method: Some(Method::Coupled), ..following(1) };
+    let mut own = engine(TUG, &settings);
+    let mut states = own.initial_states().to_vec();
+    go_on(&mut own, &mut states, 15);
+    let bytes = own.save();
+    for end in 0..bytes.len() {
+        assert!(own.restore(&bytes[..end]).is_err(), "cut at {end}");
+    }
+    for place in 0..bytes.len() {
+        let mut changed = bytes.clone();
+        changed[place] ^= 0x10;
+        assert!(own.restore(&changed).is_err(), "changed at {place}");
+    }
+    let more: Vec<u8> = bytes.iter().copied().chain([0]).collect();
+    assert!(own.restore(&more).is_err());
+    assert_eq!(own.save(), bytes);
+
+    let other_model = engine(BERTH, &following(1)).save();
+    assert_eq!(own.restore(&other_model), Err(RestoreError::OtherModel.into()));
+    let later = Settings { method: Some(Method::Coupled), ..following(2) };
+    let other_delay = engine(TUG, &later).save();
+    assert_eq!(own.restore(&other_delay), Err(EngineError::OtherSettings));
+    assert_eq!(own.save(), bytes);
+}
+
+#[test]
+fn settings_that_do_not_go_together_are_refused() {
+    let refused = |settings| Engine::from_scenario(scenario(TUG), &settings).unwrap_err();
+    assert!(matches!(refused(following(0)), EngineError::Settings(_)));
+    let late = Settings { method: Some(Method::Coupled), ..following(1001) };
+    assert!(matches!(refused(late), EngineError::Settings(_)));
+}
+
+#[test]
+fn a_copy_goes_its_own_way() {
+    let mut one = engine(TUG, &Settings::default());
+    let mut states = one.initial_states().to_vec();
+    go_on(&mut one, &mut states, 15);
+    let (mut two, mut there) = (one.clone(), states.clone());
+    there[1].position_m += vec2(0.0, -100.0);
+    go_on(&mut two, &mut there, 5);
+    go_on(&mut one, &mut states, 5);
+    assert!(two.results().expect("stepped").contacts.is_empty());
+    assert!(!one.results().expect("stepped").contacts.is_empty());
+}

@@ -1,0 +1,131 @@
+//! A scenario with all that it names, as one text: the resource from which an FMU's library works.
+
+use core::fmt;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use fenderline_scenario::{Override, Scenario, ScenarioError, read_text};
+use serde_json::{Map, Value, json};
+
+use crate::table::Kind;
+
+/// Version of the form.
+const FORM: u64 = 1;
+
+/// A self-contained scenario.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bundle {
+    /// What the FMU is.
+    pub kind: Kind,
+    /// Name of the scenario file, for messages and the default title.
+    name: String,
+    text: String,
+    /// Keys that replace those of the text, and their values.
+    changes: Vec<[String; 2]>,
+    /// Texts by the names that stand in the scenario.
+    files: BTreeMap<String, String>,
+}
+
+/// A scenario that makes no bundle, or a text that is none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BundleError {
+    /// The file cannot be read.
+    Unreadable(String),
+    /// The scenario reader refuses it.
+    Refused(ScenarioError),
+    /// The text is no bundle: what it lacks.
+    NoBundle(&'static str),
+}
+
+impl fmt::Display for BundleError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BundleError::Unreadable(why) => write!(f, "error: cannot read {why}"),
+            BundleError::Refused(error) => error.fmt(f),
+            BundleError::NoBundle(what) => write!(f, "error: the FMU's scenario has no {what}"),
+        }
+    }
+}
+
+impl std::error::Error for BundleError {}
+
+impl Bundle {
+    /// Reads a scenario file and the files that it names, with some keys replaced.
+    ///
+    /// # Errors
+    /// As [`Scenario::load`].
+    pub fn load(kind: Kind, path: &Path, changes: Vec<[String; 2]>) -> Result<Bundle, BundleError> {
+        let text = read_text(path).map_err(BundleError::Unreadable)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let overrides = overrides(&changes)?;
+        let mut files = BTreeMap::new();
+        let shown = path.display().to_string();
+        Scenario::parse_among(&text, &shown, &overrides, &mut |file| {
+            let text = read_text(&folder.join(file))?;
+            files.insert(file.to_owned(), text.clone());
+            Ok(text)
+        })
+        .map_err(BundleError::Refused)?;
+        Ok(Bundle { kind, name, text, changes, files })
+    }
+
+    /// The scenario.
+    ///
+    /// # Errors
+    /// [`BundleError::Refused`].
+    pub fn scenario(&self) -> Result<Scenario, BundleError> {
+        let overrides = overrides(&self.changes)?;
+        Scenario::parse_among(&self.text, &self.name, &overrides, &mut |name| {
+            self.files.get(name).cloned().ok_or_else(|| format!("{name}: it is not in the FMU"))
+        })
+        .map_err(BundleError::Refused)
+    }
+
+    /// As text.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        let files: Map<String, Value> =
+            self.files.iter().map(|(name, text)| (name.clone(), json!(text))).collect();
+        let bundle = json!({
+            "form": FORM,
+            "kind": self.kind.name(),
+            "name": self.name,
+            "text": self.text,
+            "changes": self.changes,
+            "files": files,
+        });
+        format!("{bundle:#}\n")
+    }
+
+    /// Of such a text.
+    ///
+    /// # Errors
+    /// [`BundleError::NoBundle`].
+    pub fn from_json(json: &str) -> Result<Bundle, BundleError> {
+        let no = BundleError::NoBundle;
+        let bundle: Value = serde_json::from_str(json).map_err(|_| no("JSON"))?;
+        if bundle["form"] != json!(FORM) {
+            return Err(no("form that this library knows"));
+        }
+        let text = |key: &str| bundle[key].as_str().map(str::to_owned);
+        let change =
+            |change: &Value| Some([change[0].as_str()?.to_owned(), change[1].as_str()?.to_owned()]);
+        let file =
+            |(name, text): (&String, &Value)| Some((name.clone(), text.as_str()?.to_owned()));
+        let changes = bundle["changes"].as_array().ok_or(no("changes"))?;
+        let files = bundle["files"].as_object().ok_or(no("files"))?;
+        Ok(Bundle {
+            kind: text("kind").and_then(|name| Kind::of_name(&name)).ok_or(no("kind"))?,
+            name: text("name").ok_or(no("name"))?,
+            text: text("text").ok_or(no("text"))?,
+            changes: changes.iter().map(change).collect::<Option<_>>().ok_or(no("changes"))?,
+            files: files.iter().map(file).collect::<Option<_>>().ok_or(no("files"))?,
+        })
+    }
+}
+
+fn overrides(changes: &[[String; 2]]) -> Result<Vec<Override>, BundleError> {
+    let of = |[key, value]: &[String; 2]| Override::new(&format!("{key}={value}"), key, value);
+    changes.iter().map(of).collect::<Result<_, _>>().map_err(BundleError::Refused)
+}

@@ -1,0 +1,84 @@
+//! FMI 2.0.
+
+use std::io;
+
+use super::xml::{Attributes, Xml, document, element, empty};
+use super::{about, causality, initial, outputs, range, start, units, variability};
+use crate::plan::Plan;
+use crate::table::{Class, Variable};
+
+/// Time, the first of the table, is not told: FMI 2.0 does not ask for it, and libcosim's reader of
+/// descriptions complains of a time without the start value that the standard forbids.
+const UNTOLD: usize = 1;
+
+pub(super) fn model(plan: &Plan, name: &str, identifier: &str) -> io::Result<String> {
+    let [model_name, rest @ ..] = about(plan, name);
+    let mut attributes: Attributes =
+        vec![("fmiVersion", "2.0".into()), model_name, ("guid", plan.token.clone())];
+    attributes.extend(rest);
+    document("fmiModelDescription", &attributes, |xml| {
+        let yes = || "true".to_owned();
+        let abilities = [
+            ("modelIdentifier", identifier.to_owned()),
+            ("canHandleVariableCommunicationStepSize", yes()),
+            ("canNotUseMemoryManagementFunctions", yes()),
+            ("canGetAndSetFMUstate", yes()),
+            ("canSerializeFMUstate", yes()),
+        ];
+        empty(xml, "CoSimulation", &abilities)?;
+        super::xml::units(xml, &units(&plan.table))?;
+        element(xml, "LogCategories", &[], |xml| {
+            empty(xml, "Category", &[("name", "logStatusError".to_owned())])
+        })?;
+        let setup = &plan.scenario.setup;
+        let experiment = [
+            ("startTime", "0".to_owned()),
+            ("stopTime", setup.duration_s.to_string()),
+            ("stepSize", setup.step_s.to_string()),
+        ];
+        empty(xml, "DefaultExperiment", &experiment)?;
+        element(xml, "ModelVariables", &[], |xml| {
+            let mut all = plan.table.variables.iter().enumerate().skip(UNTOLD);
+            all.try_for_each(|(reference, v)| variable(xml, reference, v))
+        })?;
+        element(xml, "ModelStructure", &[], |xml| {
+            unknowns(xml, "Outputs", plan)?;
+            unknowns(xml, "InitialUnknowns", plan)
+        })
+    })
+}
+
+fn variable(xml: &mut Xml, reference: usize, variable: &Variable) -> io::Result<()> {
+    let mut attributes: Attributes = vec![
+        ("name", variable.name.clone()),
+        ("valueReference", reference.to_string()),
+        ("description", variable.description.clone()),
+        ("causality", causality(variable).to_owned()),
+        ("variability", variability(variable).to_owned()),
+    ];
+    attributes.extend(initial(variable).map(|text| ("initial", text.to_owned())));
+    element(xml, "ScalarVariable", &attributes, |xml| {
+        let (name, mut attributes) = match variable.class {
+            Class::Real => {
+                let unit = variable.unit.name().map(|name| ("unit", name.to_owned()));
+                ("Real", unit.into_iter().collect())
+            }
+            Class::Integer => ("Integer", Vec::new()),
+            Class::Boolean => ("Boolean", Vec::new()),
+        };
+        attributes.extend(range(variable));
+        attributes.extend(start(variable).map(|text| ("start", text)));
+        empty(xml, name, &attributes)
+    })
+}
+
+/// All outputs depend on all inputs, which is what no list of dependencies says. Indices count from 1, among
+/// the variables that are told.
+fn unknowns(xml: &mut Xml, name: &str, plan: &Plan) -> io::Result<()> {
+    element(xml, name, &[], |xml| {
+        let mut all = outputs(&plan.table);
+        all.try_for_each(|index| {
+            empty(xml, "Unknown", &[("index", (index + 1 - UNTOLD).to_string())])
+        })
+    })
+}

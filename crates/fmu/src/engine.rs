@@ -1,0 +1,120 @@
+//! The engine kind under way.
+
+use fenderline_contact::{HostIntegration, HostSettings};
+use fenderline_embed::{Engine, Host, Settings};
+use fenderline_scenario::Scenario;
+use fenderline_sim::Method;
+
+use crate::inputs::Inputs;
+use crate::outputs::{View, read};
+use crate::parameters::applied;
+use crate::plan::Plan;
+use crate::table::Setting;
+
+/// An engine that was initialized. Cloning it branches the run.
+#[derive(Clone, Debug)]
+pub(crate) struct EngineRun {
+    pub(crate) engine: Engine,
+    tells_loads: bool,
+    body_fixed: bool,
+    pub(crate) beginning: Beginning,
+}
+
+/// How far an engine is with a host that shows old states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Beginning {
+    /// It gives no wrench for so many steps yet: what the host shows may be no state.
+    Waiting(u32),
+    /// It has seen the states of the start.
+    Begun,
+}
+
+impl EngineRun {
+    /// With the parameters and the states of the start.
+    pub(crate) fn start(plan: &Plan, values: &[f64]) -> Result<EngineRun, String> {
+        let mut run = EngineRun::at_rest(plan, values)?;
+        if run.beginning == Beginning::Waiting(0) {
+            // The wrench for the host's first step, which it gets while it is initialized: the first step
+            // that the master orders comes too late for it.
+            let step_s = plan.table.setting(values, Setting::StepS).unwrap_or(0.1);
+            run.advance(plan, values, step_s)?;
+            run.beginning = Beginning::Begun;
+        }
+        Ok(run)
+    }
+
+    /// Of the parameters, with nothing asked yet.
+    pub(crate) fn at_rest(plan: &Plan, values: &[f64]) -> Result<EngineRun, String> {
+        let of = |setting| plan.table.setting(values, setting).unwrap_or(0.0);
+        let is_on = |setting| of(setting) != 0.0;
+        let Scenario { title, setup, .. } = &plan.scenario;
+        let setup = applied(&plan.table, values, setup);
+        let following = is_on(Setting::Following);
+        let delay_steps = if following { of(Setting::DelaySteps) as u32 } else { 0 };
+        let integration = if is_on(Setting::ForwardEuler) {
+            HostIntegration::ForwardEuler
+        } else {
+            HostIntegration::SemiImplicit
+        };
+        let host = if following {
+            Host::Following(HostSettings { delay_steps, integration })
+        } else {
+            Host::default()
+        };
+        let scenario = Scenario { title: title.clone(), setup, notices: Vec::new() };
+        let engine = Engine::from_scenario(scenario, &Settings { method: None, host })
+            .map_err(|error| error.to_string())?;
+        let tells_loads = !following || is_on(Setting::TellsLoads);
+        let beginning = match delay_steps {
+            0 => Beginning::Begun,
+            _ => Beginning::Waiting(of(Setting::SkipSteps) as u32),
+        };
+        Ok(EngineRun { engine, tells_loads, body_fixed: is_on(Setting::BodyFixed), beginning })
+    }
+
+    /// A step of the host.
+    pub(crate) fn step(&mut self, plan: &Plan, values: &[f64], step_s: f64) -> Result<(), String> {
+        match self.beginning {
+            Beginning::Begun => {}
+            Beginning::Waiting(steps @ 1..) => {
+                self.beginning = Beginning::Waiting(steps - 1);
+                return Ok(());
+            }
+            Beginning::Waiting(0) => {
+                // The step that the host is in, without a wrench: the engine goes on from its end.
+                self.advance(plan, values, step_s)?;
+                self.beginning = Beginning::Begun;
+            }
+        }
+        self.advance(plan, values, step_s)
+    }
+
+    /// A step of the engine from the states and loads of the inputs.
+    fn advance(&mut self, plan: &Plan, values: &[f64], step_s: f64) -> Result<(), String> {
+        let inputs = Inputs { table: &plan.table, values };
+        let mut states = self.engine.initial_states().to_vec();
+        inputs.states(self.body_fixed, &mut states);
+        let mut loads = inputs.loads(states.len());
+        if self.body_fixed {
+            for (load, state) in loads.iter_mut().zip(&states) {
+                load.force_n = crate::inputs::earth_fixed(state, load.force_n);
+            }
+        }
+        let nothing = loads.iter().all(|load| *load == fenderline_contact::Wrench::default());
+        // The paper's method knows no loads: none is as good as zero.
+        let told = self.tells_loads && !(nothing && self.engine.method() == Method::Paper);
+        let loads = told.then_some(&*loads);
+        self.engine.advance(&states, loads, step_s).map(|_| ()).map_err(|error| error.to_string())
+    }
+
+    /// The outputs of the last step, or of none.
+    pub(crate) fn read(&self, plan: &Plan, values: &mut [f64]) {
+        let results = self.engine.results();
+        let (wrenches, contacts) =
+            results.map_or((&[][..], &[][..]), |results| (results.wrenches, results.contacts));
+        let states = self.engine.states();
+        let body_fixed = self.body_fixed;
+        let view = View { states, wrenches, contacts, body_fixed, simulation: None };
+        read(&plan.table, &view, values);
+    }
+}

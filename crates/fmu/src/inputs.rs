@@ -1,0 +1,316 @@
+//! Inputs: what a master sets at each communication point.
+
+use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
+use fenderline_sim::tug::TugOrder;
+use fenderline_sim::{Action, BodySetup, Setup};
+
+use crate::table::{Causality, Class, StandsFor, Table, Variable};
+use crate::unit::Unit;
+
+/// The largest load that the engine takes [N, N·m].
+const LARGEST_LOAD: f64 = 1e15;
+/// The largest angle that is taken as an order [rad].
+const LARGEST_ANGLE: f64 = 100.0;
+
+/// What an input stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Input {
+    /// A body's state: north, east, heading, and their rates.
+    State {
+        body: usize,
+        component: usize,
+    },
+    /// A load on a body: north, east, moment.
+    Load {
+        body: usize,
+        component: usize,
+    },
+    /// The master has a vessel's controls.
+    ByHand(usize),
+    Rudder(usize),
+    Engine(usize),
+    Thruster(usize, usize),
+    AzimuthPower(usize, usize),
+    AzimuthDirection(usize, usize),
+    /// The master orders a vector tug.
+    TugByHand(usize),
+    TugForce(usize),
+    TugDirection(usize),
+    TugPulls(usize),
+}
+
+struct Row<'a> {
+    name: String,
+    description: &'a str,
+    unit: Unit,
+    start: f64,
+    range: Option<[f64; 2]>,
+    input: Input,
+}
+
+fn add(table: &mut Table, row: Row<'_>) -> usize {
+    let switch = matches!(row.input, Input::ByHand(_) | Input::TugByHand(_) | Input::TugPulls(_));
+    table.add(Variable {
+        name: row.name,
+        description: row.description.to_owned(),
+        unit: row.unit,
+        class: if switch { Class::Boolean } else { Class::Real },
+        causality: Causality::Input,
+        start: row.start,
+        range: row.range,
+        stands_for: StandsFor::Input(row.input),
+    })
+}
+
+/// States and loads of the floating bodies, for the engine.
+pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
+    let states = setup.initial_states();
+    for (body, (of, state)) in setup.bodies.iter().zip(&states).enumerate() {
+        if of.mass.is_none() {
+            continue;
+        }
+        let name = &of.name;
+        let mut state_row = |field: &str, description, unit, component, start| {
+            let input = Input::State { body, component };
+            let name = format!("body.{name}.{field}");
+            add(table, Row { name, description, unit, start, range: None, input })
+        };
+        let (x, v) = (state.position_m, state.velocity_mps);
+        let (m, mps) = (Unit::Metre, Unit::MetrePerSecond);
+        let place = [
+            state_row("x_m", "position of the centre of gravity, north", m, 0, x.x),
+            state_row("y_m", "position of the centre of gravity, east", m, 1, x.y),
+        ];
+        let what = "heading, clockwise from north";
+        let heading = state_row("heading_rad", what, Unit::Radian, 2, state.heading_rad);
+        let north = "velocity of the centre of gravity, north; forward where host.body_fixed";
+        let east = "velocity of the centre of gravity, east; to starboard where host.body_fixed";
+        let velocity = [
+            state_row("velocity_x_mps", north, mps, 3, v.x),
+            state_row("velocity_y_mps", east, mps, 4, v.y),
+        ];
+        let (what, unit) = ("rate of turn, positive to starboard", Unit::RadianPerSecond);
+        let turn = state_row("r_radps", what, unit, 5, state.yaw_rate_radps);
+        table.group("LinearDisplacement", format!("{name}.position"), &place);
+        table.group("AngularDisplacement", format!("{name}.heading"), &[heading]);
+        table.group("LinearVelocity", format!("{name}.velocity"), &velocity);
+        table.group("AngularVelocity", format!("{name}.rate_of_turn"), &[turn]);
+        let about = "all that acts on the body besides contact; of use where host.tells_loads, or \
+                     where not host.following";
+        add_loads(table, (body, of), "load", about);
+    }
+}
+
+/// Further forces on the floating bodies, for the simulation.
+pub(crate) fn add_extra_loads(table: &mut Table, setup: &Setup) {
+    for (body, of) in setup.bodies.iter().enumerate() {
+        if of.mass.is_some() {
+            add_loads(table, (body, of), "extra", "acts besides what the scenario has");
+        }
+    }
+}
+
+fn add_loads(table: &mut Table, (body, of): (usize, &BodySetup), stem: &str, about: &str) {
+    let name = &of.name;
+    let fields = [
+        ("x_n", Unit::Newton, "force at the centre of gravity, north"),
+        ("y_n", Unit::Newton, "force at the centre of gravity, east"),
+        ("moment_nm", Unit::NewtonMetre, "moment about the vertical, positive to starboard"),
+    ];
+    let mut places = [0; 3];
+    for (component, (field, unit, what)) in fields.into_iter().enumerate() {
+        places[component] = add(
+            table,
+            Row {
+                name: format!("body.{name}.{stem}_{field}"),
+                description: &format!("{what}: {about}"),
+                unit,
+                start: 0.0,
+                range: Some([-LARGEST_LOAD, LARGEST_LOAD]),
+                input: Input::Load { body, component },
+            },
+        );
+    }
+    table.group("Force", format!("{name}.{stem}"), &places[..2]);
+    table.group("Torque", format!("{name}.{stem}_moment"), &places[2..]);
+}
+
+/// Controls of vessels and tugs.
+pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
+    let share = Some([-1.0, 1.0]);
+    let angle = Some([-LARGEST_ANGLE, LARGEST_ANGLE]);
+    let (one, radian) = (Unit::One, Unit::Radian);
+    for (index, vessel) in setup.world.vessels.iter().enumerate() {
+        let body = &setup.bodies[vessel.body].name;
+        let mut row = |field: &str, description, unit, range, start, input| {
+            let name = format!("vessel.{body}.{field}");
+            add(table, Row { name, description, unit, start, range, input });
+        };
+        let what = "the inputs below are the orders; else the scenario's orders and pilots are";
+        row("by_hand", what, one, None, 0.0, Input::ByHand(index));
+        let what = "rudder ordered, positive turns to starboard";
+        let at_start = vessel.rudder.value;
+        row("rudder_order_rad", what, radian, angle, at_start, Input::Rudder(index));
+        let what = "revolutions ordered over full ones, positive ahead";
+        let at_start = (vessel.shaft.value / vessel.shaft.stop).clamp(-1.0, 1.0);
+        let at_start = if at_start.is_finite() { at_start } else { 0.0 };
+        row("engine_order", what, one, share, at_start, Input::Engine(index));
+        for (unit, thruster) in vessel.thrusters.iter().enumerate() {
+            let field = format!("thruster.{}.order", thruster.name);
+            let what = "thrust ordered over the largest, positive to starboard";
+            row(&field, what, one, share, 0.0, Input::Thruster(index, unit));
+        }
+        for (unit, azimuth) in vessel.azimuths.iter().enumerate() {
+            let field = format!("azimuth.{}.power_order", azimuth.name);
+            let (what, range) = ("thrust ordered over that at rest", Some([0.0, 1.0]));
+            row(&field, what, one, range, 0.0, Input::AzimuthPower(index, unit));
+            let field = format!("azimuth.{}.direction_order_rad", azimuth.name);
+            let what = "direction of the thrust ordered, from the bow, positive to starboard";
+            row(&field, what, radian, angle, 0.0, Input::AzimuthDirection(index, unit));
+        }
+    }
+    for (index, tug) in setup.world.tugs.iter().enumerate() {
+        let mut row = |field: &str, description, unit, range, input| {
+            let name = format!("tug.{}.{field}", tug.tug.name);
+            add(table, Row { name, description, unit, start: 0.0, range, input });
+        };
+        let what = "the inputs below are the order; else the scenario's orders are";
+        row("by_hand", what, one, None, Input::TugByHand(index));
+        let what = "force ordered; 0 is to stand by";
+        row("force_order_n", what, Unit::Newton, Some([0.0, 1e8]), Input::TugForce(index));
+        let what = "direction of the force ordered, from the ship's bow, positive to starboard";
+        row("direction_order_rad", what, radian, angle, Input::TugDirection(index));
+        let what = "she pulls on her line; else she pushes";
+        row("pulls", what, one, None, Input::TugPulls(index));
+    }
+}
+
+/// What the inputs of a table say.
+pub(crate) struct Inputs<'a> {
+    pub(crate) table: &'a Table,
+    pub(crate) values: &'a [f64],
+}
+
+impl Inputs<'_> {
+    fn all(&self) -> impl Iterator<Item = (Input, f64)> {
+        self.table.variables.iter().zip(self.values).filter_map(|(variable, &value)| match variable
+            .stands_for
+        {
+            StandsFor::Input(input) => Some((input, value)),
+            _ => None,
+        })
+    }
+
+    fn of(&self, wanted: Input) -> f64 {
+        self.all().find(|(input, _)| *input == wanted).map_or(0.0, |(_, value)| value)
+    }
+
+    fn is_on(&self, wanted: Input) -> bool {
+        self.of(wanted) != 0.0
+    }
+
+    /// States of all bodies; those without inputs keep theirs.
+    pub(crate) fn states(&self, body_fixed: bool, states: &mut [BodyState]) {
+        for (input, value) in self.all() {
+            let Input::State { body, component } = input else { continue };
+            let state = &mut states[body];
+            match component {
+                0 => state.position_m.x = value,
+                1 => state.position_m.y = value,
+                2 => state.heading_rad = value,
+                3 => state.velocity_mps.x = value,
+                4 => state.velocity_mps.y = value,
+                _ => state.yaw_rate_radps = value,
+            }
+            // The last of a body's components: its heading is known.
+            if component == 5 && body_fixed {
+                state.velocity_mps = earth_fixed(state, state.velocity_mps);
+            }
+        }
+    }
+
+    /// Loads of all bodies.
+    pub(crate) fn loads(&self, bodies: usize) -> Vec<Wrench> {
+        let mut loads = vec![Wrench::default(); bodies];
+        for (input, value) in self.all() {
+            let Input::Load { body, component } = input else { continue };
+            match component {
+                0 => loads[body].force_n.x = value,
+                1 => loads[body].force_n.y = value,
+                _ => loads[body].moment_nm = value,
+            }
+        }
+        loads
+    }
+
+    /// The orders to vessels and tugs that follow from what changed since `before`, with the vessel.
+    pub(crate) fn orders(&self, before: &Inputs<'_>) -> Vec<(usize, Action)> {
+        let mut orders = Vec::new();
+        let changed = |input: Input| self.of(input).to_bits() != before.of(input).to_bits();
+        let taken = |by: Input| self.is_on(by) && !before.is_on(by);
+        for (input, value) in self.all() {
+            let vessel = match input {
+                Input::ByHand(vessel) => {
+                    if taken(input) {
+                        orders.push((vessel, Action::Hands));
+                    }
+                    continue;
+                }
+                Input::TugForce(tug) => {
+                    let by = Input::TugByHand(tug);
+                    let parts =
+                        [Input::TugForce(tug), Input::TugDirection(tug), Input::TugPulls(tug)];
+                    if self.is_on(by) && (taken(by) || parts.into_iter().any(changed)) {
+                        orders.push((0, Action::Tug(tug, self.tug_order(tug))));
+                    }
+                    continue;
+                }
+                Input::Rudder(vessel)
+                | Input::Engine(vessel)
+                | Input::Thruster(vessel, _)
+                | Input::AzimuthPower(vessel, _)
+                | Input::AzimuthDirection(vessel, _) => vessel,
+                _ => continue,
+            };
+            let by = Input::ByHand(vessel);
+            if !self.is_on(by) || !(taken(by) || changed(input)) {
+                continue;
+            }
+            let action = match input {
+                Input::Rudder(_) => Action::Rudder(value),
+                Input::Engine(_) => Action::Engine(value),
+                Input::Thruster(_, unit) => Action::Thruster(unit, value),
+                Input::AzimuthPower(_, unit) => {
+                    Action::Azimuth { unit, power: Some(value), direction_rad: None }
+                }
+                Input::AzimuthDirection(_, unit) => {
+                    Action::Azimuth { unit, power: None, direction_rad: Some(value) }
+                }
+                _ => unreachable!("the others have gone on"),
+            };
+            orders.push((vessel, action));
+        }
+        orders
+    }
+
+    fn tug_order(&self, tug: usize) -> TugOrder {
+        let force_n = self.of(Input::TugForce(tug));
+        let direction_rad = self.of(Input::TugDirection(tug));
+        match (force_n == 0.0, self.is_on(Input::TugPulls(tug))) {
+            (true, _) => TugOrder::StandBy,
+            (_, true) => TugOrder::Pull { force_n, direction_rad },
+            (_, false) => TugOrder::Push { force_n, direction_rad },
+        }
+    }
+}
+
+/// A vector in a body's axes, earth-fixed.
+pub(crate) fn earth_fixed(state: &BodyState, own: Vec2) -> Vec2 {
+    Rotation::from_angle(state.heading_rad).apply(own)
+}
+
+/// An earth-fixed vector in a body's axes.
+pub(crate) fn body_fixed(state: &BodyState, vector: Vec2) -> Vec2 {
+    let own = Rotation::from_angle(state.heading_rad).apply_inverse(vector);
+    vec2(own.x, own.y)
+}

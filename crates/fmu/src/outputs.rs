@@ -1,0 +1,343 @@
+//! Outputs: what is read off a run after a step, the same for both kinds where both have it.
+
+use fenderline_contact::{BodyState, Contact, Wrench};
+use fenderline_sim::{PairSetup, Setup, Simulation};
+
+use crate::inputs::body_fixed;
+use crate::table::{Causality, Class, Output, StandsFor, Table, Variable};
+use crate::unit::Unit;
+
+/// A run as outputs see it.
+pub(crate) struct View<'a> {
+    pub(crate) states: &'a [BodyState],
+    /// Contact wrenches, one a body; earth-fixed.
+    pub(crate) wrenches: &'a [Wrench],
+    pub(crate) contacts: &'a [Contact],
+    /// Wrenches are told in the bodies' axes.
+    pub(crate) body_fixed: bool,
+    /// The simulation, where there is one.
+    pub(crate) simulation: Option<&'a Simulation>,
+}
+
+impl View<'_> {
+    fn wrench(&self, body: usize) -> Wrench {
+        let wrench = self.wrenches.get(body).copied().unwrap_or_default();
+        if self.body_fixed {
+            let force_n = body_fixed(&self.states[body], wrench.force_n);
+            Wrench { force_n, ..wrench }
+        } else {
+            wrench
+        }
+    }
+
+    fn own_velocity(&self, body: usize) -> fenderline_contact::Vec2 {
+        body_fixed(&self.states[body], self.states[body].velocity_mps)
+    }
+
+    fn on_fender(&self, fender: usize) -> impl Iterator<Item = &Contact> {
+        let is = move |c: &&Contact| c.fender.is_some_and(|id| id.0 as usize == fender);
+        self.contacts.iter().filter(is)
+    }
+
+    /// Patches of two outlines.
+    fn of_pair(&self, bodies: [usize; 2]) -> impl Iterator<Item = &Contact> {
+        self.contacts.iter().filter(move |c| {
+            let own = [c.body_1.0 as usize, c.body_2.0 as usize];
+            c.fender.is_none() && (own == bodies || own == [bodies[1], bodies[0]])
+        })
+    }
+
+    fn of_simulation(&self, read: impl Fn(&Simulation) -> f64) -> f64 {
+        self.simulation.map_or(0.0, read)
+    }
+}
+
+type Read = fn(&View<'_>, [usize; 2]) -> f64;
+/// Name, what it is, unit, and how it is read.
+type Column = (&'static str, &'static str, Unit, Read);
+
+fn add(table: &mut Table, stem: &str, of: [usize; 2], columns: &[Column]) -> Vec<usize> {
+    let add = |&(name, description, unit, read): &Column| {
+        table.add(Variable {
+            name: if stem.is_empty() { name.to_owned() } else { format!("{stem}.{name}") },
+            description: description.to_owned(),
+            unit,
+            class: Class::Real,
+            causality: Causality::Output,
+            start: 0.0,
+            range: None,
+            stands_for: StandsFor::Output(Output { of, read }),
+        })
+    };
+    columns.iter().map(add).collect()
+}
+
+/// The wrench on each body, each fender, and each pair of outlines that may touch.
+pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
+    use Unit::{Joule, Metre, Newton, NewtonMetre, One, Radian, SquareMetre};
+    let columns: [Column; 3] = [
+        (
+            "force_x_n",
+            "contact force, north; forward where host.body_fixed",
+            Newton,
+            |v, [b, _]| v.wrench(b).force_n.x,
+        ),
+        (
+            "force_y_n",
+            "contact force, east; to starboard where host.body_fixed",
+            Newton,
+            |v, [b, _]| v.wrench(b).force_n.y,
+        ),
+        (
+            "moment_z_nm",
+            "moment of the contact forces about the centre of gravity, positive to starboard",
+            NewtonMetre,
+            |v, [b, _]| v.wrench(b).moment_nm,
+        ),
+    ];
+    for (index, body) in setup.bodies.iter().enumerate() {
+        let places = add(table, &format!("body.{}", body.name), [index, 0], &columns);
+        table.group("Force", format!("{}.contact", body.name), &places[..2]);
+        table.group("Torque", format!("{}.contact_moment", body.name), &places[2..]);
+    }
+    let columns: [Column; 6] = [
+        ("deflection_m", "deflection at the start of the step", Metre, |v, [f, _]| {
+            v.on_fender(f).fold(0.0, |most, c| f64::max(most, c.depth_m))
+        }),
+        ("reaction_n", "mean reaction along its axis over the step", Newton, |v, [f, _]| {
+            v.on_fender(f).fold(0.0, |sum, c| sum + c.normal_force_n * libm::cos(c.tilt_rad))
+        }),
+        (
+            "peak_reaction_n",
+            "largest reaction along its axis within the step",
+            Newton,
+            |v, [f, _]| {
+                let along = |c: &Contact| c.peak_normal_force_n * libm::cos(c.tilt_rad);
+                v.on_fender(f).fold(0.0, |sum, c| sum + along(c))
+            },
+        ),
+        ("tangential_force_n", "friction force along its face", Newton, |v, [f, _]| {
+            v.on_fender(f).fold(0.0, |sum, c| sum + c.tangential_force_n)
+        }),
+        ("stored_j", "stored in spring and stop at the start of the step", Joule, |v, [f, _]| {
+            v.on_fender(f).fold(0.0, |sum, c| sum + c.stored_j)
+        }),
+        ("tilt_rad", "largest angle between its face and the hull", Radian, |v, [f, _]| {
+            v.on_fender(f).fold(0.0, |most, c| f64::max(most, c.tilt_rad.abs()))
+        }),
+    ];
+    for (index, fender) in setup.fenders.iter().enumerate() {
+        add(table, &format!("fender.{}", fender.name), [index, 0], &columns);
+    }
+    let columns: [Column; 5] = [
+        ("patches", "number of patches of contact", One, |v, pair| v.of_pair(pair).count() as f64),
+        ("normal_force_n", "sum of the normal forces, pressing", Newton, |v, pair| {
+            v.of_pair(pair).fold(0.0, |sum, c| sum + c.normal_force_n)
+        }),
+        ("tangential_force_n", "sum of the friction forces", Newton, |v, pair| {
+            v.of_pair(pair).fold(0.0, |sum, c| sum + c.tangential_force_n)
+        }),
+        ("depth_m", "largest penetration", Metre, |v, pair| {
+            v.of_pair(pair).fold(0.0, |most, c| f64::max(most, c.depth_m))
+        }),
+        ("area_m2", "overlap area", SquareMetre, |v, pair| {
+            v.of_pair(pair).fold(0.0, |sum, c| sum + c.area_m2)
+        }),
+    ];
+    for bodies in outline_pairs(setup) {
+        let [one, two] = bodies.map(|body| &setup.bodies[body].name);
+        add(table, &format!("pair.{one}-{two}"), bodies, &columns);
+    }
+}
+
+/// Bodies whose outlines may touch, one of them floating, in the order of the set-up.
+fn outline_pairs(setup: &Setup) -> Vec<[usize; 2]> {
+    let named = |one: usize, two: usize| {
+        let is = |pair: &PairSetup| pair.bodies == [one, two] || pair.bodies == [two, one];
+        setup.pairs.iter().any(is)
+    };
+    let floats = |body: usize| setup.bodies[body].mass.is_some();
+    let count = setup.bodies.len();
+    let all = (0..count).flat_map(|one| (one + 1..count).map(move |two| [one, two]));
+    all.filter(|&[one, two]| {
+        (floats(one) || floats(two)) && (setup.every_other_pair.is_some() || named(one, two))
+    })
+    .collect()
+}
+
+/// What a simulation has besides: states, vessels, tugs, lines and energy.
+pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
+    add_motion(table, setup);
+    add_world(table, setup);
+    use Unit::Joule;
+    let columns: [Column; 8] = [
+        ("energy.kinetic_j", "kinetic energy, added mass included", Joule, |v, _| {
+            v.of_simulation(|s| s.energy().kinetic_j)
+        }),
+        ("energy.load_work_j", "work of all that is no contact", Joule, |v, _| {
+            v.of_simulation(|s| s.energy().load_work_j)
+        }),
+        ("energy.stored_j", "stored in springs and stops", Joule, |v, _| {
+            v.of_simulation(|s| s.energy().stored_j)
+        }),
+        ("energy.shear_stored_j", "stored in shear springs", Joule, |v, _| {
+            v.of_simulation(|s| s.energy().shear_stored_j)
+        }),
+        ("energy.damping_j", "lost to damping", Joule, |v, _| {
+            v.of_simulation(|s| s.energy().damping_j)
+        }),
+        ("energy.restitution_j", "lost to restitution", Joule, |v, _| {
+            v.of_simulation(|s| s.energy().restitution_j)
+        }),
+        ("energy.friction_j", "lost to friction", Joule, |v, _| {
+            v.of_simulation(|s| s.energy().friction_j)
+        }),
+        ("energy.residual_j", "energy that the time step made, or lost", Joule, |v, _| {
+            v.of_simulation(|s| s.energy().residual_j)
+        }),
+    ];
+    add(table, "", [0, 0], &columns);
+}
+
+fn add_motion(table: &mut Table, setup: &Setup) {
+    use Unit::{Joule, Metre, MetrePerSecond, One, Radian, RadianPerSecond};
+    let columns: [Column; 8] = [
+        ("x_m", "position of the centre of gravity, north", Metre, |v, [b, _]| {
+            v.states[b].position_m.x
+        }),
+        ("y_m", "position of the centre of gravity, east", Metre, |v, [b, _]| {
+            v.states[b].position_m.y
+        }),
+        ("heading_rad", "heading, clockwise from north", Radian, |v, [b, _]| {
+            v.states[b].heading_rad
+        }),
+        ("velocity_x_mps", "velocity, north", MetrePerSecond, |v, [b, _]| {
+            v.states[b].velocity_mps.x
+        }),
+        ("velocity_y_mps", "velocity, east", MetrePerSecond, |v, [b, _]| {
+            v.states[b].velocity_mps.y
+        }),
+        ("r_radps", "rate of turn, positive to starboard", RadianPerSecond, |v, [b, _]| {
+            v.states[b].yaw_rate_radps
+        }),
+        ("u_mps", "surge, forward", MetrePerSecond, |v, [b, _]| v.own_velocity(b).x),
+        ("v_mps", "sway, to starboard", MetrePerSecond, |v, [b, _]| v.own_velocity(b).y),
+    ];
+    for (index, body) in setup.bodies.iter().enumerate() {
+        if body.mass.is_none() {
+            continue;
+        }
+        let name = &body.name;
+        let places = add(table, &format!("body.{name}"), [index, 0], &columns);
+        table.group("LinearDisplacement", format!("{name}.position"), &places[..2]);
+        table.group("AngularDisplacement", format!("{name}.heading"), &places[2..3]);
+        table.group("LinearVelocity", format!("{name}.velocity"), &places[3..5]);
+        table.group("AngularVelocity", format!("{name}.rate_of_turn"), &places[5..6]);
+    }
+    let columns: [Column; 2] = [
+        ("peak_energy_j", "largest energy stored so far", Joule, |v, [f, _]| {
+            v.of_simulation(|s| {
+                s.fender_summaries().find(|x| x.fender == f).map_or(0.0, |x| x.peak_energy_j)
+            })
+        }),
+        (
+            "share_of_rated_energy",
+            "that over what it can take; 0 if not rated",
+            One,
+            |v, [f, _]| {
+                v.of_simulation(|s| {
+                    let summary = s.fender_summaries().find(|x| x.fender == f);
+                    summary.and_then(|x| x.share_of_rated_energy).unwrap_or(0.0)
+                })
+            },
+        ),
+    ];
+    for (index, fender) in setup.fenders.iter().enumerate() {
+        add(table, &format!("fender.{}", fender.name), [index, 0], &columns);
+    }
+}
+
+fn add_world(table: &mut Table, setup: &Setup) {
+    use Unit::{Metre, Newton, One, PerSecond, Radian};
+    let columns: [Column; 6] = [
+        ("rudder_rad", "rudder, positive turns to starboard", Radian, |v, [i, _]| {
+            v.of_simulation(|s| s.vessels()[i].rudder.value)
+        }),
+        ("shaft_rps", "revolutions, positive ahead", PerSecond, |v, [i, _]| {
+            v.of_simulation(|s| s.vessels()[i].shaft.value)
+        }),
+        ("heave_m", "heave, positive down, without waves", Metre, |v, [i, _]| {
+            v.of_simulation(|s| s.vessels()[i].attitude.heave.value)
+        }),
+        ("roll_rad", "heel, to starboard, without waves", Radian, |v, [i, _]| {
+            v.of_simulation(|s| s.vessels()[i].attitude.roll.value)
+        }),
+        ("pitch_rad", "pitch, bow up, without waves", Radian, |v, [i, _]| {
+            v.of_simulation(|s| s.vessels()[i].attitude.pitch.value)
+        }),
+        ("squat_m", "how much deeper she sits under way", Metre, |v, [i, _]| {
+            v.of_simulation(|s| s.vessels()[i].squat_m)
+        }),
+    ];
+    let thruster: [Column; 1] = [("thrust", "thrust over the largest", One, |v, [i, unit]| {
+        v.of_simulation(|s| s.vessels()[i].thrusters[unit].value)
+    })];
+    let azimuth: [Column; 2] = [
+        ("power", "thrust over that at rest", One, |v, [i, unit]| {
+            v.of_simulation(|s| s.vessels()[i].azimuths[unit].power.value)
+        }),
+        ("direction_rad", "direction of the thrust from the bow", Radian, |v, [i, unit]| {
+            v.of_simulation(|s| s.vessels()[i].azimuths[unit].direction.angle_rad)
+        }),
+    ];
+    for (index, vessel) in setup.world.vessels.iter().enumerate() {
+        let stem = format!("vessel.{}", setup.bodies[vessel.body].name);
+        add(table, &stem, [index, 0], &columns);
+        for (unit, of) in vessel.thrusters.iter().enumerate() {
+            add(table, &format!("{stem}.thruster.{}", of.name), [index, unit], &thruster);
+        }
+        for (unit, of) in vessel.azimuths.iter().enumerate() {
+            add(table, &format!("{stem}.azimuth.{}", of.name), [index, unit], &azimuth);
+        }
+    }
+    let columns: [Column; 2] = [
+        ("force_n", "force on the ship", Newton, |v, [i, _]| {
+            v.of_simulation(|s| {
+                let force = s.tugs()[i].force;
+                libm::hypot(force.surge_n, force.sway_n)
+            })
+        }),
+        ("direction_rad", "its direction from the ship's bow", Radian, |v, [i, _]| {
+            v.of_simulation(|s| s.tugs()[i].state.direction_rad)
+        }),
+    ];
+    for (index, tug) in setup.world.tugs.iter().enumerate() {
+        add(table, &format!("tug.{}", tug.tug.name), [index, 0], &columns);
+    }
+    let columns: [Column; 3] = [
+        ("tension_n", "tension at the ship's end", Newton, |v, [i, _]| {
+            v.of_simulation(|s| s.lines()[i].load.tension_n)
+        }),
+        ("length_m", "unstretched length outboard", Metre, |v, [i, _]| {
+            v.of_simulation(|s| s.lines()[i].line.as_ref().map_or(0.0, |(_, state)| state.length_m))
+        }),
+        ("parted", "1 where it has parted", One, |v, [i, _]| {
+            v.of_simulation(|s| {
+                let line = s.lines()[i].line.as_ref();
+                line.map_or(0.0, |(_, state)| f64::from(u8::from(state.parted)))
+            })
+        }),
+    ];
+    for (index, line) in setup.world.lines.iter().enumerate() {
+        add(table, &format!("line.{}", line.line.name), [index, 0], &columns);
+    }
+}
+
+/// Reads all outputs.
+pub(crate) fn read(table: &Table, view: &View<'_>, values: &mut [f64]) {
+    for (variable, value) in table.variables.iter().zip(values) {
+        if let StandsFor::Output(Output { of, read }) = variable.stands_for {
+            *value = read(view, of);
+        }
+    }
+}

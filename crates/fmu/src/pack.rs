@@ -1,0 +1,76 @@
+//! An FMU's file: a zip of model description, library and scenario.
+
+use core::fmt;
+use std::io::{Cursor, Write as _};
+
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
+
+use crate::Fmi;
+use crate::description;
+use crate::library;
+use crate::plan::Plan;
+
+/// Name of the scenario among the resources.
+pub(crate) const BUNDLE_FILE: &str = "scenario.json";
+
+/// An FMU, and what lies beside it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Packed {
+    /// The FMU's bytes: the same for the same scenario, program and library.
+    pub fmu: Vec<u8>,
+    /// File name of the description for the Open Simulation Platform, where its masters look for it: in
+    /// the FMU's folder.
+    pub osp_name: String,
+    /// Its text.
+    pub osp: String,
+}
+
+/// What keeps an FMU from being written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PackError(String);
+
+impl fmt::Display for PackError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for PackError {}
+
+/// Puts an FMU together. `stem` is the name of its file without ending: the model's name.
+///
+/// # Errors
+/// What is too large for a zip.
+pub fn pack(plan: &Plan, fmi: Fmi, stem: &str, library: &[u8]) -> Result<Packed, PackError> {
+    let error = |e: &dyn fmt::Display| PackError(e.to_string());
+    let identifier = identifier(stem);
+    let description = description::model(plan, fmi, stem, &identifier).map_err(|e| error(&e))?;
+    let osp = description::osp(&plan.table).map_err(|e| error(&e))?;
+    // No time of the day: the same scenario gives the same bytes.
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Deflated)
+        .last_modified_time(zip::DateTime::default());
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let bundle = plan.bundle.to_json();
+    let files: [(String, &[u8]); 3] = [
+        ("modelDescription.xml".to_owned(), description.as_bytes()),
+        (format!("resources/{BUNDLE_FILE}"), bundle.as_bytes()),
+        (library::place(fmi, &identifier), library),
+    ];
+    for (name, content) in files {
+        let rights = if name.starts_with("binaries") { 0o755 } else { 0o644 };
+        zip.start_file(name, options.unix_permissions(rights)).map_err(|e| error(&e))?;
+        zip.write_all(content).map_err(|e| error(&e))?;
+    }
+    let fmu = zip.finish().map_err(|e| error(&e))?.into_inner();
+    Ok(Packed { fmu, osp_name: format!("{stem}_OspModelDescription.xml"), osp })
+}
+
+/// A name as C has them.
+fn identifier(stem: &str) -> String {
+    let fit = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+    let name: String = stem.chars().map(fit).collect();
+    let begins = name.starts_with(|c: char| c.is_ascii_alphabetic());
+    if begins { name } else { format!("fmu_{name}") }
+}

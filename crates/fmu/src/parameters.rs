@@ -1,0 +1,141 @@
+//! Parameters: numbers of the set-up that a master can change until initialization ends.
+
+use fenderline_sim::{MassProperties, Setup};
+
+use crate::table::{Causality, Class, Parameter, StandsFor, Table, Variable};
+use crate::unit::Unit;
+
+/// The largest mass or stiffness that is taken, in SI units: the engine has its own, narrower bounds.
+const LARGEST: f64 = 1e15;
+
+/// A field of a kind of things: name, what it is, unit, and how it is read and written.
+struct Field<T> {
+    name: &'static str,
+    description: &'static str,
+    unit: Unit,
+    range: Option<[f64; 2]>,
+    read: fn(&T) -> f64,
+    write: fn(&mut Setup, usize, f64),
+}
+
+fn add<T>(table: &mut Table, stem: &str, of: usize, thing: &T, fields: &[Field<T>]) {
+    for field in fields {
+        table.add(Variable {
+            name: format!("{stem}.{}", field.name),
+            description: field.description.to_owned(),
+            unit: field.unit,
+            class: Class::Real,
+            causality: Causality::Parameter,
+            start: (field.read)(thing),
+            range: field.range,
+            stands_for: StandsFor::Parameter(Parameter { of, write: field.write }),
+        });
+    }
+}
+
+macro_rules! material {
+    ($name:literal, $unit:ident, $field:ident, $description:literal) => {
+        Field {
+            name: $name,
+            description: $description,
+            unit: Unit::$unit,
+            range: Some([0.0, if $name == "restitution" { 1.0 } else { LARGEST }]),
+            read: |m: &fenderline_contact::Material| m.$field,
+            write: |setup, of, value| setup.materials[of].material.$field = value,
+        }
+    };
+}
+
+macro_rules! mass {
+    ($name:literal, $unit:ident, $field:ident, $description:literal) => {
+        Field {
+            name: $name,
+            description: $description,
+            unit: Unit::$unit,
+            range: Some([0.0, LARGEST]),
+            read: |m: &MassProperties| m.$field,
+            write: |setup, of, value| {
+                if let Some(mass) = &mut setup.bodies[of].mass {
+                    mass.$field = value;
+                }
+            },
+        }
+    };
+}
+
+macro_rules! start {
+    ($name:literal, $unit:ident, $($field:ident).+, $description:literal) => {
+        Field {
+            name: $name,
+            description: $description,
+            unit: Unit::$unit,
+            range: None,
+            read: |b: &fenderline_sim::BodySetup| b.$($field).+,
+            write: |setup, of, value| setup.bodies[of].$($field).+ = value,
+        }
+    };
+}
+
+/// Materials, and masses of the bodies that are no vessels: a vessel's are her model's.
+pub(crate) fn add_materials_and_masses(table: &mut Table, setup: &Setup) {
+    let fields = [
+        material!("stiffness_npm2", NewtonPerSquareMetre, stiffness_npm2, "area stiffness k"),
+        material!("damping_nspm2", NewtonSecondPerSquareMetre, damping_nspm2, "area damping c"),
+        material!(
+            "shear_stiffness_npm",
+            NewtonPerMetre,
+            shear_stiffness_npm,
+            "stiffness of the shear spring k_s"
+        ),
+        material!("friction_static", One, friction_static, "coefficient of static friction"),
+        material!("friction_dynamic", One, friction_dynamic, "coefficient of dynamic friction"),
+        material!("restitution", One, restitution, "coefficient of restitution γ"),
+    ];
+    for (of, named) in setup.materials.iter().enumerate() {
+        add(table, &format!("material.{}", named.name), of, &named.material, &fields);
+    }
+    let fields = [
+        mass!("mass_kg", Kilogram, mass_kg, "displacement"),
+        mass!("yaw_inertia_kgm2", KilogramSquareMetre, yaw_inertia_kgm2, "moment of inertia"),
+        mass!("added_surge_kg", Kilogram, added_surge_kg, "added mass in surge"),
+        mass!("added_sway_kg", Kilogram, added_sway_kg, "added mass in sway"),
+        mass!("added_yaw_kgm2", KilogramSquareMetre, added_yaw_kgm2, "added moment of inertia"),
+    ];
+    for (of, body) in setup.bodies.iter().enumerate() {
+        let is_vessel = setup.world.vessels.iter().any(|vessel| vessel.body == of);
+        if let (Some(mass), false) = (&body.mass, is_vessel) {
+            add(table, &format!("body.{}", body.name), of, mass, &fields);
+        }
+    }
+}
+
+/// Where the floating bodies start, for the simulation.
+pub(crate) fn add_starts(table: &mut Table, setup: &Setup) {
+    let fields = [
+        start!("start_x_m", Metre, position_m.x, "position at the start, north"),
+        start!("start_y_m", Metre, position_m.y, "position at the start, east"),
+        start!("start_heading_rad", Radian, heading_rad, "heading at the start"),
+        start!("start_u_mps", MetrePerSecond, velocity.surge_mps, "surge at the start, forward"),
+        start!("start_v_mps", MetrePerSecond, velocity.sway_mps, "sway at the start, to starboard"),
+        start!("start_r_radps", RadianPerSecond, velocity.yaw_radps, "rate of turn at the start"),
+    ];
+    for (of, body) in setup.bodies.iter().enumerate() {
+        if body.mass.is_some() {
+            add(table, &format!("body.{}", body.name), of, body, &fields);
+        }
+    }
+}
+
+/// A set-up with the parameters of a master.
+pub(crate) fn applied(table: &Table, values: &[f64], setup: &Setup) -> Setup {
+    let mut setup = setup.clone();
+    for (variable, &value) in table.variables.iter().zip(values) {
+        // What nobody changed stays as the file has it, to the last bit.
+        if let StandsFor::Parameter(parameter) = variable.stands_for
+            && value.to_bits() != variable.start.to_bits()
+        {
+            (parameter.write)(&mut setup, parameter.of, value);
+        }
+    }
+    setup
+}

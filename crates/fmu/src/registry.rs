@@ -1,0 +1,107 @@
+//! All instances of the process. A component is a number that is looked up here and never followed as a
+//! pointer, so that one that was freed, or that nobody ever made, is refused.
+
+use std::collections::BTreeMap;
+use std::ffi::c_void;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use crate::border::Log;
+use crate::instance::{Instance, Outcome};
+
+/// An instance and where its messages go.
+struct Held {
+    instance: Mutex<Instance>,
+    log: Log,
+}
+
+static ALL: Mutex<BTreeMap<usize, Arc<Held>>> = Mutex::new(BTreeMap::new());
+static NEXT: AtomicUsize = AtomicUsize::new(1);
+
+/// What a call comes to for the master; the numbers are those of `fmi2Status` and `fmi3Status`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
+pub(crate) enum Status {
+    Ok = 0,
+    Discard = 2,
+    Error = 3,
+    Fatal = 4,
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    // Panics are caught before a lock is given back; a poisoned one would be whole all the same.
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A number that nothing had before: of an instance or of a saved state.
+pub(crate) fn next_number() -> usize {
+    // Steps of 16, so that it looks like a pointer that is aligned to whoever asks.
+    NEXT.fetch_add(1, Ordering::Relaxed).wrapping_mul(16)
+}
+
+pub(crate) fn as_pointer(number: usize) -> *mut c_void {
+    std::ptr::without_provenance_mut(number)
+}
+
+/// Makes an instance; NULL where that fails, with the reason logged.
+pub(crate) fn make(log: Log, make: impl FnOnce() -> Outcome<Instance>) -> *mut c_void {
+    match catch_unwind(AssertUnwindSafe(make)) {
+        Ok(Ok(instance)) => {
+            let number = next_number();
+            let held = Held { instance: Mutex::new(instance), log };
+            lock(&ALL).insert(number, Arc::new(held));
+            as_pointer(number)
+        }
+        Ok(Err(why)) => {
+            log.tell(Status::Error, &why);
+            std::ptr::null_mut()
+        }
+        Err(_) => {
+            log.tell(Status::Fatal, "a mistake of fenderline's: please report it");
+            std::ptr::null_mut()
+        }
+    }
+}
+
+/// Frees an instance; one that is none is left alone.
+pub(crate) fn free(component: *mut c_void) {
+    lock(&ALL).remove(&component.addr());
+}
+
+/// Calls `body` with the instance of a component; what it refuses is logged.
+pub(crate) fn with(
+    component: *mut c_void,
+    name: &str,
+    body: impl FnOnce(&mut Instance) -> Outcome,
+) -> Status {
+    let Some(held) = lock(&ALL).get(&component.addr()).cloned() else {
+        // Nobody to tell it to: the logger was the instance's.
+        return Status::Error;
+    };
+    let outcome = {
+        let mut instance = lock(&held.instance);
+        if instance.broken {
+            Err("an earlier call found a mistake of fenderline's: free the instance".to_owned())
+        } else {
+            match catch_unwind(AssertUnwindSafe(|| body(&mut instance))) {
+                Ok(outcome) => outcome,
+                Err(_) => {
+                    instance.broken = true;
+                    drop(instance);
+                    let text = format!("{name}: a mistake of fenderline's: please report it");
+                    held.log.tell(Status::Fatal, &text);
+                    return Status::Fatal;
+                }
+            }
+        }
+    };
+    // The lock is given back: a logger may call the FMU.
+    match outcome {
+        Ok(()) => Status::Ok,
+        Err(why) => {
+            held.log.tell(Status::Error, &format!("{name}: {why}"));
+            Status::Error
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! The simulation kind under way.
+
+use fenderline_sim::{Order, Simulation};
+
+use crate::inputs::Inputs;
+use crate::outputs::{View, read};
+use crate::parameters::applied;
+use crate::plan::Plan;
+use crate::table::{StandsFor, Table};
+
+/// How near to the end of a step of its own the end of a communication step counts as that, in steps.
+const SLACK_STEPS: f64 = 1e-6;
+
+/// Most steps of its own in one communication step: hours. More is a mistake that would look like a hang.
+const MOST_STEPS_A_CALL: u64 = 100_000;
+
+/// A simulation that was initialized. Cloning it branches the run.
+///
+/// It goes in the scenario's own steps, whatever the communication step: at a communication point it is at
+/// the last of its own that is not later.
+#[derive(Clone, Debug)]
+pub(crate) struct SimulationRun {
+    simulation: Simulation,
+    steps: u64,
+    /// Inputs as they were taken last; the places of other variables are not used.
+    taken: Vec<f64>,
+    /// All inputs that were taken, in their order: with the parameters they are the whole run, since the
+    /// same input gives the same bits.
+    pub(crate) journal: Vec<Entry>,
+    /// A step could not be made: it stands where it was, and does not go on.
+    failed: bool,
+}
+
+/// Steps of a scenario that end no later than a time since the start.
+pub(crate) fn due(plan: &Plan, t_s: f64) -> u64 {
+    libm::floor(t_s / plan.scenario.setup.step_s + SLACK_STEPS).max(0.0) as u64
+}
+
+/// An input that a step found changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Entry {
+    pub(crate) step: u64,
+    pub(crate) variable: u32,
+    pub(crate) value: f64,
+}
+
+impl SimulationRun {
+    /// With the parameters of the start.
+    pub(crate) fn start(plan: &Plan, values: &[f64]) -> Result<SimulationRun, String> {
+        let setup = applied(&plan.table, values, &plan.scenario.setup);
+        let simulation = Simulation::new(setup).map_err(|error| error.to_string())?;
+        let taken = plan.table.start_values();
+        Ok(SimulationRun { simulation, steps: 0, taken, journal: Vec::new(), failed: false })
+    }
+
+    /// A step could not be made.
+    pub(crate) fn has_failed(&self) -> bool {
+        self.failed
+    }
+
+    /// Steps of its own that were taken.
+    pub(crate) fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Goes on to a time since the start. After an error it stands at the last step that could be made, and
+    /// refuses to go on.
+    pub(crate) fn go_to(&mut self, plan: &Plan, values: &[f64], t_s: f64) -> Result<(), String> {
+        let due = due(plan, t_s);
+        if due.saturating_sub(self.steps) > MOST_STEPS_A_CALL {
+            return Err(format!("to {t_s} s are more than {MOST_STEPS_A_CALL} steps in one"));
+        }
+        while self.steps < due {
+            self.step(&plan.table, values)?;
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, table: &Table, values: &[f64]) -> Result<(), String> {
+        if self.failed {
+            return Err("a step failed before: restore an older state, or reset".to_owned());
+        }
+        let taken = self.take(table, values);
+        let done =
+            taken.and_then(|()| self.simulation.step().map_err(|e| e.to_string()).map(|_| ()));
+        self.failed = done.is_err();
+        done?;
+        self.steps += 1;
+        Ok(())
+    }
+
+    /// Hands the inputs that changed to the simulation.
+    fn take(&mut self, table: &Table, values: &[f64]) -> Result<(), String> {
+        let is_input =
+            |variable: usize| matches!(table.variables[variable].stands_for, StandsFor::Input(_));
+        let changed = |&(variable, (old, new)): &(usize, (&f64, &f64))| {
+            is_input(variable) && old.to_bits() != new.to_bits()
+        };
+        let pairs = self.taken.iter().zip(values).enumerate();
+        let changes: Vec<Entry> = pairs
+            .filter(changed)
+            .map(|(variable, (_, &value))| Entry {
+                step: self.steps,
+                variable: variable as u32,
+                value,
+            })
+            .collect();
+        if changes.is_empty() {
+            return Ok(());
+        }
+        let before = Inputs { table, values: &self.taken };
+        let now = Inputs { table, values };
+        for (vessel, action) in now.orders(&before) {
+            let order = Order { at_s: self.simulation.time_s(), vessel, action };
+            self.simulation.order(order).map_err(|error| error.to_string())?;
+        }
+        self.simulation.set_external(&now.loads(self.simulation.states().len()));
+        for entry in &changes {
+            self.taken[entry.variable as usize] = entry.value;
+        }
+        self.journal.extend(changes);
+        Ok(())
+    }
+
+    /// The run that a journal tells, after so many steps.
+    pub(crate) fn replay(
+        plan: &Plan,
+        values: &[f64],
+        steps: u64,
+        journal: &[Entry],
+    ) -> Result<SimulationRun, String> {
+        let mut run = SimulationRun::start(plan, values)?;
+        let mut inputs = plan.table.start_values();
+        let mut entries = journal.iter().peekable();
+        while run.steps < steps {
+            while let Some(entry) = entries.next_if(|entry| entry.step <= run.steps) {
+                inputs[entry.variable as usize] = entry.value;
+            }
+            run.step(&plan.table, &inputs)?;
+        }
+        Ok(run)
+    }
+
+    /// The outputs now.
+    pub(crate) fn read(&self, plan: &Plan, values: &mut [f64]) {
+        let simulation = &self.simulation;
+        let view = View {
+            states: simulation.states(),
+            wrenches: simulation.wrenches(),
+            contacts: simulation.contacts(),
+            body_fixed: false,
+            simulation: Some(simulation),
+        };
+        read(&plan.table, &view, values);
+    }
+}

@@ -1,0 +1,230 @@
+//! All of an instance that changes, and its bytes.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 8, 4 | `fndrlfmu`; version of this form |
+//! | 8 | FNV-1a of the token: of this FMU and no other |
+//! | 4, 8, 8, 8 | phase; start, stop (or the bits of infinity) and time [s] |
+//! | 4 + 8 each | the values of all variables |
+//! | 4 | 0: not initialized; 1: an engine; 2: a simulation |
+//! | 4, 4 + as many | an engine: steps to wait, or all bits where it has begun; its own bytes |
+//! | 8, 4 + 20 each | a simulation's steps and the inputs that it took: step, variable, value |
+//! | 8 | FNV-1a of all before |
+//!
+//! A simulation is saved as what made it, and restored by playing it again: the same input gives the same
+//! bits, whereas a byte form of everything that a world holds would have to be kept in step with it. It costs
+//! the time of the run; a state that is not serialised is a copy and costs nothing.
+
+use crate::bytes::{Reader, number, word32, word64};
+use crate::engine::{Beginning, EngineRun};
+use crate::hash::fnv64;
+use crate::plan::Plan;
+use crate::simulation::{Entry, SimulationRun, due};
+use crate::table::Class;
+
+const MAGIC: &[u8; 8] = b"fndrlfmu";
+const VERSION: u32 = 1;
+/// Stands for an engine that has begun.
+const BEGUN: u32 = u32::MAX;
+/// Most steps of a simulation that are played again: months of them.
+const MOST_STEPS: u64 = 100_000_000;
+
+/// Where an instance is in its life.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Phase {
+    Instantiated,
+    Initializing,
+    Stepping,
+    Terminated,
+}
+
+const PHASES: [Phase; 4] =
+    [Phase::Instantiated, Phase::Initializing, Phase::Stepping, Phase::Terminated];
+
+/// The run itself.
+#[derive(Clone, Debug)]
+pub(crate) enum Run {
+    Engine(Box<EngineRun>),
+    Simulation(Box<SimulationRun>),
+}
+
+/// All that changes.
+#[derive(Clone, Debug)]
+pub(crate) struct State {
+    pub(crate) phase: Phase,
+    pub(crate) start_s: f64,
+    /// Infinity where the master named none.
+    pub(crate) stop_s: f64,
+    pub(crate) time_s: f64,
+    pub(crate) values: Vec<f64>,
+    /// `None` before initialization, or where a value was set since it was made.
+    pub(crate) run: Option<Run>,
+}
+
+impl State {
+    pub(crate) fn new(plan: &Plan) -> State {
+        State {
+            phase: Phase::Instantiated,
+            start_s: 0.0,
+            stop_s: f64::INFINITY,
+            time_s: 0.0,
+            values: plan.table.start_values(),
+            run: None,
+        }
+    }
+
+    /// # Errors
+    /// A simulation that stopped within a communication step is at no point that can be played to.
+    pub(crate) fn to_bytes(&self, plan: &Plan) -> Result<Vec<u8>, String> {
+        if let Some(Run::Simulation(run)) = &self.run
+            && run.has_failed()
+        {
+            return Err("a step failed: this state cannot be serialised".to_owned());
+        }
+        let mut out = MAGIC.to_vec();
+        word32(&mut out, VERSION);
+        word64(&mut out, fnv64(plan.token.as_bytes()));
+        let phase = PHASES.iter().position(|phase| *phase == self.phase);
+        word32(&mut out, phase.unwrap_or(0) as u32);
+        [self.start_s, self.stop_s, self.time_s].iter().for_each(|&t| number(&mut out, t));
+        word32(&mut out, self.values.len() as u32);
+        self.values.iter().for_each(|&value| number(&mut out, value));
+        match &self.run {
+            None => word32(&mut out, 0),
+            Some(Run::Engine(run)) => {
+                word32(&mut out, 1);
+                word32(
+                    &mut out,
+                    match run.beginning {
+                        Beginning::Waiting(steps) => steps,
+                        Beginning::Begun => BEGUN,
+                    },
+                );
+                let bytes = run.engine.save();
+                word32(&mut out, bytes.len() as u32);
+                out.extend_from_slice(&bytes);
+            }
+            Some(Run::Simulation(run)) => {
+                word32(&mut out, 2);
+                word64(&mut out, run.steps());
+                word32(&mut out, run.journal.len() as u32);
+                for entry in &run.journal {
+                    word64(&mut out, entry.step);
+                    word32(&mut out, entry.variable);
+                    number(&mut out, entry.value);
+                }
+            }
+        }
+        let sum = fnv64(&out);
+        word64(&mut out, sum);
+        Ok(out)
+    }
+
+    /// Of any bytes.
+    pub(crate) fn of_bytes(plan: &Plan, bytes: &[u8]) -> Result<State, String> {
+        let broken = || "the bytes are no state that this FMU has serialised".to_owned();
+        let end = bytes.len().checked_sub(8).ok_or_else(broken)?;
+        let (summed, sum) = bytes.split_at(end);
+        if sum != fnv64(summed).to_le_bytes() {
+            return Err(broken());
+        }
+        let mut input = Reader(summed);
+        let head = read_head(plan, &mut input).ok_or_else(broken)?;
+        let (mut state, run) = head;
+        state.run = match run {
+            0 => None,
+            1 => Some(Run::Engine(Box::new(read_engine(plan, &state, &mut input)?))),
+            2 => Some(Run::Simulation(Box::new(read_simulation(plan, &state, &mut input)?))),
+            _ => return Err(broken()),
+        };
+        // A phase in which there is a run has one, of the FMU's own kind.
+        let own = match (&state.run, plan.bundle.kind) {
+            (None, _) => state.phase != Phase::Stepping,
+            (Some(Run::Engine(_)), kind) => kind == crate::Kind::Engine,
+            (Some(Run::Simulation(_)), kind) => kind == crate::Kind::Simulation,
+        };
+        if input.0.is_empty() && own { Ok(state) } else { Err(broken()) }
+    }
+}
+
+/// Up to the kind of run.
+fn read_head(plan: &Plan, input: &mut Reader<'_>) -> Option<(State, u32)> {
+    if input.take(8)? != MAGIC || input.word32()? != VERSION {
+        return None;
+    }
+    if input.word64()? != fnv64(plan.token.as_bytes()) {
+        return None;
+    }
+    let phase = *PHASES.get(input.word32()? as usize)?;
+    let start_s = input.number()?;
+    let stop_s = f64::from_bits(input.word64()?);
+    let time_s = input.number()?;
+    let variables = &plan.table.variables;
+    if stop_s.is_nan() || input.word32()? as usize != variables.len() {
+        return None;
+    }
+    let mut values = Vec::with_capacity(variables.len());
+    for variable in variables {
+        let value = input.number()?;
+        let whole = variable.class == Class::Real || value == libm::trunc(value);
+        let within = variable.range.is_none_or(|[least, most]| (least..=most).contains(&value));
+        if !(whole && within) {
+            return None;
+        }
+        values.push(value);
+    }
+    let run = input.word32()?;
+    Some((State { phase, start_s, stop_s, time_s, values, run: None }, run))
+}
+
+fn read_engine(plan: &Plan, state: &State, input: &mut Reader<'_>) -> Result<EngineRun, String> {
+    let broken = || "the bytes are no state that this FMU has serialised".to_owned();
+    let beginning = match input.word32().ok_or_else(broken)? {
+        BEGUN => Beginning::Begun,
+        steps => Beginning::Waiting(steps),
+    };
+    let length = input.word32().ok_or_else(broken)?;
+    let bytes = input.take(length as usize).ok_or_else(broken)?;
+    if plan.bundle.kind != crate::Kind::Engine {
+        return Err(broken());
+    }
+    let mut run = EngineRun::at_rest(plan, &state.values)?;
+    run.beginning = beginning;
+    run.engine.restore(bytes).map_err(|error| error.to_string())?;
+    Ok(run)
+}
+
+fn read_simulation(
+    plan: &Plan,
+    state: &State,
+    input: &mut Reader<'_>,
+) -> Result<SimulationRun, String> {
+    let broken = || "the bytes are no state that this FMU has serialised".to_owned();
+    if plan.bundle.kind != crate::Kind::Simulation {
+        return Err(broken());
+    }
+    // No more than the time that was reached: bytes cannot ask for more work than the run was.
+    let reached = due(plan, state.time_s - state.start_s);
+    let steps = input.word64().filter(|steps| *steps == reached).ok_or_else(broken)?;
+    if steps > MOST_STEPS {
+        return Err(format!("{steps} steps are too many to be played again"));
+    }
+    let count = input.word32().ok_or_else(broken)?;
+    let mut journal = Vec::new();
+    for _ in 0..count {
+        let entry = read_entry(plan, input).ok_or_else(broken)?;
+        if journal.last().is_some_and(|last: &Entry| last.step > entry.step) {
+            return Err(broken());
+        }
+        journal.push(entry);
+    }
+    SimulationRun::replay(plan, &state.values, steps, &journal)
+}
+
+fn read_entry(plan: &Plan, input: &mut Reader<'_>) -> Option<Entry> {
+    let entry = Entry { step: input.word64()?, variable: input.word32()?, value: input.number()? };
+    let variable = plan.table.variables.get(entry.variable as usize)?;
+    let is_input = variable.causality == crate::Causality::Input;
+    let within = variable.range.is_none_or(|[least, most]| (least..=most).contains(&entry.value));
+    (is_input && within).then_some(entry)
+}

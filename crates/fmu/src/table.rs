@@ -1,0 +1,192 @@
+//! The table of variables: what a model description tells of them and what they stand for.
+
+use fenderline_sim::Setup;
+
+use crate::inputs::Input;
+use crate::outputs::View;
+use crate::unit::Unit;
+
+/// What an FMU is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The contact engine: states in, wrenches out.
+    Engine,
+    /// The whole scenario: controls in, states out.
+    Simulation,
+}
+
+impl Kind {
+    /// As users write it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Engine => "engine",
+            Kind::Simulation => "simulation",
+        }
+    }
+
+    pub(crate) fn of_name(name: &str) -> Option<Kind> {
+        [Kind::Engine, Kind::Simulation].into_iter().find(|kind| kind.name() == name)
+    }
+}
+
+/// Type of a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// A double.
+    Real,
+    /// 32 bits.
+    Integer,
+    /// A switch.
+    Boolean,
+}
+
+/// Who sets a variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Causality {
+    /// Time.
+    Independent,
+    /// The master, until initialization ends.
+    Parameter,
+    /// The master, at any communication point.
+    Input,
+    /// The FMU.
+    Output,
+}
+
+/// One variable. Its value reference is its place in the table.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// Unique name.
+    pub name: String,
+    /// What it is.
+    pub description: String,
+    /// Unit.
+    pub unit: Unit,
+    /// Type.
+    pub class: Class,
+    /// Who sets it.
+    pub causality: Causality,
+    /// Value before anybody set it; of an output 0, which is not told.
+    pub start: f64,
+    /// Least and largest value that is taken.
+    pub range: Option<[f64; 2]>,
+    pub(crate) stands_for: StandsFor,
+}
+
+/// What a variable stands for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum StandsFor {
+    Time,
+    Setting(Setting),
+    Parameter(Parameter),
+    Input(Input),
+    Output(Output),
+}
+
+/// How the engine shall serve its host.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Setting {
+    /// Co-simulation: the engine follows a host that moves its bodies itself.
+    Following,
+    /// Age of the states shown, in steps.
+    DelaySteps,
+    /// First steps without a wrench.
+    SkipSteps,
+    /// The host's integrator: forward Euler, else semi-implicit.
+    ForwardEuler,
+    /// The loads are told; else they are observed.
+    TellsLoads,
+    /// Vectors are in the bodies' axes.
+    BodyFixed,
+    /// The communication step.
+    StepS,
+}
+
+/// A number of the set-up.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parameter {
+    pub(crate) of: usize,
+    pub(crate) write: fn(&mut Setup, usize, f64),
+}
+
+/// A number that is read off a run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Output {
+    pub(crate) of: [usize; 2],
+    pub(crate) read: fn(&View<'_>, [usize; 2]) -> f64,
+}
+
+/// All variables of an FMU.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// The variables, in the order of their value references.
+    pub variables: Vec<Variable>,
+    /// Groups of variables that belong together, for OSP.
+    pub(crate) groups: Vec<Group>,
+}
+
+/// Variables that are a vector or an angle, as the Open Simulation Platform groups them.
+#[derive(Clone, Debug)]
+pub(crate) struct Group {
+    pub(crate) name: String,
+    /// Element of an `OspModelDescription.xml`.
+    pub(crate) kind: &'static str,
+    pub(crate) members: Vec<usize>,
+}
+
+impl Table {
+    /// A table with time alone.
+    pub(crate) fn new() -> Table {
+        let mut table = Table { variables: Vec::new(), groups: Vec::new() };
+        table.add(Variable {
+            name: "time".into(),
+            description: "time that was reached".into(),
+            unit: Unit::Second,
+            class: Class::Real,
+            causality: Causality::Independent,
+            start: 0.0,
+            range: None,
+            stands_for: StandsFor::Time,
+        });
+        table
+    }
+
+    /// Adds a variable; its place. What no name of a variable may hold is replaced, and a name that is
+    /// there already is numbered.
+    pub(crate) fn add(&mut self, mut variable: Variable) -> usize {
+        let clean = |text: &str| text.replace(|c: char| c.is_control(), "_");
+        let name = clean(&variable.name);
+        let taken = |name: &str| self.variables.iter().any(|other| other.name == name);
+        let numbered = (2..).map(|number| format!("{name}_{number}"));
+        let mut names = core::iter::once(name.clone()).chain(numbered);
+        variable.name = names.find(|name| !taken(name)).unwrap_or(name);
+        variable.description = clean(&variable.description);
+        self.variables.push(variable);
+        self.variables.len() - 1
+    }
+
+    pub(crate) fn group(&mut self, kind: &'static str, name: String, members: &[usize]) {
+        self.groups.push(Group { name, kind, members: members.to_vec() });
+    }
+
+    /// The values before anybody set one.
+    pub(crate) fn start_values(&self) -> Vec<f64> {
+        self.variables.iter().map(|variable| variable.start).collect()
+    }
+
+    /// The value of a setting.
+    pub(crate) fn setting(&self, values: &[f64], wanted: Setting) -> Option<f64> {
+        let is = |v: &Variable| matches!(v.stands_for, StandsFor::Setting(s) if s == wanted);
+        self.variables.iter().position(is).map(|index| values[index])
+    }
+
+    /// All of it that a master sees, as text: two libraries with the same text understand each other.
+    pub(crate) fn text(&self) -> String {
+        let line = |v: &Variable| {
+            let Variable { name, unit, class, causality, start, range, .. } = v;
+            format!("{name}|{unit:?}|{class:?}|{causality:?}|{:016x}|{range:?}\n", start.to_bits())
+        };
+        self.variables.iter().map(line).collect()
+    }
+}
