@@ -15,7 +15,9 @@ use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
-use crate::world::{Action, Assist, Job, LineEnd, MooringSetup, VesselState, World, mass_matrix};
+use crate::world::{
+    Action, Assist, Job, LineEnd, MooringSetup, Order, VesselState, World, mass_matrix,
+};
 
 /// Weights of the four stages of classical Runge–Kutta.
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
@@ -188,6 +190,21 @@ impl Simulation {
             assert!(wrench.force_n.is_finite() && wrench.moment_nm.is_finite(), "a finite wrench");
         }
         self.buffers.external.copy_from_slice(wrenches);
+    }
+
+    /// Gives an order while the simulation is under way: it is taken in the step in which its time lies, and in
+    /// the next one where that time has passed, after those that were given before for the same time. The run
+    /// goes on as one whose set-up had the order from the start.
+    ///
+    /// # Errors
+    /// [`SetupError`] where whom it is for, or the gear that it is for, is not there.
+    ///
+    /// # Panics
+    /// With a time that is no number.
+    pub fn order(&mut self, order: Order) -> Result<(), SetupError> {
+        check_order(&order, &self.setup)?;
+        self.world.tell(order);
+        Ok(())
     }
 
     /// Takes one step; beyond the run's duration it simply goes on.
@@ -472,37 +489,41 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
         let named = |error| SetupError::Tug { tug: tug.tug.name.clone(), error };
         tug.tug.check().map_err(named)?;
     }
-    for order in &setup.world.orders {
-        if let Action::Tug(tug, _) = order.action {
-            if tug >= setup.world.tugs.len() {
-                return Err(SetupError::BadBody { owner: "tug's order", body: tug });
-            }
-            continue;
-        }
-        if let Action::Winch(line, _) | Action::LetGo(line) = order.action {
-            if line >= setup.world.lines.len() {
-                return Err(SetupError::BadBody { owner: "line's order", body: line });
-            }
-            continue;
-        }
-        let Some(vessel) = setup.world.vessels.get(order.vessel) else {
-            return Err(SetupError::BadBody { owner: "order", body: order.vessel });
-        };
-        if let Action::Thruster(index, _) = order.action
-            && index >= vessel.thrusters.len()
-        {
-            return Err(SetupError::NoThruster { vessel: order.vessel, thruster: index });
-        }
-        if let Action::Azimuth { unit, .. } = order.action
-            && unit >= vessel.azimuths.len()
-        {
-            return Err(SetupError::NoAzimuth { vessel: order.vessel, azimuth: unit });
-        }
-        if let Action::Assist(assist) = &order.action {
-            check_assist(assist, order.vessel, setup)?;
-        }
-    }
+    setup.world.orders.iter().try_for_each(|order| check_order(order, setup))?;
     Ok(inertias)
+}
+
+/// An order to somebody who is there, by gear that is there.
+fn check_order(order: &Order, setup: &Setup) -> Result<(), SetupError> {
+    if let Action::Tug(tug, _) = order.action {
+        if tug >= setup.world.tugs.len() {
+            return Err(SetupError::BadBody { owner: "tug's order", body: tug });
+        }
+        return Ok(());
+    }
+    if let Action::Winch(line, _) | Action::LetGo(line) = order.action {
+        if line >= setup.world.lines.len() {
+            return Err(SetupError::BadBody { owner: "line's order", body: line });
+        }
+        return Ok(());
+    }
+    let Some(vessel) = setup.world.vessels.get(order.vessel) else {
+        return Err(SetupError::BadBody { owner: "order", body: order.vessel });
+    };
+    if let Action::Thruster(index, _) = order.action
+        && index >= vessel.thrusters.len()
+    {
+        return Err(SetupError::NoThruster { vessel: order.vessel, thruster: index });
+    }
+    if let Action::Azimuth { unit, .. } = order.action
+        && unit >= vessel.azimuths.len()
+    {
+        return Err(SetupError::NoAzimuth { vessel: order.vessel, azimuth: unit });
+    }
+    if let Action::Assist(assist) = &order.action {
+        check_assist(assist, order.vessel, setup)?;
+    }
+    Ok(())
 }
 
 /// A tug's work at another body, by thrust that she has.

@@ -133,6 +133,16 @@ impl World {
         }
     }
 
+    /// Puts an order among those that are still to be taken.
+    pub(crate) fn tell(&mut self, order: Order) {
+        assert!(!order.at_s.is_nan(), "an order at a time");
+        // Those that were taken are not needed again, and every step keeps a copy of the world.
+        self.orders.drain(..self.taken);
+        self.taken = 0;
+        let later = self.orders.partition_point(|other| other.at_s <= order.at_s);
+        self.orders.insert(later, order);
+    }
+
     fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64, step_s: f64) {
         // An order counts from the step in which its time lies.
         while let Some(order) = self.orders.get(self.taken).filter(|o| o.at_s < t_s + step_s) {
