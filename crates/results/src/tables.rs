@@ -1,116 +1,117 @@
-//! The tables of a run, written step by step.
+//! The tables of a run, filled step by step.
 
 use fenderline_sim::{Energy, Setup, StepRecord};
 
-use super::columns::{
+use crate::columns::{
     BodyRow, Column, ContactRow, ContactWorks, EnergyRow, FenderRow, Names, bodies_columns,
     contacts_columns, energy_columns, fenders_columns,
 };
-use super::part_file::{Folder, Sealed};
-use super::world_tables::WorldTables;
-use super::{Format, OutputError, REPORT, SUMMARY, WrittenFile, csv, parquet};
 use crate::touched::touched;
+use crate::world_tables::WorldTables;
 
-/// The form of one table's file.
-enum Store<R> {
-    Csv(csv::CsvTable<R>),
-    Parquet(parquet::ParquetTable<R>),
+/// Where tables are kept.
+pub trait Medium {
+    /// What can go wrong there.
+    type Error;
+    /// A table when it is done.
+    type Done;
+    /// A table that is being filled.
+    type Table<R>: Table<R, Error = Self::Error, Done = Self::Done>;
+
+    /// Starts a table.
+    ///
+    /// # Errors
+    /// The medium's own.
+    fn start<R>(
+        &self,
+        name: &'static str,
+        columns: Vec<Column<R>>,
+        names: &Names,
+    ) -> Result<Self::Table<R>, Self::Error>;
 }
 
-/// One table, in the format that the user asked for.
-pub(super) struct Table<R> {
+/// A table that is being filled with rows of type `R`.
+pub trait Table<R> {
+    /// What can go wrong.
+    type Error;
+    /// The table when it is done.
+    type Done;
+
+    /// Adds a row.
+    ///
+    /// # Errors
+    /// The medium's own, or a value that is not finite.
+    fn push(&mut self, row: &R) -> Result<(), Self::Error>;
+
+    /// No more rows come.
+    ///
+    /// # Errors
+    /// The medium's own.
+    fn finish(self) -> Result<Self::Done, Self::Error>;
+}
+
+/// A table with its name and the number of its rows.
+pub(crate) struct Counted<M: Medium, R> {
     name: &'static str,
-    store: Store<R>,
+    table: M::Table<R>,
     rows: u64,
 }
 
-/// Where and how the tables of a run are written.
-pub(super) struct Place<'a> {
-    folder: &'a Folder,
-    format: Format,
-    names: Names,
-    facts: &'a [(&'a str, String)],
-}
-
-impl<R> Table<R> {
-    pub(super) fn create(
-        place: &Place<'_>,
+impl<M: Medium, R> Counted<M, R> {
+    pub(crate) fn start(
+        medium: &M,
+        names: &Names,
         name: &'static str,
         columns: Vec<Column<R>>,
-    ) -> Result<Table<R>, OutputError> {
-        let Place { folder, format, names, facts } = place;
-        let file = folder.create(&format!("{name}.{}", format.extension()))?;
-        let store = match format {
-            Format::Csv => Store::Csv(csv::CsvTable::create(file, columns, names.clone())?),
-            Format::Parquet => {
-                Store::Parquet(parquet::ParquetTable::create(file, name, columns, names, facts)?)
-            }
-        };
-        Ok(Table { name, store, rows: 0 })
+    ) -> Result<Counted<M, R>, M::Error> {
+        Ok(Counted { name, table: medium.start(name, columns, names)?, rows: 0 })
     }
 
-    pub(super) fn push(&mut self, row: &R) -> Result<(), OutputError> {
+    pub(crate) fn push(&mut self, row: &R) -> Result<(), M::Error> {
         self.rows += 1;
-        match &mut self.store {
-            Store::Csv(table) => table.push(row),
-            Store::Parquet(table) => table.push(row),
-        }
+        self.table.push(row)
     }
 
-    pub(super) fn finish(self) -> Result<Sealed, OutputError> {
-        match self.store {
-            Store::Csv(table) => table.finish(),
-            Store::Parquet(table) => table.finish(),
-        }
+    pub(crate) fn rows(&self) -> (&'static str, u64) {
+        (self.name, self.rows)
     }
 
-    pub(super) fn file(&self, format: Format) -> WrittenFile {
-        let name = format!("{}.{}", self.name, format.extension());
-        WrittenFile { name, rows: Some(self.rows) }
+    pub(crate) fn finish(self) -> Result<M::Done, M::Error> {
+        self.table.finish()
     }
 }
 
 /// All tables of a run; those of fenders, vessels, tugs and lines only where the set-up has any.
-pub(crate) struct Tables {
-    bodies: Table<BodyRow>,
-    contacts: Table<ContactRow>,
-    energy: Table<EnergyRow>,
-    fenders: Option<Table<FenderRow>>,
-    world: WorldTables,
-    format: Format,
+pub struct Tables<M: Medium> {
+    bodies: Counted<M, BodyRow>,
+    contacts: Counted<M, ContactRow>,
+    energy: Counted<M, EnergyRow>,
+    fenders: Option<Counted<M, FenderRow>>,
+    world: WorldTables<M>,
     step_s: f64,
     /// Width times height of each fender's face [m²].
     faces_m2: Vec<f64>,
 }
 
-impl Tables {
-    /// Starts the files in `folder`, and the ledger with what there is at the `start`. `facts` are
-    /// keys and values for the metadata, where the format has any.
+impl<M: Medium> Tables<M> {
+    /// Starts the tables, and the ledger with what there is at the `start`.
     ///
     /// # Errors
-    /// A file that cannot be created or written.
-    pub(crate) fn create(
-        folder: &Folder,
-        format: Format,
-        setup: &Setup,
-        start: Energy,
-        facts: &[(&str, String)],
-    ) -> Result<Tables, OutputError> {
-        let names = Names::of(setup);
-        let place = Place { folder, format, names, facts };
+    /// The medium's own.
+    pub fn start(medium: &M, setup: &Setup, start: Energy) -> Result<Tables<M>, M::Error> {
+        let names = &Names::of(setup);
         let fenders = match setup.fenders.as_slice() {
             [] => None,
-            _ => Some(Table::create(&place, "fenders", fenders_columns())?),
+            _ => Some(Counted::start(medium, names, "fenders", fenders_columns())?),
         };
-        let mut energy = Table::create(&place, "energy", energy_columns())?;
+        let mut energy = Counted::start(medium, names, "energy", energy_columns())?;
         energy.push(&EnergyRow { t_s: 0.0, energy: start })?;
         Ok(Tables {
-            bodies: Table::create(&place, "bodies", bodies_columns())?,
-            contacts: Table::create(&place, "contacts", contacts_columns())?,
+            bodies: Counted::start(medium, names, "bodies", bodies_columns())?,
+            contacts: Counted::start(medium, names, "contacts", contacts_columns())?,
             energy,
             fenders,
-            world: WorldTables::create(&place, &setup.world)?,
-            format,
+            world: WorldTables::start(medium, names, &setup.world)?,
             step_s: setup.step_s,
             faces_m2: setup.fenders.iter().map(|f| f.width_m * f.height_m).collect(),
         })
@@ -119,8 +120,8 @@ impl Tables {
     /// Adds the rows of one step.
     ///
     /// # Errors
-    /// A file that cannot be written, or a value that is not finite.
-    pub(crate) fn write(&mut self, step: &StepRecord<'_>) -> Result<(), OutputError> {
+    /// The medium's own, or a value that is not finite.
+    pub fn write(&mut self, step: &StepRecord<'_>) -> Result<(), M::Error> {
         let t_s = step.t_s;
         for (body, (state, wrench)) in step.states.iter().zip(step.wrenches).enumerate() {
             self.bodies.push(&BodyRow::new(t_s, body, state, wrench))?;
@@ -141,23 +142,27 @@ impl Tables {
         self.energy.push(&EnergyRow { t_s: end_s, energy: step.energy })
     }
 
-    /// The files that there will be, the report and the summary included.
-    pub(crate) fn files(&self) -> Vec<WrittenFile> {
-        let whole = |name: &str| WrittenFile { name: name.to_owned(), rows: None };
-        let mut files = vec![self.bodies.file(self.format), self.contacts.file(self.format)];
-        files.extend(self.fenders.as_ref().map(|table| table.file(self.format)));
-        files.extend(self.world.files(self.format));
-        files.extend([self.energy.file(self.format), whole(REPORT), whole(SUMMARY)]);
-        files
+    /// The tables' names, and how many rows each has.
+    #[must_use]
+    pub fn rows(&self) -> Vec<(&'static str, u64)> {
+        let mut rows = vec![self.bodies.rows(), self.contacts.rows()];
+        rows.extend(self.fenders.as_ref().map(Counted::rows));
+        rows.extend(self.world.rows());
+        rows.push(self.energy.rows());
+        rows
     }
 
-    /// Brings all tables to the disk, still under their `.part` names.
-    pub(super) fn finish(self) -> Result<Vec<Sealed>, OutputError> {
-        let mut files = vec![self.bodies.finish()?, self.contacts.finish()?, self.energy.finish()?];
+    /// No more steps come: the tables, in the order of [`Tables::rows`].
+    ///
+    /// # Errors
+    /// The medium's own.
+    pub fn finish(self) -> Result<Vec<M::Done>, M::Error> {
+        let mut done = vec![self.bodies.finish()?, self.contacts.finish()?];
         if let Some(table) = self.fenders {
-            files.push(table.finish()?);
+            done.push(table.finish()?);
         }
-        files.extend(self.world.finish()?);
-        Ok(files)
+        done.extend(self.world.finish()?);
+        done.push(self.energy.finish()?);
+        Ok(done)
     }
 }

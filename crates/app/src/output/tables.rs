@@ -1,0 +1,59 @@
+//! The tables of a run, written step by step.
+
+use fenderline_sim::{Energy, Setup, StepRecord};
+
+use super::files::Files;
+use super::part_file::{Folder, Sealed};
+use super::{Format, OutputError, REPORT, SUMMARY, WrittenFile};
+
+/// All tables of a run; those of fenders, vessels, tugs and lines only where the set-up has any.
+pub(crate) struct Tables<'a> {
+    tables: fenderline_results::Tables<Files<'a>>,
+    format: Format,
+}
+
+impl<'a> Tables<'a> {
+    /// Starts the files in `folder`, and the ledger with what there is at the `start`. `facts` are
+    /// keys and values for the metadata, where the format has any.
+    ///
+    /// # Errors
+    /// A file that cannot be created or written.
+    pub(crate) fn create(
+        folder: &'a Folder,
+        format: Format,
+        setup: &Setup,
+        start: Energy,
+        facts: &'a [(&'a str, String)],
+    ) -> Result<Tables<'a>, OutputError> {
+        let files = Files { folder, format, facts };
+        Ok(Tables { tables: fenderline_results::Tables::start(&files, setup, start)?, format })
+    }
+
+    /// Adds the rows of one step.
+    ///
+    /// # Errors
+    /// A file that cannot be written, or a value that is not finite.
+    pub(crate) fn write(&mut self, step: &StepRecord<'_>) -> Result<(), OutputError> {
+        self.tables.write(step)
+    }
+
+    /// The files that there will be, the report and the summary included.
+    pub(crate) fn files(&self) -> Vec<WrittenFile> {
+        let whole = |name: &str| WrittenFile { name: name.to_owned(), rows: None };
+        let table = |(name, rows): (&str, u64)| {
+            let name = format!("{name}.{}", self.format.extension());
+            WrittenFile { name, rows: Some(rows) }
+        };
+        let mut files: Vec<WrittenFile> = self.tables.rows().into_iter().map(table).collect();
+        files.extend([whole(REPORT), whole(SUMMARY)]);
+        files
+    }
+
+    /// Brings all tables to the disk, still under their `.part` names.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub(crate) fn finish(self) -> Result<Vec<Sealed>, OutputError> {
+        self.tables.finish()
+    }
+}
