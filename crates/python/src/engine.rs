@@ -15,7 +15,23 @@ use crate::contacts::{StepEvent, contact_event, contacts_array};
 use crate::errors;
 use crate::scenario::Scenario;
 
-/// The contact engine for a host that moves its own bodies.
+/// The contact engine for a simulator that moves its own bodies: write `states` and, where there are any, `loads`,
+/// call `step`, add `wrenches` to your forces.
+///
+/// `method` is `"coupled"` or `"paper"` (the scenario's where not given). `host="present"` shows the states of the
+/// step's beginning and tells its loads; `turning` then says whose a body's Coriolis terms are, `"engine"` or
+/// `"loads"`. `host="following"` moves its bodies with the wrenches by `integration` (`"semi_implicit"` or
+/// `"forward_euler"`), may show states that are `delay_steps` old, and need not tell loads.
+///
+/// >>> import fenderline
+/// >>> tug_at_speed = fenderline.example("tug_4kn").with_set({"contact.method": "coupled"})
+/// >>> engine = fenderline.Engine(tug_at_speed, host="following")
+/// >>> engine.bodies
+/// ['ship', 'tug']
+/// >>> engine.states[1, 1] = -38.5  # half a metre into the ship's side
+/// >>> engine.step(0.1)
+/// >>> bool(engine.wrenches[1, 1] < -1e5), len(engine.contacts)
+/// (True, 1)
 #[pyclass(module = "fenderline")]
 pub(crate) struct Engine {
     engine: embed::Engine,
@@ -147,7 +163,8 @@ impl Engine {
     /// each step. By the coupled method for a host of the present.
     #[getter]
     fn states_after(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
-        if self.engine.method() == Method::Coupled && matches!(self.engine.host(), Host::Present { .. })
+        if self.engine.method() == Method::Coupled
+            && matches!(self.engine.host(), Host::Present { .. })
         {
             return Ok(self.states_after.view(py));
         }
@@ -304,4 +321,18 @@ impl Engine {
 
 fn no_choice(what: &str, given: &str, known: &str) -> PyErr {
     PyValueError::new_err(format!("{what} is {given:?}: there are {known}"))
+}
+
+/// Seconds that so many steps of a copy of an engine take without Python: for the bench.
+#[pyfunction]
+pub(crate) fn seconds_of_steps(engine: &Engine, step_s: f64, count: u64) -> PyResult<f64> {
+    let mut own = engine.engine.clone();
+    let states = own.states().to_vec();
+    let loads = engine.tells_loads.then_some(engine.load_rows.as_slice());
+    let start = std::time::Instant::now();
+    for _ in 0..count {
+        let taken = own.advance(&states, loads, step_s);
+        taken.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    }
+    Ok(start.elapsed().as_secs_f64())
 }

@@ -12,7 +12,16 @@ use crate::run::Run;
 use crate::scenario::Scenario;
 use crate::variants::{self, Common};
 
-/// Variants of one scenario that go on step by step, all at once.
+/// Variants of one scenario that go on step by step, all at once, on `threads` threads. Their bodies, fenders and
+/// controls are those of the scenario. The numbers are those of single simulations, bit for bit.
+///
+/// >>> import fenderline
+/// >>> speeds = [{"body.ship.velocity.surge": speed} for speed in (0.5, 1.0)]
+/// >>> fleet = fenderline.Fleet(fenderline.example("docking"), speeds)
+/// >>> fleet.controls[:, 1] = 0.2
+/// >>> fleet.step(10)
+/// >>> fleet.states.shape, fleet.times_s.tolist()
+/// ((2, 2, 6), [10.0, 10.0])
 #[pyclass(module = "fenderline")]
 pub(crate) struct Fleet {
     common: Common,
@@ -77,7 +86,8 @@ impl Fleet {
         };
         let done = py.detach(|| parallel::each_mut(runs, *threads, step));
         self.show(py)?;
-        let failed = done.into_iter().enumerate().find_map(|(index, done)| Some((index, done.err()?)));
+        let failed =
+            done.into_iter().enumerate().find_map(|(index, done)| Some((index, done.err()?)));
         match failed {
             None => Ok(()),
             Some((index, error)) => {
@@ -96,7 +106,9 @@ impl Fleet {
         let sets = variants::read(variants)?;
         let count = self.runs.len();
         if let Some(index) = indices.iter().find(|&&index| index >= count) {
-            return Err(PyIndexError::new_err(format!("there is no simulation {index} of {count}")));
+            return Err(PyIndexError::new_err(format!(
+                "there is no simulation {index} of {count}"
+            )));
         }
         if sets.len() != indices.len() {
             return Err(PyValueError::new_err("as many variants as indices"));

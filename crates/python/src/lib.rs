@@ -35,5 +35,6 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<simulation::SimulationState>()?;
     module.add_class::<contacts::StepEvent>()?;
     module.add_class::<fleet::Fleet>()?;
+    module.add_function(wrap_pyfunction!(engine::seconds_of_steps, module)?)?;
     module.add_function(wrap_pyfunction!(many::run_variants, module)?)
 }

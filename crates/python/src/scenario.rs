@@ -10,6 +10,17 @@ use pyo3::types::{PyDict, PyString};
 use crate::errors;
 
 /// A checked scenario. It does not change: `with_set` gives another one.
+///
+/// Made with `Scenario.load(path)`, `Scenario.parse(text)` or `Scenario.from_tree(tree)`. Keys are replaced as the
+/// program's `--set` does, by a dictionary from dotted paths or by texts `KEY=VALUE`.
+///
+/// >>> import fenderline
+/// >>> scenario = fenderline.example("tug_4kn").with_set({"time.step": "0.05 s"})
+/// >>> scenario.step_s, scenario.bodies
+/// (0.05, ['ship', 'tug'])
+/// >>> tree = scenario.tree()
+/// >>> tree["body"]["tug"]["velocity"] = {"surge": "2 kn"}
+/// >>> slower = fenderline.Scenario.from_tree(tree)
 #[pyclass(frozen, module = "fenderline")]
 pub(crate) struct Scenario {
     pub(crate) source: Source,
@@ -46,8 +57,8 @@ impl Scenario {
     #[staticmethod]
     #[pyo3(signature = (path, set=None))]
     fn load(py: Python<'_>, path: PathBuf, set: Option<&Bound<'_, PyAny>>) -> PyResult<Scenario> {
-        let text = read_text(&path)
-            .map_err(|why| errors::of_load(py, &LoadError::Unreadable(why)))?;
+        let text =
+            read_text(&path).map_err(|why| errors::of_load(py, &LoadError::Unreadable(why)))?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let name = path.display().to_string();
         Scenario::of(py, text, name, Some(folder), set)

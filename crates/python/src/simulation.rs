@@ -22,7 +22,16 @@ use crate::tables;
 /// Steps between two looks at whether the user wants to stop.
 const STEPS_AT_A_TIME: u64 = 2000;
 
-/// A simulation under way.
+/// A whole simulation, step by step; with `record=True` it keeps the tables that `fenderline run` writes.
+///
+/// >>> import fenderline
+/// >>> simulation = fenderline.Simulation(fenderline.example("docking"))
+/// >>> simulation.control_names
+/// ['ship.rudder_rad', 'ship.engine', 'ship.thruster.bow', 'ship.thruster.stern']
+/// >>> simulation.controls[1] = -0.5
+/// >>> simulation.step(60)
+/// >>> bool(simulation.states[0, 3] < 1.5)
+/// True
 #[pyclass(module = "fenderline")]
 pub(crate) struct Simulation {
     title: String,
@@ -121,7 +130,11 @@ impl Simulation {
                 let ratio = until_s / simulation.setup().step_s;
                 // A ratio within 1e-9 of a whole number is that number, as for the duration.
                 let whole = ratio.round();
-                if (ratio - whole).abs() <= 1e-9 * whole { whole as u64 } else { ratio.ceil() as u64 }
+                if (ratio - whole).abs() <= 1e-9 * whole {
+                    whole as u64
+                } else {
+                    ratio.ceil() as u64
+                }
             }
             Some(other) => return Err(PyValueError::new_err(format!("until_s is {other}"))),
         };
@@ -300,8 +313,7 @@ impl Simulation {
     fn copy(&self, py: Python<'_>) -> PyResult<Simulation> {
         let state = self.save(py)?;
         let names = Arc::clone(&self.names);
-        let mut copy =
-            Simulation::around(py, self.title.clone(), names, state.run.clone(), None)?;
+        let mut copy = Simulation::around(py, self.title.clone(), names, state.run.clone(), None)?;
         copy.take_over(py, &state)?;
         Ok(copy)
     }
@@ -377,7 +389,10 @@ impl Simulation {
         self.external.read(py, |numbers| read_wrenches(numbers, rows))??;
         if let Some(body) = rows.iter().position(|wrench| !is_finite(wrench)) {
             let body = &self.names.bodies[body];
-            return Err(errors::refused(py, format!("the external wrench of {body} is not finite")));
+            return Err(errors::refused(
+                py,
+                format!("the external wrench of {body} is not finite"),
+            ));
         }
         self.run.simulation.set_external(rows);
         self.run.order(values);

@@ -70,9 +70,11 @@ pub(crate) fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
         runs(&rows),
         names(&rows, "body_1", "name of one body", bodies(), |p| p.bodies[0]),
         names(&rows, "body_2", "name of the other", bodies(), |p| p.bodies[1]),
-        column(&rows, ("first_touch_s", "s", "start of the first step in which they touched"), |p| {
-            p.first_touch_s
-        }),
+        column(
+            &rows,
+            ("first_touch_s", "s", "start of the first step in which they touched"),
+            |p| p.first_touch_s,
+        ),
         column(&rows, ("last_touch_s", "s", "start of the last step in which they touched"), |p| {
             p.last_touch_s
         }),
@@ -114,9 +116,11 @@ pub(crate) fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
     let columns = vec![
         runs(&rows),
         names(&rows, "fender", "name of the fender", fenders, |f| f.fender),
-        column(&rows, ("first_touch_s", "s", "start of the first step in which it was touched"), |f| {
-            f.first_touch_s
-        }),
+        column(
+            &rows,
+            ("first_touch_s", "s", "start of the first step in which it was touched"),
+            |f| f.first_touch_s,
+        ),
         column(&rows, ("approach_speed_mps", "m/s", "speed along the normal then, closing"), |f| {
             f.approach_speed_mps
         }),

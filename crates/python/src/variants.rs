@@ -45,7 +45,8 @@ impl Common {
             }
         };
         let (own, other) = (&self.base.setup, &scenario.setup);
-        let bodies = |setup: &Setup| setup.bodies.iter().map(|b| b.name.clone()).collect::<Vec<_>>();
+        let bodies =
+            |setup: &Setup| setup.bodies.iter().map(|b| b.name.clone()).collect::<Vec<_>>();
         let fenders =
             |setup: &Setup| setup.fenders.iter().map(|f| f.name.clone()).collect::<Vec<_>>();
         if bodies(own) != bodies(other) {
@@ -71,9 +72,7 @@ pub(crate) fn exception(py: Python<'_>, number: usize, error: &NoRun) -> PyErr {
     let told = match error {
         NoRun::Scenario(error) => errors::of_scenario(py, error),
         NoRun::Cannot(error) => cannot_run(py, error),
-        NoRun::Other(what) => {
-            errors::refused(py, format!("it has other {what} than its scenario"))
-        }
+        NoRun::Other(what) => errors::refused(py, format!("it has other {what} than its scenario")),
     };
     numbered(py, number, told)
 }

@@ -123,7 +123,7 @@ def test_save_restore_and_copy() -> None:
         engine.step(0.1)
         engine.states[:] = engine.states_after
     saved, other = engine.save(), copy.copy(engine)
-    later = []
+    later: list[np.ndarray] = []
     for run in (engine, other, engine):
         if run is engine and later:
             run.restore(saved)

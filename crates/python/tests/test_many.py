@@ -10,7 +10,7 @@ from fenderline import Fleet, ScenarioError, Simulation, SimulationError
 SCENARIO = fenderline.example("tug_4kn").with_set({"time.duration": "8 s"})
 
 
-def speeds(count: int) -> dict[str, object]:
+def speeds(count: int) -> dict[str, np.ndarray]:
     return {
         "body.tug.velocity.surge": np.linspace(0.5, 3.0, count),
         "body.tug.heading": np.linspace(1.2, 1.9, count),
@@ -28,7 +28,7 @@ def test_the_same_bits_for_any_number_of_threads() -> None:
 
 def test_each_run_is_that_of_a_simulation() -> None:
     runs = fenderline.run_many(SCENARIO, speeds(5))
-    columns = {key: value.tolist() for key, value in speeds(5).items()}  # type: ignore[attr-defined]
+    columns = {key: value.tolist() for key, value in speeds(5).items()}
     for index in range(5):
         simulation = Simulation(SCENARIO.with_set({k: v[index] for k, v in columns.items()}))
         simulation.run()

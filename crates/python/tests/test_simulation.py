@@ -126,7 +126,7 @@ def test_save_restore_and_copy(scenarios: Path) -> None:
     simulation.controls[:2] = [0.1, 0.3]
     simulation.step(100)
     saved, copy = simulation.save(), simulation.copy()
-    ends = []
+    ends: list[np.ndarray] = []
     for run in (simulation, copy, simulation):
         if ends and run is simulation:
             run.restore(saved)

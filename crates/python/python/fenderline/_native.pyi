@@ -25,6 +25,7 @@ __all__ = [
     "SimulationState",
     "StepEvent",
     "Fleet",
+    "seconds_of_steps",
     "run_variants",
 ]
 
@@ -193,6 +194,7 @@ class Fleet:
     def step_s(self) -> float: ...
     def __len__(self) -> int: ...
 
+def seconds_of_steps(engine: Engine, step_s: float, count: int) -> float: ...
 def run_variants(
     scenario: Scenario, variants: Sequence[_Set], threads: int | None = None
 ) -> tuple[_Floats, Results]: ...

@@ -28,7 +28,7 @@ def run(scenario: Scenario) -> Results:
 
     >>> results = run(example("tug_4kn"))
     >>> float(results["contacts"]["depth_m"].max().round(2))
-    0.96
+    1.03
     """
     simulation = Simulation(scenario, record=True)
     simulation.run()

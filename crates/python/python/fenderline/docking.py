@@ -43,14 +43,14 @@ Importing this module registers ``fenderline/Docking-v0``:
 step, times 0.1; less 0.01 a step and 0.01 times the mean square of the action; less 50 times what the largest share of
 a fender's rated energy has grown by. **Termination**: +100 when she lies alongside (less than 4 m from her berth,
 0.2 m off the faces or on them, within 1° of parallel, moving less than 0.05 m/s, turning less than 0.0005 rad/s);
-−100 when a fender is loaded beyond its rating, when her hull touches the quay beside the fenders, or when she leaves
-the basin. **Truncation** after 900 s.
+−100 when a fender is loaded beyond its rating, when her hull comes to the line of the quay beside or beyond the
+fenders, or when she leaves the basin. **Truncation** after 900 s.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, cast
 
 import gymnasium
 import numpy as np
@@ -80,19 +80,16 @@ BASIN_ALONG_M = 400.0
 BASIN_OFF_M = 200.0
 STEPS = 900
 
-_HIGH = np.array(
-    [500, 300, np.pi, 15, 15, 0.5, 1, 1, 1, 1, 40, 40, 5, 100], dtype=np.float32
-)
+_HIGH = np.array([500, 300, np.pi, 15, 15, 0.5, 1, 1, 1, 1, 40, 40, 5, 100], dtype=np.float32)
+_LOW = np.where(np.arange(14) == 13, 0.0, -_HIGH).astype(np.float32)
 
 
-def _observation_space() -> gymnasium.spaces.Box:
-    low = -_HIGH
-    low[1], low[13] = -30.0, 0.0
-    return gymnasium.spaces.Box(low, _HIGH, dtype=np.float32)
+def _observation_space() -> gymnasium.Space[Observation]:
+    return cast("gymnasium.Space[Observation]", gymnasium.spaces.Box(_LOW, _HIGH))
 
 
-def _action_space() -> gymnasium.spaces.Box:
-    return gymnasium.spaces.Box(-1.0, 1.0, (4,), dtype=np.float32)
+def _action_space() -> gymnasium.Space[Action]:
+    return cast("gymnasium.Space[Action]", gymnasium.spaces.Box(-1.0, 1.0, (4,)))
 
 
 def _draw(random: np.random.Generator) -> dict[str, Any]:
@@ -129,7 +126,7 @@ class _Berth:
         self._far = np.zeros(count)
         self._share = np.zeros(count)
         self._steps = np.zeros(count, dtype=np.int64)
-        self._kinds = np.array(["", "alongside", "overloaded", "hull_on_quay", "left_basin"])
+        self._kinds = np.array(["", "alongside", "overloaded", "over_quay_line", "left_basin"])
 
     def begin(self, which: Sequence[int], randoms: Sequence[np.random.Generator]) -> None:
         """Starts some episodes anew."""
@@ -173,8 +170,7 @@ class _Berth:
         seen[:, 6:10] = self._orders
         seen[:, 10:13] = self._weather
         seen[:, 13] = self._share
-        space = _observation_space()
-        return np.clip(seen, space.low, space.high)
+        return np.clip(seen, _LOW, _HIGH)
 
     def step(self, actions: Action) -> tuple[Floats, npt.NDArray[np.int64], npt.NDArray[np.bool_]]:
         """One second: rewards, how each episode ended (0: not yet), and which have run out of time."""
@@ -201,7 +197,7 @@ class _Berth:
             & (np.abs(states[:, 5]) < 5e-4)
         )
         left = (np.abs(states[:, 0]) > BASIN_ALONG_M) | (off > BASIN_OFF_M)
-        # The faces stand 1.8 m before the quay: a hull that is nearer to the quay than 0.2 m is on it.
+        # The faces stand 1.8 m before the quay: who is nearer than 0.2 m to its line is as good as on it.
         on_quay = off < -1.6
         overloaded = (share > 1.0) | (self.fleet.fenders_failed > 0.0).any(axis=1)
         ended = np.zeros(self.count, dtype=np.int64)
