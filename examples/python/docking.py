@@ -38,8 +38,9 @@ def master(seen: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
     breast = 6.0 * (towards_wanted - towards) - wind
     swing = -5.0 * heading - 150.0 * turn
     engine = 4.0 * (ahead_wanted - ahead) - 0.0005 * wind_along * np.abs(wind_along)
-    orders = [np.zeros_like(engine), engine, breast + swing, breast - swing]
-    return np.clip(np.stack(orders, axis=1), -1.0, 1.0).astype(np.float32)
+    orders = np.stack([np.zeros_like(engine), engine, breast + swing, breast - swing], axis=1)
+    clipped: npt.NDArray[np.float32] = np.clip(orders, -1.0, 1.0).astype(np.float32)
+    return clipped
 
 
 # %%

@@ -10,21 +10,24 @@ import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
-    import pandas
-    import pyarrow
+    import pandas as _pandas
+    import pyarrow as _pyarrow
 
 
 class Column:
     """A column of a :class:`Table`."""
 
-    __slots__ = ("_codes", "_words", "meaning", "name", "unit")
+    __slots__ = {
+        "name": "Its name; it ends with the unit where there is one.",
+        "unit": "``1`` for a pure number, ``-`` for a text or a truth value.",
+        "meaning": "What it means.",
+        "_codes": "Values, or which of the words they are.",
+        "_words": "What codes stand for, in columns of texts.",
+    }
 
     name: str
-    """Its name; it ends with the unit where there is one."""
     unit: str
-    """``1`` for a pure number, ``-`` for a text or a truth value."""
     meaning: str
-    """What it means."""
 
     def __init__(
         self,
@@ -84,7 +87,7 @@ class Table(Mapping[str, npt.NDArray[Any]]):
     def __len__(self) -> int:
         return len(self.columns)
 
-    def to_arrow(self) -> pyarrow.Table:
+    def to_arrow(self) -> _pyarrow.Table:
         """As an Arrow table, with units and meanings in the fields' metadata; needs ``pyarrow``."""
         import pyarrow as pa
 
@@ -104,7 +107,7 @@ class Table(Mapping[str, npt.NDArray[Any]]):
         """For every program that takes Arrow's streams: polars, DuckDB, pandas; needs ``pyarrow``."""
         return self.to_arrow().__arrow_c_stream__(requested_schema)
 
-    def to_pandas(self) -> pandas.DataFrame:
+    def to_pandas(self) -> _pandas.DataFrame:
         """As a data frame, texts as categories, units in ``attrs``; needs ``pandas``."""
         import pandas as pd
 
