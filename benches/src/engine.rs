@@ -27,7 +27,8 @@ pub(crate) struct Ours {
     work: Workspace,
     states: Vec<BodyState>,
     loads: Vec<Wrench>,
-    masses: Vec<Option<Mass>>,
+    /// Δt over mass and over yaw inertia, of what floats [s/kg, s/(kg·m²)].
+    paces: Vec<Option<(f64, f64)>>,
     method: Method,
     step_s: f64,
     /// One step after the start.
@@ -45,7 +46,7 @@ impl Ours {
             model,
             states: parts.iter().map(|part| part.state).collect(),
             loads: parts.iter().map(|part| part.load).collect(),
-            masses: parts.iter().map(|part| part.mass).collect(),
+            paces: parts.iter().map(|part| part.mass.map(|mass| pace(mass, step_s))).collect(),
             method,
             step_s,
             begun: None,
@@ -55,13 +56,12 @@ impl Ours {
     fn euler(&mut self) {
         let wrenches = self.work.wrenches();
         for (index, state) in self.states.iter_mut().enumerate() {
-            let Some(Mass { mass_kg, yaw_inertia_kgm2 }) = self.masses[index] else { continue };
+            let Some((of_mass, of_inertia)) = self.paces[index] else { continue };
             let (load, contact) = (self.loads[index], wrenches[index]);
             state.position_m += state.velocity_mps * self.step_s;
             state.heading_rad += state.yaw_rate_radps * self.step_s;
-            state.velocity_mps += (load.force_n + contact.force_n) * (self.step_s / mass_kg);
-            let moment_nm = load.moment_nm + contact.moment_nm;
-            state.yaw_rate_radps += moment_nm * (self.step_s / yaw_inertia_kgm2);
+            state.velocity_mps += (load.force_n + contact.force_n) * of_mass;
+            state.yaw_rate_radps += (load.moment_nm + contact.moment_nm) * of_inertia;
         }
     }
 }
@@ -111,6 +111,10 @@ impl World for Ours {
         };
         Some(self.work.contacts().iter().fold((0.0, 0.0), largest))
     }
+}
+
+fn pace(mass: Mass, step_s: f64) -> (f64, f64) {
+    (step_s / mass.mass_kg, step_s / mass.yaw_inertia_kgm2)
 }
 
 /// What floats, one quay, and a face on it for each fixed block.

@@ -6,11 +6,13 @@
 //! cargo run --release -p fenderline-bench -- step [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- accuracy [--markdown] [--out FILE]
 //! cargo run --release -p fenderline-bench -- mmg [--markdown] [--rounds N]
+//! cargo run --release -p fenderline-bench -- berth [--markdown] [--rounds N]
 //! cargo run --release -p fenderline-bench -- instructions SCENE METHOD N
 //! cargo run --release -p fenderline-bench -- callgrind
 //! ```
 
 mod accuracy;
+mod berth;
 mod callgrind;
 mod clip;
 mod engine;
@@ -38,6 +40,7 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench accuracy [--markdown] [--out FILE]
                                                          forces, depths and speeds at five time steps
        fenderline-bench mmg [--markdown] [--rounds N]    steps a second of a ship in three degrees of freedom
+       fenderline-bench berth [--markdown] [--rounds N]  a whole berthing beside real time
        fenderline-bench instructions SCENE METHOD N      N warm steps, to be counted by a profiler
        fenderline-bench callgrind                        instructions a warm step, by valgrind
 SCENE is tug, ship, faces, pairs-1000 or pairs-10000; METHOD is coupled, paper or rapier2d;
@@ -71,6 +74,10 @@ fn run(arguments: &[&str]) -> Result<(), String> {
         ["mmg", options @ ..] => {
             let (style, rounds) = options_of(options)?;
             println!("{}", mmg::bench(rounds).printed(style));
+        }
+        ["berth", options @ ..] => {
+            let (style, rounds) = options_of(options)?;
+            println!("{}", berth::bench(rounds).printed(style));
         }
         ["accuracy", options @ ..] => accuracy_table(options)?,
         ["instructions", scene, method, steps] => {

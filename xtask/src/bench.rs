@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use crate::command::{cargo, run};
 use crate::tools;
 
-const BENCHES: [&str; 5] = ["clip", "step", "accuracy", "mmg", "callgrind"];
+const BENCHES: [&str; 6] = ["clip", "step", "accuracy", "mmg", "berth", "callgrind"];
 
 /// Runs the benches that are named; all where none is.
 pub(crate) fn bench(names: &[&str]) -> ExitCode {

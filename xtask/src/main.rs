@@ -1,12 +1,14 @@
-//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`.
+//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `c`.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
 
 mod bench;
+mod c_interface;
 mod command;
 mod compare;
 mod fuzz;
+mod guide;
 mod passivity;
 mod scenarios;
 mod step;
@@ -18,9 +20,10 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
        cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
-       cargo xtask bench [clip|step|accuracy|mmg|callgrind]...
+       cargo xtask bench [clip|step|accuracy|mmg|berth|callgrind]...
                                           times and answers against the peers, instructions a step
                                           (all five)
+       cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (100000)
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)";
 
 fn main() -> ExitCode {
@@ -40,6 +43,11 @@ fn main() -> ExitCode {
         ["passivity"] => passivity::passivity_command(passivity::EPISODES),
         ["passivity", episodes] => match episodes.parse() {
             Ok(episodes) => passivity::passivity_command(episodes),
+            Err(_) => usage(),
+        },
+        ["c"] => c_interface::c_command(c_interface::SEQUENCES),
+        ["c", sequences] => match sequences.parse() {
+            Ok(sequences) => c_interface::c_command(sequences),
             Err(_) => usage(),
         },
         ["bench", benches @ ..] => bench::bench(benches),

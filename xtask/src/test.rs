@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
+use crate::c_interface;
 use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
 use crate::fuzz;
@@ -27,6 +28,8 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "the Python package", run: python_package },
         Step { name: "licences and sources of dependencies", run: licences },
         Step { name: "contact makes no energy", run: passive },
+        Step { name: "C: examples and guide", run: c_interface::examples },
+        Step { name: "C: random calls", run: || c_interface::random_calls(c_interface::SEQUENCES) },
         Step { name: "fuzz targets", run: || fuzz::fuzz(fuzz::SECONDS) },
     ])
 }

@@ -53,6 +53,16 @@ pub(crate) fn cargo_fuzz() -> Result<(), Missing> {
         .ok_or(Missing { tool: "a C++ compiler", install: "g++ or clang of your distribution" })
 }
 
+/// A C compiler with the address and undefined-behaviour sanitizers.
+pub(crate) fn c_compiler() -> Result<(), Missing> {
+    let mut cc = Command::new("cc");
+    cc.args(["-x", "c", "-fsanitize=address,undefined", "/dev/null", "-shared", "-fPIC"]);
+    answers(cc.args(["-o", "/dev/null"])).then_some(()).ok_or(Missing {
+        tool: "a C compiler with sanitizers",
+        install: "gcc or clang of your distribution",
+    })
+}
+
 /// valgrind, which counts instructions.
 pub(crate) fn valgrind() -> Result<(), Missing> {
     answers(Command::new("valgrind").arg("--version"))

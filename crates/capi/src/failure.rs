@@ -26,7 +26,8 @@ pub enum FlStatus {
     BadScenario = 6,
     /// Bodies, materials, pairs and fenders that make no model: the text names which and what.
     BadModel = 7,
-    /// A state, a load or a time step that is not finite or out of range: the text names body and field.
+    /// A state, a load or a time step that is not finite or out of range: the text names body and field; or a
+    /// step so long that its results are not finite.
     BadNumber = 8,
     /// No body, fender, material, contact or event of that name or index.
     NoSuch = 9,
@@ -109,7 +110,7 @@ impl From<EngineError> for Failure {
             EngineError::Settings(_) => FlStatus::BadArgument,
             EngineError::NoSuch { .. } | EngineError::NoSuchName { .. } => FlStatus::NoSuch,
             EngineError::Input(StepError::WrongCount { .. }) => FlStatus::BadArgument,
-            EngineError::Input(_) => FlStatus::BadNumber,
+            EngineError::Input(_) | EngineError::NotFinite => FlStatus::BadNumber,
             EngineError::NotShown { .. } | EngineError::NoStepYet => FlStatus::OutOfOrder,
             EngineError::NotHere(_) => FlStatus::NotAvailable,
             EngineError::Restore(RestoreError::OtherModel) | EngineError::OtherSettings => {

@@ -15,7 +15,7 @@ use crate::model::Model;
 use crate::overlap::{Patch, overlap};
 use crate::report::{Contact, Wrench};
 use crate::state::BodyState;
-use crate::touch::touch;
+use crate::touch::{Lasting, touch};
 use crate::vec2::Vec2;
 use crate::workspace::Workspace;
 
@@ -153,14 +153,14 @@ fn contact(
     };
     gather(&report, &mut work.wrenches);
     work.contacts.push(report);
-    work.next_patches.push(PatchMemory {
+    let lasting = Lasting {
         flags,
         shear_m: shear.shear_m,
-        factor,
         v_normal_0_mps: v.normal_0_mps,
         v_tangential_0_mps: v.tangential_0_mps,
-        ..touch.memory(patch, &work.places)
-    });
+        factor,
+    };
+    touch.remember(patch, &work.places, lasting, &mut work.next_patches);
 }
 
 /// Stage 6, gather: adds a contact to the wrenches of its bodies. The force on body 2 is exactly the

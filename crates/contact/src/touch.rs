@@ -1,5 +1,7 @@
 //! The kinematics of one patch: normal, arms, velocities and shear, in earth-fixed axes.
 
+use alloc::vec::Vec;
+
 use crate::fender::RankedFender;
 use crate::memory::PatchMemory;
 use crate::model::Model;
@@ -153,24 +155,46 @@ impl Touch {
         }
     }
 
-    /// What the next step needs to know of this patch's place.
-    #[inline]
-    pub(crate) fn memory(&self, patch: &Patch, places: &[Place]) -> PatchMemory {
-        let mut memory = PatchMemory {
+    /// Adds to `into` what the next step needs to know of this patch.
+    // Written where it is to stay, the rare part by itself: copied as a whole, it would be waited for.
+    #[inline(always)]
+    pub(crate) fn remember(
+        &self,
+        patch: &Patch,
+        places: &[Place],
+        laws: Lasting,
+        into: &mut Vec<PatchMemory>,
+    ) {
+        into.push(PatchMemory {
             a: patch.candidate.a,
             b: patch.candidate.b,
             face: patch.candidate.face,
             patch: patch.number,
+            flags: laws.flags,
             area_m2: patch.area_m2,
             point_in_a_m: self.point_in_a_m,
             point_in_b_m: patch.b_in_a.apply_inverse(self.point_in_a_m),
             normal_in_a: self.normal_in_a,
             normal_in_b: patch.b_in_a.rotation.apply_inverse(self.normal_in_a),
+            shear_m: laws.shear_m,
+            v_normal_0_mps: laws.v_normal_0_mps,
+            v_tangential_0_mps: laws.v_tangential_0_mps,
+            factor: laws.factor,
             ..PatchMemory::default()
-        };
-        if let Some(place) = patch.place {
-            Place { in_a: memory.extent_in_a, in_b: memory.extent_in_b } = places[place as usize];
+        });
+        if let (Some(place), Some(last)) = (patch.place, into.last_mut()) {
+            let Place { in_a, in_b } = places[place as usize];
+            (last.extent_in_a, last.extent_in_b) = (in_a, in_b);
         }
-        memory
     }
+}
+
+/// What the laws leave in a patch's memory: its fields of the same names.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Lasting {
+    pub(crate) flags: u32,
+    pub(crate) shear_m: f64,
+    pub(crate) v_normal_0_mps: f64,
+    pub(crate) v_tangential_0_mps: f64,
+    pub(crate) factor: f64,
 }

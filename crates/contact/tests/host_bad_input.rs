@@ -78,6 +78,23 @@ fn bad_loads_counts_steps_and_models_are_errors_and_change_nothing() {
     assert_eq!(master.host, before);
 }
 
+/// Found by random calls from C: what is reckoned of a host was told of a step that failed.
+#[test]
+fn a_step_that_fails_within_leaves_what_was_reckoned() {
+    let story = tug_at_a_wall(1.0, 0.0, 0.1);
+    let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
+    let (mut host, mut work) =
+        (FollowingHost::new(&story.model, settings), HostWorkspace::new(&story.model));
+    host.step(&story.model, &mut work, &story.states, None, STEP_S).expect("good states");
+    let (before, present, loads) = (host.clone(), work.present().to_vec(), work.loads().to_vec());
+    // The way that she goes in the step that is not shown yet leads out of what the engine takes.
+    let mut states = story.states.clone();
+    states[0].position_m = vec2(1e9, 0.0);
+    states[0].velocity_mps = vec2(1e6, 0.0);
+    assert!(host.step(&story.model, &mut work, &states, None, STEP_S).is_err());
+    assert_eq!((&host, work.present(), work.loads()), (&before, &present[..], &loads[..]));
+}
+
 #[test]
 fn an_error_between_two_steps_changes_no_bit_of_the_run() {
     let run = |trip: bool| {

@@ -5,6 +5,8 @@ use fenderline_contact::{
     RestoreError, Vec2, Wrench, vec2,
 };
 
+use crate::results::numbers;
+
 type Read<T> = Result<T, RestoreError>;
 
 /// Stands for no fender.
@@ -47,16 +49,7 @@ impl Writer {
         self.word32(c.fender.map_or(NONE, |fender| fender.0));
         self.word32(c.patch);
         self.word32(u32::from(c.friction == Friction::Slip) + 2 * u32::from(c.limited));
-        let (p, w) = (&c.parts, &c.work);
-        for v in [c.point_m, c.arm_1_m, c.arm_2_m, c.normal] {
-            self.numbers(&[v.x, v.y]);
-        }
-        self.numbers(&[c.area_m2, c.depth_m, c.v_normal_mps, c.v_tangential_mps, c.shear_m]);
-        self.numbers(&[c.normal_force_n, c.tangential_force_n]);
-        self.numbers(&[c.peak_normal_force_n, c.peak_depth_m]);
-        self.numbers(&[p.spring_n, p.stop_n, p.damper_n, p.limiter_n]);
-        self.numbers(&[w.normal_j, w.tangential_j, w.damper_j, w.limiter_j]);
-        self.numbers(&[c.factor, c.tilt_rad, c.stored_j, c.peak_stored_j, c.shear_stored_j]);
+        self.numbers(&numbers(c));
     }
 
     pub(crate) fn event(&mut self, e: &Event) {

@@ -1,5 +1,6 @@
 //! The engine in one object.
 
+use std::mem;
 use std::sync::Arc;
 
 use fenderline_contact::{
@@ -19,6 +20,7 @@ use crate::settings::{Host, MOST_DELAY_STEPS, Settings, Turning};
 pub struct Engine {
     pub(crate) plan: Arc<Plan>,
     pub(crate) core: Core,
+    spare: Core,
     /// What the host has shown, one a body.
     pub(crate) states: Vec<BodyState>,
     /// Which of them it has shown; fixed bodies need not be.
@@ -41,11 +43,12 @@ pub(crate) struct Plan {
     notices: Vec<String>,
 }
 
-/// The mutable part, and buffers.
+/// The mutable part, and buffers. There are two: a step is taken on a copy of the one in the other, and counts
+/// when it is good.
 #[derive(Clone, Debug)]
 pub(crate) enum Core {
-    Present { memory: Memory, work: Workspace },
-    Following { host: FollowingHost, work: HostWorkspace },
+    Present { memory: Memory, work: Box<Workspace> },
+    Following { host: FollowingHost, work: Box<HostWorkspace> },
 }
 
 /// Where the latest results are.
@@ -113,14 +116,15 @@ impl Engine {
         let count = plan.initial.len();
         let core = match plan.host {
             Host::Present { .. } => {
-                Core::Present { memory: Memory::new(model), work: Workspace::new(model) }
+                Core::Present { memory: Memory::new(model), work: Box::new(Workspace::new(model)) }
             }
             Host::Following(settings) => Core::Following {
                 host: FollowingHost::new(model, settings),
-                work: HostWorkspace::new(model),
+                work: Box::new(HostWorkspace::new(model)),
             },
         };
         Engine {
+            spare: core.clone(),
             core,
             states: plan.initial.clone(),
             shown: vec![false; count],
@@ -257,8 +261,9 @@ impl Engine {
         if let Some((body, _)) = unseen {
             return Err(EngineError::NotShown { body: body.name.clone() });
         }
-        let Engine { plan, core, states, loads, no_loads, .. } = self;
-        take_step(plan, core, states, loads.as_deref(), no_loads, step_s)?;
+        let Engine { plan, core, spare, states, loads, no_loads, .. } = self;
+        spare.take_step(core, plan, states, loads.as_deref(), no_loads, step_s)?;
+        mem::swap(core, spare);
         self.latest = Latest::InWorkspace;
         Ok(())
     }
@@ -279,7 +284,9 @@ impl Engine {
             self.check_loads(loads)?;
         }
         let told = loads.or(self.loads.as_deref());
-        take_step(&self.plan, &mut self.core, states, told, &self.no_loads, step_s)?;
+        let Engine { plan, core, spare, no_loads, .. } = self;
+        spare.take_step(core, plan, states, told, no_loads, step_s)?;
+        mem::swap(core, spare);
         self.states.copy_from_slice(states);
         self.shown.fill(true);
         if loads.is_some() {
@@ -294,13 +301,10 @@ impl Engine {
     /// # Errors
     /// No step was taken yet.
     pub fn results(&self) -> Result<Results<'_>, EngineError> {
-        match (&self.latest, &self.core) {
-            (Latest::Nowhere, _) => Err(EngineError::NoStepYet),
-            (Latest::Saved(saved), _) => Ok(saved.view()),
-            (Latest::InWorkspace, Core::Present { work, .. }) => {
-                Ok(of_present(work, self.plan.method == Method::Coupled))
-            }
-            (Latest::InWorkspace, Core::Following { work, .. }) => Ok(of_following(work)),
+        match &self.latest {
+            Latest::Nowhere => Err(EngineError::NoStepYet),
+            Latest::Saved(saved) => Ok(saved.view()),
+            Latest::InWorkspace => Ok(self.core.results(&self.plan)),
         }
     }
 
@@ -332,25 +336,44 @@ impl Engine {
     }
 }
 
-/// The step itself.
-fn take_step(
-    plan: &Plan,
-    core: &mut Core,
-    states: &[BodyState],
-    told: Option<&[Wrench]>,
-    no_loads: &[Wrench],
-    step_s: f64,
-) -> Result<(), StepError> {
-    match core {
-        Core::Present { memory, work } => match plan.method {
-            Method::Paper => contact::step(&plan.model, memory, work, states, step_s),
-            Method::Coupled => {
-                let loads = told.unwrap_or(no_loads);
-                contact::advance(&plan.model, memory, work, states, loads, step_s)
+impl Core {
+    /// A step from where `before` is. Where it fails this is of no use but for the next step; `before` is as
+    /// it was.
+    fn take_step(
+        &mut self,
+        before: &Core,
+        plan: &Plan,
+        states: &[BodyState],
+        told: Option<&[Wrench]>,
+        no_loads: &[Wrench],
+        step_s: f64,
+    ) -> Result<(), EngineError> {
+        let model = &plan.model;
+        match (&mut *self, before) {
+            (Core::Present { memory, work }, Core::Present { memory: now, .. }) => {
+                memory.copy_from(now);
+                match plan.method {
+                    Method::Paper => contact::step(model, memory, work, states, step_s)?,
+                    Method::Coupled => {
+                        let loads = told.unwrap_or(no_loads);
+                        contact::advance(model, memory, work, states, loads, step_s)?;
+                    }
+                }
             }
-        },
-        Core::Following { host, work } => {
-            host.step(&plan.model, work, states, told, step_s).map(|_| ())
+            (Core::Following { host, work }, Core::Following { host: now, .. }) => {
+                host.copy_from(now);
+                host.step(model, work, states, told, step_s)?;
+            }
+            _ => unreachable!("both are of the engine's kind of host"),
+        }
+        if self.results(plan).are_finite() { Ok(()) } else { Err(EngineError::NotFinite) }
+    }
+
+    /// What the step found.
+    fn results(&self, plan: &Plan) -> Results<'_> {
+        match self {
+            Core::Present { work, .. } => of_present(work, plan.method == Method::Coupled),
+            Core::Following { work, .. } => of_following(work),
         }
     }
 }

@@ -47,6 +47,8 @@ pub enum EngineError {
     },
     /// A state, a load, a time step or a number of them that the engine does not take.
     Input(StepError),
+    /// A step whose forces or states are not finite: far too long for the states that were shown.
+    NotFinite,
     /// A step before the state of a floating body was shown.
     NotShown {
         /// The body.
@@ -74,6 +76,9 @@ impl fmt::Display for EngineError {
             }
             EngineError::NoSuchName { what, name } => write!(f, "no {what} is named `{name}`"),
             EngineError::Input(error) => error.fmt(f),
+            EngineError::NotFinite => f.write_str(
+                "the step gives forces or states that are not finite: it is far too long for these states",
+            ),
             EngineError::NotShown { body } => {
                 write!(f, "the state of body `{body}` was never shown")
             }

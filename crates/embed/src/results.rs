@@ -30,6 +30,65 @@ pub struct Reckoned<'a> {
     pub loads: &'a [Wrench],
 }
 
+impl Results<'_> {
+    /// Is every number among them finite?
+    pub(crate) fn are_finite(&self) -> bool {
+        let of_state = |s: &BodyState| {
+            s.position_m.is_finite()
+                & s.heading_rad.is_finite()
+                & s.velocity_mps.is_finite()
+                & s.yaw_rate_radps.is_finite()
+        };
+        let of_wrench = |w: &Wrench| w.force_n.is_finite() & w.moment_nm.is_finite();
+        self.wrenches.iter().all(of_wrench)
+            && self.states_after.iter().all(of_state)
+            && self.reckoned.is_none_or(|reckoned| {
+                reckoned.states.iter().all(of_state) && reckoned.loads.iter().all(of_wrench)
+            })
+            && self.contacts.iter().all(|contact| numbers(contact).iter().all(|n| n.is_finite()))
+    }
+}
+
+/// All numbers of a contact, in the order in which they are saved.
+pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
+    let (p, w) = (&c.parts, &c.work);
+    [
+        c.point_m.x,
+        c.point_m.y,
+        c.arm_1_m.x,
+        c.arm_1_m.y,
+        c.arm_2_m.x,
+        c.arm_2_m.y,
+        c.normal.x,
+        c.normal.y,
+        c.area_m2,
+        c.depth_m,
+        c.v_normal_mps,
+        c.v_tangential_mps,
+        c.shear_m,
+        c.normal_force_n,
+        c.tangential_force_n,
+        c.peak_normal_force_n,
+        c.peak_depth_m,
+        p.spring_n,
+        p.stop_n,
+        p.damper_n,
+        p.limiter_n,
+        w.normal_j,
+        w.tangential_j,
+        w.damper_j,
+        w.limiter_j,
+        c.factor,
+        c.tilt_rad,
+        c.stored_j,
+        c.peak_stored_j,
+        c.shear_stored_j,
+    ]
+}
+
+/// How many they are.
+pub(crate) const CONTACT_NUMBERS: usize = 30;
+
 /// Results that were saved with an engine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Saved {

@@ -1,11 +1,11 @@
 //! The engine as a host holds it: the same bits as the simulation, calls out of order, bytes of any kind.
 
 use fenderline_contact::{
-    BodyState, HostIntegration, HostSettings, RestoreError, StepError, Wrench, vec2,
+    BodyState, HostIntegration, HostSettings, Material, RestoreError, StepError, Wrench, vec2,
 };
-use fenderline_embed::{Engine, EngineError, Host, Settings, Turning};
+use fenderline_embed::{BodyParts, Engine, EngineBuilder, EngineError, Host, Settings, Turning};
 use fenderline_scenario::Scenario;
-use fenderline_sim::{Method, Simulation};
+use fenderline_sim::{MassProperties, Method, Simulation};
 
 const TUG: &str = "scenarios/paper/experiment_2_4kn.toml";
 const BERTH: &str = "scenarios/berth/eight_cones_at_5_deg.toml";
@@ -120,6 +120,55 @@ fn numbers_that_are_none_name_body_and_field() {
     assert!(engine.advance(&good[1..], None, 0.1).is_err());
     assert!(engine.advance(&good, Some(&[Wrench::default(); 2]), -1.0).is_err());
     assert_eq!(engine.save(), before);
+}
+
+/// Found by random calls from C: eleven days in one step, from within a contact.
+#[test]
+fn a_step_that_gives_no_numbers_is_refused_and_changes_nothing() {
+    let hull = [vec2(-10.0, -4.0), vec2(10.0, -4.0), vec2(10.0, 4.0), vec2(-10.0, 4.0)];
+    let mass = MassProperties {
+        mass_kg: 1e6,
+        yaw_inertia_kgm2: 5e7,
+        added_sway_kg: 5e5,
+        ..MassProperties::default()
+    };
+    let mut builder = EngineBuilder::new();
+    let rubber = Material {
+        stiffness_npm2: 5e5,
+        damping_nspm2: 0.0,
+        shear_stiffness_npm: 3e6,
+        friction_static: 0.5,
+        friction_dynamic: 0.5,
+        restitution: 0.1,
+    };
+    let rubber = builder.material("rubber", rubber).expect("a good name");
+    for (name, east_m) in [("one", 0.0), ("two", 7.0)] {
+        let position_m = vec2(0.0, east_m);
+        let mass = Some(mass);
+        let body = BodyParts { name, outline_m: &hull, mass, position_m, heading_rad: 0.0 };
+        builder.body(&body).expect("a good body");
+    }
+    builder.every_other_pair(rubber).expect("it is there");
+    let mut engine = builder.build(&Settings::default()).expect("a good model");
+    let mut states = engine.initial_states().to_vec();
+    engine.advance(&states, None, 0.1).expect("good states");
+    let (before, results) = (engine.save(), engine.results().map(|r| r.wrenches.to_vec()));
+    let mut refused = 0;
+    for angle in 0..60 {
+        states[0].heading_rad = 0.1 * f64::from(angle);
+        states[0].yaw_rate_radps = 0.05;
+        states[0].velocity_mps = vec2(1.0, 2.0);
+        match engine.advance(&states, None, 1e6) {
+            Ok(_) => engine.restore(&before).expect("its own bytes"),
+            Err(error) => {
+                assert_eq!(error, EngineError::NotFinite);
+                refused += 1;
+            }
+        }
+        assert_eq!(engine.save(), before);
+        assert_eq!(engine.results().map(|r| r.wrenches.to_vec()), results);
+    }
+    assert!(refused > 0);
 }
 
 #[test]

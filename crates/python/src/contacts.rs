@@ -1,6 +1,7 @@
 //! Contacts and events of a step.
 
 use fenderline_contact::{Contact, Event, EventKind, Friction};
+use fenderline_results::{event_key, world_event_key};
 use fenderline_sim::{WorldEvent, WorldEventKind};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -123,20 +124,12 @@ impl StepEvent {
 
 /// An event of contact, told by names.
 pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]) -> StepEvent {
-    let (kind, fender) = match event.kind {
-        EventKind::ContactBegan => ("contact_began", None),
-        EventKind::ContactEnded => ("contact_ended", None),
-        EventKind::PatchSplit => ("patch_split", None),
-        EventKind::PatchesMerged => ("patches_merged", None),
-        EventKind::Contained => ("contained", None),
-        EventKind::DeepOverlap => ("deep_overlap", None),
-        EventKind::Teleported => ("teleported", None),
-        EventKind::NotConverged => ("not_converged", None),
-        EventKind::FenderOverRated(id) => ("fender_over_rated", Some(id)),
-        EventKind::FenderFailed(id) => ("fender_failed", Some(id)),
+    let fender = match event.kind {
+        EventKind::FenderOverRated(id) | EventKind::FenderFailed(id) => Some(id),
+        _ => None,
     };
     StepEvent {
-        kind,
+        kind: event_key(event.kind),
         who: event.bodies.iter().map(|body| bodies[body.0 as usize].clone()).collect(),
         fender: fender.map(|id| fenders[id.0 as usize].clone()),
     }
@@ -144,14 +137,15 @@ pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]
 
 /// An event of the world, told by names of vessels, tugs and lines.
 pub(crate) fn world_event(event: &WorldEvent, [vessels, tugs, lines]: [&[String]; 3]) -> StepEvent {
-    let (kind, names) = match event.kind {
-        WorldEventKind::OrderClamped => ("order_clamped", vessels),
-        WorldEventKind::Aground => ("aground", vessels),
-        WorldEventKind::TugLimited => ("tug_limited", tugs),
-        WorldEventKind::TugOrderRefused => ("tug_order_refused", tugs),
-        WorldEventKind::LineNotMadeFast => ("line_not_made_fast", lines),
-        WorldEventKind::LineParted => ("line_parted", lines),
-        WorldEventKind::LineRenders => ("line_renders", lines),
+    let names = match event.kind {
+        WorldEventKind::OrderClamped | WorldEventKind::Aground | WorldEventKind::ShallowHeld => {
+            vessels
+        }
+        WorldEventKind::TugLimited | WorldEventKind::TugOrderRefused => tugs,
+        WorldEventKind::LineNotMadeFast
+        | WorldEventKind::LineParted
+        | WorldEventKind::LineRenders => lines,
     };
+    let kind = world_event_key(event.kind);
     StepEvent { kind, who: vec![names[event.who].clone()], fender: None }
 }

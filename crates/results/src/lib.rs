@@ -17,12 +17,14 @@
 #![forbid(unsafe_code)]
 
 mod columns;
+mod events;
 mod memory;
 mod tables;
 mod touched;
 mod world_tables;
 
 pub use columns::{Column, List, Names, Value};
+pub use events::{event_key, world_event_key};
 pub use memory::{InMemory, KeptColumn, KeptTable, KeptValues, NotFinite, TableInMemory};
 pub use tables::{Medium, Table, Tables};
 pub use touched::{TouchedFender, add_parts, touched};

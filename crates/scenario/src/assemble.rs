@@ -78,7 +78,8 @@ pub(crate) fn setup(
     let fenders = assembly.fenders(file.given("fender").named(), &parts, &names)?;
     let vessels = assembly.vessels(file.given("body").named(), &kinds)?;
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
-    let lines = assembly.lines(file.given("line").named(), &bodies, &decks, &names)?;
+    let lines =
+        assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
     let afloat = Afloat { bodies: &bodies, fenders: &fenders, pairs: &pairs, lines: &lines };
     let known = WorldNames { vessels: &vessels, tugs: &tugs, afloat };
     let orders = assembly.orders(file.given("order").list(), &known, &names)?;

@@ -434,7 +434,7 @@ fn a_ship_under_way_squats_by_the_formula_that_is_asked_for() {
     );
     let far = good(&[("environment", "depth = 40\nsquat = \"barrass\"")], &[]);
     assert!(
-        far.notices[0].message.contains("made for depths of 1.1 to 1.4 draughts"),
+        far.notices[0].message.contains("made for depths of up to 1.4 draughts"),
         "{:?}",
         far.notices
     );

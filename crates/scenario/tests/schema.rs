@@ -89,6 +89,7 @@ fn every_scenario_in_the_repository_fits_reader_and_schema() {
 fn fulls() -> Vec<Json> {
     let mut by_file = full();
     by_file["environment"]["wind"] = json!({ "file": "wind.csv" });
+    by_file["environment"]["tide"] = json!({ "file": "tide.csv" });
     by_file["environment"]["current"] = json!({ "file": "current.csv" });
     let mut by_depth = full();
     by_depth["environment"]["current"] = json!({ "profile": [
@@ -100,6 +101,7 @@ fn fulls() -> Vec<Json> {
 /// The files that the scenarios name.
 fn file_named(name: &str) -> Result<String, String> {
     let text = match name {
+        "tide.csv" => "t_s,level_m\n0,1\n3600,-0.5\n",
         "wind.csv" => "t_s,speed_mps,from_deg\n0,10,350\n600,12,10\n",
         "current.csv" => "north_m,east_m,north_mps,east_mps\n0,0,1,0\n0,9,1,1\n",
         "response.csv" => {
@@ -138,7 +140,10 @@ fn full() -> Json {
             "g": { "vessel": "asd-tug", "position": [0, 1500] }
         },
         "environment": {
-            "depth": "30 m", "water_density": 1025, "squat": "icorels",
+            "depth": "30 m", "tide": { "level": 1, "constituent": [
+                { "amplitude": "2 m", "period": "12.42 h", "lag": "90 deg" }
+            ] },
+            "water_density": 1025, "squat": "icorels",
             "wind": { "speed": "12 m/s", "from": "270 deg", "gusts": true, "seed": 3 },
             "current": { "speed": "1 kn", "towards": "10 deg" },
             "bank": [{ "from": [-500, 90], "to": [500, 90] }],

@@ -106,6 +106,10 @@ fn every_built_in_vessel_is_there_and_has_a_source_for_every_number() {
     );
     for vessel in library.vessels() {
         assert!(vessel.ship.check().is_ok(), "{}", vessel.name);
+        // Whoever may lie at a berth has where lines go from, or is a tug that pushes with her belting.
+        if vessel.outline_m.is_some() && vessel.name != "paper-tug" {
+            assert!(!vessel.chocks.is_empty() && !vessel.bitts.is_empty(), "{}", vessel.name);
+        }
         for source in &vessel.origin.sources {
             let told = !source.source.is_empty() && !source.group.is_empty();
             assert!(told && (source.is_estimate || !source.figures.is_empty()), "{source:?}");

@@ -5,6 +5,7 @@ use std::fmt;
 use fenderline_contact::{ModelError, StepError};
 
 use crate::berthing::BerthingError;
+use crate::environment::EnvironmentError;
 use crate::mooring::MooringError;
 use crate::range::OutOfRange;
 
@@ -37,6 +38,8 @@ pub enum SetupError {
         /// What is wrong.
         error: OutOfRange,
     },
+    /// Water that is none.
+    Environment(EnvironmentError),
     /// A line that cannot be made fast where the bodies are at the start.
     Line(MooringError),
     /// An order to a thruster that the vessel does not have.
@@ -76,6 +79,7 @@ impl fmt::Display for SetupError {
                 write!(f, "two {what} are named `{name}`")
             }
             SetupError::Tug { tug, error } => write!(f, "tug `{tug}`: {error}"),
+            SetupError::Environment(error) => error.fmt(f),
             SetupError::Line(error) => error.fmt(f),
             SetupError::NoThruster { vessel, thruster } => {
                 write!(f, "vessel {vessel} has no thruster {thruster}")

@@ -17,7 +17,8 @@ pub struct FenderSetup {
     pub width_m: f64,
     /// Height of its face [m]; with the width the area that presses on the hull.
     pub height_m: f64,
-    /// Middle of its face above the still waterline [m]: where its force heels a vessel.
+    /// Middle of its face above the still waterline [m], above datum where its body is fixed: where its force
+    /// heels a vessel.
     pub above_water_m: f64,
     /// From the mounting to the face, uncompressed [m].
     pub projection_m: f64,

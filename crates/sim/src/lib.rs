@@ -65,6 +65,7 @@ mod gather;
 mod integrate;
 mod ledger;
 pub mod mooring;
+mod order;
 mod random;
 mod range;
 mod record;

@@ -73,6 +73,14 @@ pub struct BodySetup {
     pub velocity: BodyVelocity,
 }
 
+impl BodySetup {
+    /// It does not float, so that the tide comes and goes about it.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        self.mass.is_none()
+    }
+}
+
 /// Rigid-body and added mass of a floating body about its centre of gravity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MassProperties {

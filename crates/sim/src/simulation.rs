@@ -11,13 +11,12 @@ use crate::fender::{FenderSetup, FenderSummaries, FenderSummary};
 use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{Rate, euler, semi_implicit};
 use crate::ledger::{Books, Ledger, MeanVelocity, WorkBy};
+use crate::order::check_order;
 use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
-use crate::world::{
-    Action, Assist, Job, LineEnd, MooringSetup, Order, VesselState, World, mass_matrix,
-};
+use crate::world::{LineEnd, Order, VesselState, World, mass_matrix};
 
 /// Weights of the four stages of classical Runge–Kutta.
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
@@ -72,7 +71,8 @@ impl Simulation {
         let inertias = inertias(&setup)?;
         let model = build_model(&setup, &inertias)?;
         let states = setup.initial_states();
-        check_lines(&setup, &states)?;
+        setup.world.environment.check().map_err(SetupError::Environment)?;
+        check_lines(&setup)?;
         let count = states.len();
         let memory = Memory::new(&model);
         let buffers = Buffers {
@@ -95,7 +95,7 @@ impl Simulation {
             summaries: Summaries::default(),
             fender_summaries: FenderSummaries::new(setup.fenders.len()),
             study: study(&setup)?,
-            world: World::new(&setup.world),
+            world: World::new(&setup.world, &setup.bodies),
             index: 0,
             setup,
             model,
@@ -192,18 +192,15 @@ impl Simulation {
         self.buffers.external.copy_from_slice(wrenches);
     }
 
-    /// Gives an order while the simulation is under way: it is taken in the step in which its time lies, and in
-    /// the next one where that time has passed, after those that were given before for the same time. The run
-    /// goes on as one whose set-up had the order from the start.
+    /// Gives an order that the set-up does not have, from a hand at a control: it is carried out in the step
+    /// in which its time lies, in the next one where that has gone by. Of orders for one time the set-up's come
+    /// first, then the others as they were given.
     ///
     /// # Errors
-    /// [`SetupError`] where whom it is for, or the gear that it is for, is not there.
-    ///
-    /// # Panics
-    /// With a time that is no number.
+    /// [`SetupError`] for what is not there, or a number that is none; no order is then changed.
     pub fn order(&mut self, order: Order) -> Result<(), SetupError> {
         check_order(&order, &self.setup)?;
-        self.world.tell(order);
+        self.world.order(order);
         Ok(())
     }
 
@@ -493,70 +490,8 @@ fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
     Ok(inertias)
 }
 
-/// An order to somebody who is there, by gear that is there.
-fn check_order(order: &Order, setup: &Setup) -> Result<(), SetupError> {
-    if let Action::Tug(tug, _) = order.action {
-        if tug >= setup.world.tugs.len() {
-            return Err(SetupError::BadBody { owner: "tug's order", body: tug });
-        }
-        return Ok(());
-    }
-    if let Action::Winch(line, _) | Action::LetGo(line) = order.action {
-        if line >= setup.world.lines.len() {
-            return Err(SetupError::BadBody { owner: "line's order", body: line });
-        }
-        return Ok(());
-    }
-    let Some(vessel) = setup.world.vessels.get(order.vessel) else {
-        return Err(SetupError::BadBody { owner: "order", body: order.vessel });
-    };
-    if let Action::Thruster(index, _) = order.action
-        && index >= vessel.thrusters.len()
-    {
-        return Err(SetupError::NoThruster { vessel: order.vessel, thruster: index });
-    }
-    if let Action::Azimuth { unit, .. } = order.action
-        && unit >= vessel.azimuths.len()
-    {
-        return Err(SetupError::NoAzimuth { vessel: order.vessel, azimuth: unit });
-    }
-    if let Action::Assist(assist) = &order.action {
-        check_assist(assist, order.vessel, setup)?;
-    }
-    Ok(())
-}
-
-/// A tug's work at another body, by thrust that she has.
-fn check_assist(assist: &Assist, vessel: usize, setup: &Setup) -> Result<(), SetupError> {
-    let tug = &setup.world.vessels[vessel];
-    if tug.azimuths.is_empty() {
-        return Err(SetupError::NoAzimuth { vessel, azimuth: 0 });
-    }
-    let ship = match assist.job {
-        Job::Follow { ship, .. } => ship,
-        Job::Push(push) => push.ship,
-        Job::Pull { line, .. } => match setup.world.lines.get(line) {
-            Some(MooringSetup { ship, end: LineEnd::OnBody { body, .. }, .. })
-                if tug.body == *ship =>
-            {
-                *body
-            }
-            Some(MooringSetup { ship, end: LineEnd::OnBody { body, .. }, .. })
-                if tug.body == *body =>
-            {
-                *ship
-            }
-            _ => return Err(SetupError::BadBody { owner: "tug's line", body: line }),
-        },
-    };
-    if ship >= setup.bodies.len() || ship == tug.body {
-        return Err(SetupError::BadBody { owner: "tug's work", body: ship });
-    }
-    Ok(())
-}
-
 /// Lines between bodies that are there; those that are fast from the start on can be.
-fn check_lines(setup: &Setup, states: &[BodyState]) -> Result<(), SetupError> {
+fn check_lines(setup: &Setup) -> Result<(), SetupError> {
     for line in &setup.world.lines {
         let far = match line.end {
             LineEnd::OnBody { body, .. } => body,
@@ -568,7 +503,8 @@ fn check_lines(setup: &Setup, states: &[BodyState]) -> Result<(), SetupError> {
             }
         }
         if line.from_s <= 0.0 {
-            line.check(states).map_err(SetupError::Line)?;
+            let tide = &setup.world.environment.tide;
+            line.check_at_start(&setup.bodies, tide).map_err(SetupError::Line)?;
         }
     }
     Ok(())

@@ -1,8 +1,9 @@
 //! Current and the water's depth: interpolation against sums done by hand.
 
 use fenderline_contact::{Vec2, vec2};
+use fenderline_sim::Environment;
 use fenderline_sim::environment::current::{Current, CurrentGrid, CurrentProfile};
-use fenderline_sim::environment::{EnvironmentError, Tide, TideConstituent, Water};
+use fenderline_sim::environment::{EnvironmentError, Tide, TideConstituent};
 use proptest::prelude::*;
 
 fn profile() -> CurrentProfile {
@@ -74,30 +75,33 @@ fn absurd_currents_and_broken_grids_are_refused_by_name() {
     assert!(CurrentProfile::new(vec![(5.0, Vec2::ZERO), (2.0, Vec2::ZERO)]).is_err());
 }
 
-fn water(tide: Tide) -> Water {
-    Water { charted_depth_m: 12.0, density_kgpm3: 1025.0, tide }
+fn water(tide: Tide) -> Environment {
+    Environment { depth_m: Some(12.0), tide, ..Environment::default() }
 }
 
 #[test]
 fn the_tide_moves_the_depth() {
-    assert_eq!(water(Tide::Level(1.5)).depth_m(99.0), 13.5);
+    assert_eq!(water(Tide::Level(1.5)).depth_at_m(99.0), Some(13.5));
     let curve = water(Tide::Curve(vec![[0.0, 0.0], [3600.0, 2.0]]));
-    assert_eq!(curve.depth_m(-5.0), 12.0);
-    assert_eq!(curve.depth_m(1800.0), 13.0);
-    assert_eq!(curve.depth_m(7200.0), 14.0);
+    assert_eq!(curve.depth_at_m(-5.0), Some(12.0));
+    assert_eq!(curve.depth_at_m(1800.0), Some(13.0));
+    assert_eq!(curve.depth_at_m(7200.0), Some(14.0));
+    assert_eq!(curve.depth_range_m(), Some([12.0, 14.0]));
     let m2 = TideConstituent { amplitude_m: 2.0, period_s: 44_714.0, lag_rad: 0.0 };
     let tide = water(Tide::Harmonic { mean_m: 3.0, constituents: vec![m2] });
-    assert!((tide.depth_m(0.0) - 17.0).abs() < 1e-12);
-    assert!((tide.depth_m(22_357.0) - 13.0).abs() < 1e-12);
+    assert!((tide.depth_at_m(0.0).unwrap() - 17.0).abs() < 1e-12);
+    assert!((tide.depth_at_m(22_357.0).unwrap() - 13.0).abs() < 1e-12);
+    assert_eq!(tide.depth_range_m(), Some([13.0, 17.0]));
     // Drying ground: no negative depth.
-    let dry = Water { charted_depth_m: -3.0, ..water(Tide::Level(1.0)) };
-    assert_eq!(dry.depth_m(0.0), 0.0);
+    let dry = Environment { depth_m: Some(-3.0), ..water(Tide::Level(1.0)) };
+    assert_eq!(dry.depth_at_m(0.0), Some(0.0));
+    assert_eq!(Environment::default().depth_at_m(0.0), None, "deep");
 }
 
 #[test]
 fn impossible_waters_are_refused_by_name() {
-    let heavy = Water { density_kgpm3: 13_600.0, ..water(Tide::Level(0.0)) };
-    assert!(heavy.check().unwrap_err().to_string().starts_with("density of the water"));
+    let bottomless = Environment { depth_m: Some(1e6), ..Environment::default() };
+    assert!(bottomless.check().unwrap_err().to_string().starts_with("depth of the water"));
     assert!(water(Tide::Level(f64::NAN)).check().is_err());
     assert!(water(Tide::Curve(vec![])).check().is_err());
     assert!(water(Tide::Level(2.0)).check().is_ok());

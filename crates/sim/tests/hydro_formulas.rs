@@ -5,8 +5,8 @@
 mod ships;
 
 use fenderline_sim::hydro::shallow::{
-    barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_sway_derivative,
-    shallow_yaw_derivative,
+    barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_cross_flow_drag,
+    shallow_sway_derivative, shallow_yaw_derivative,
 };
 use fenderline_sim::hydro::{
     CrossFlow, HydroError, LowSpeedHull, Particulars, Propeller, Series, Velocity, Water,
@@ -207,9 +207,8 @@ fn shallow_derivatives_are_one_in_deep_water_and_grow() {
     let [sway, yaw] = factors(1.5 * p.draught_m);
     printed(sway, 2.0306, 1e-4);
     printed(yaw, 1.2075, 1e-4);
-    let shallow = ship.at_depth(1.5 * p.draught_m).expect("afloat");
+    let shallow = ship.at_depth(1.5 * p.draught_m);
     assert!(shallow.added_mass.sway_m3 > 1.9 * ship.added_mass.sway_m3);
-    assert!(ship.at_depth(20.0).is_err());
     // A ship that slides sideways ahead meets more resistance there.
     let velocity = Velocity { surge_mps: 3.0, sway_mps: 0.3, yaw_radps: 0.0 };
     let controls = fenderline_sim::hydro::Controls::default();
@@ -241,6 +240,29 @@ fn current_abeam_in_shallow_water() {
         let other_n = current_abeam_n(&ship, 0.98, ratio * 9.0, -0.5, Water::SEA).expect("afloat");
         assert_eq!(other_n, -force_n);
     }
+}
+
+/// What a ship at rest in the simulation feels of a current abeam, beside UFC 4-159-03. The one begins at Hoerner's
+/// coefficient of the midship section (0.60), the other at its own C₀ (0.67): a tenth in deep water, less as
+/// the depth, and with it the part that both share, begins to govern.
+#[test]
+fn a_current_abeam_grows_with_shallow_water_as_ufc_says() {
+    let ship = container();
+    let hull = kvlcc2().ship;
+    let deep = hoerner_drag_coefficient(ship.beam_m, ship.draught_m);
+    for (ratio, tolerance) in [(100.0, 0.11), (2.0, 0.06), (1.2, 0.02)] {
+        let depth_m = ratio * ship.draught_m;
+        let theirs_n = current_abeam_n(&ship, 0.98, depth_m, 0.5, Water::SEA).expect("afloat");
+        let drag = shallow_cross_flow_drag(&ship, deep, depth_m).expect("afloat");
+        let ours_n = 0.5 * 1025.0 * ship.length_m * ship.draught_m * drag * 0.25;
+        assert!((ours_n / theirs_n - 1.0).abs() < tolerance, "{ours_n} {theirs_n} at {ratio}");
+    }
+    // And it is what the model at this depth has.
+    let there = hull.at_depth(1.2 * hull.particulars.draught_m);
+    let before = hull.hull.low_speed.cross_flow.drag_coefficient;
+    let after = there.hull.low_speed.cross_flow.drag_coefficient;
+    let by_hand = before + (3.2 - before) / 1.44;
+    assert!((after / by_hand - 1.0).abs() < 1e-12, "{after} {by_hand}");
 }
 
 #[test]

@@ -257,7 +257,7 @@ fn shallow_water_widens_the_turn() {
     let draught_m = deep.ship.particulars.draught_m;
     let tactical = |vessel: &Vessel| diameters(vessel, 35.0)[1];
     let shallow = |ratio: f64| {
-        let ship = deep.ship.at_depth(ratio * draught_m).expect("afloat");
+        let ship = deep.ship.at_depth(ratio * draught_m);
         tactical(&Vessel { ship, ..deep.clone() })
     };
     let (deep, half, fifth) = (tactical(&deep), shallow(1.5), shallow(1.2));

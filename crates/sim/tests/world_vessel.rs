@@ -49,6 +49,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
                 body: 0,
                 origin: Origin::default(),
                 ship: vessel.ship,
+                deep: vessel.ship,
                 rudder: vessel.steering,
                 shaft: RateLimited { value: shaft_rps, rate_per_s: 0.1, stop: shaft_rps },
                 thrusters: vec![],
@@ -129,4 +130,52 @@ fn a_uniform_current_carries_a_manoeuvre_along_and_changes_nothing_else() {
     let current_mps = vec2(0.7, -1.1);
     let carried = circle(kvlcc2(35.0, current_mps, 0.5).0, current_mps);
     assert!((still.0 - carried.0).abs() < 1e-6 && (still.1 - carried.1).abs() < 1e-6);
+}
+
+#[test]
+fn an_order_by_hand_is_carried_out_as_one_of_the_set_up_bit_for_bit() {
+    let (mut setup, _) = kvlcc2(35.0, Vec2::ZERO, 0.5);
+    setup.duration_s = 100.0;
+    let later = Order { at_s: 40.0, vessel: 0, action: Action::Rudder(-0.2) };
+    let mut planned = setup.clone();
+    planned.world.orders.push(later.clone());
+    let mut planned = Simulation::new(planned).expect("a good set-up");
+    // Without any order at first, and both by hand: the later one long before its time.
+    setup.world.orders.clear();
+    let mut steered = Simulation::new(setup).expect("a good set-up");
+    steered.order(later).expect("she has a rudder");
+    let first = Order { at_s: 0.0, vessel: 0, action: Action::Rudder(35.0_f64.to_radians()) };
+    steered.order(first).expect("she has a rudder");
+    while !planned.is_done() {
+        planned.step().expect("a good step");
+        steered.step().expect("a good step");
+        assert_eq!(planned.states(), steered.states(), "{} s", planned.time_s());
+    }
+}
+
+#[test]
+fn an_order_that_cannot_be_is_refused_and_changes_nothing() {
+    let (mut setup, _) = kvlcc2(35.0, Vec2::ZERO, 0.5);
+    setup.duration_s = 50.0;
+    let mut left_alone = Simulation::new(setup.clone()).expect("a good set-up");
+    let mut bothered = Simulation::new(setup).expect("a good set-up");
+    let push = fenderline_sim::tug::TugOrder::Push { force_n: 1e5, direction_rad: 0.0 };
+    while !left_alone.is_done() {
+        for (at_s, vessel, action) in [
+            (f64::NAN, 0, Action::Rudder(0.1)),
+            (0.0, 0, Action::Rudder(f64::NAN)),
+            (0.0, 0, Action::Engine(f64::INFINITY)),
+            (0.0, 1, Action::Engine(0.5)),
+            (0.0, 0, Action::Thruster(0, 0.5)),
+            (0.0, 0, Action::Azimuth { unit: 0, power: Some(1.0), direction_rad: None }),
+            (0.0, 0, Action::Tug(0, push)),
+            (0.0, 0, Action::LetGo(0)),
+        ] {
+            let order = Order { at_s, vessel, action };
+            bothered.order(order.clone()).expect_err(&format!("{order:?}"));
+        }
+        left_alone.step().expect("a good step");
+        bothered.step().expect("a good step");
+        assert_eq!(left_alone.states(), bothered.states());
+    }
 }

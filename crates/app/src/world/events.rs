@@ -48,7 +48,9 @@ impl<'a> Who<'a> {
     pub(crate) fn of(event: &WorldEvent, setup: &'a Setup) -> Who<'a> {
         let world = &setup.world;
         match event.kind {
-            WorldEventKind::OrderClamped | WorldEventKind::Aground => {
+            WorldEventKind::OrderClamped
+            | WorldEventKind::Aground
+            | WorldEventKind::ShallowHeld => {
                 let body = world.vessels[event.who].body;
                 Who { kind: "vessel", name: &setup.bodies[body].name }
             }
@@ -64,24 +66,14 @@ impl<'a> Who<'a> {
     }
 }
 
-/// The word for a kind of event in `summary.json`.
-pub(crate) fn world_event_key(kind: WorldEventKind) -> &'static str {
-    match kind {
-        WorldEventKind::OrderClamped => "order_clamped",
-        WorldEventKind::Aground => "aground",
-        WorldEventKind::TugLimited => "tug_limited",
-        WorldEventKind::TugOrderRefused => "tug_order_refused",
-        WorldEventKind::LineNotMadeFast => "line_not_made_fast",
-        WorldEventKind::LineParted => "line_parted",
-        WorldEventKind::LineRenders => "line_renders",
-    }
-}
-
 /// What a reader of the report is told of a kind of event.
 pub(crate) fn world_event_text(kind: WorldEventKind) -> &'static str {
     match kind {
         WorldEventKind::OrderClamped => "an order was beyond a stop: the stop was ordered",
         WorldEventKind::Aground => "AGROUND: the water is no deeper than her draught and her squat",
+        WorldEventKind::ShallowHeld => {
+            "less than 1.1 draughts of water, for which no formula is made: what shallow water does is held"
+        }
         WorldEventKind::TugLimited => "cannot give at this speed and angle what she is ordered to",
         WorldEventKind::TugOrderRefused => "an order was refused: no such force or direction",
         WorldEventKind::LineNotMadeFast => {

@@ -7,7 +7,7 @@ mod vessel;
 
 use fenderline_sim::{Setup, StepRecord, WorldSetup};
 
-pub(crate) use events::{Who, WorldEvents, world_event_key, world_event_text};
+pub(crate) use events::{Who, WorldEvents, world_event_text};
 pub(crate) use line::{LineTotals, LineVerdict};
 pub(crate) use tug::TugTotals;
 pub(crate) use vessel::VesselTotals;
@@ -44,8 +44,7 @@ impl WorldTotals {
         for ((totals, vessel), now) in vessels.iter_mut().zip(&setup.vessels).zip(step.vessels) {
             let state = &step.states[vessel.body];
             let water = vessel.velocity(state, &setup.environment, step.t_s);
-            let under_keel_m = vessel.under_keel_m(now, &setup.environment);
-            totals.add(step.t_s, *step_s, state, &water, under_keel_m, now);
+            totals.add(step.t_s, *step_s, state, &water, now);
         }
         for (totals, now) in tugs.iter_mut().zip(step.tugs) {
             totals.add(step.t_s, *step_s, now);

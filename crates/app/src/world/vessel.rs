@@ -38,7 +38,6 @@ impl VesselTotals {
         step_s: f64,
         state: &BodyState,
         water: &Velocity,
-        under_keel_m: Option<f64>,
         now: &VesselState,
     ) {
         self.over_ground_mps.raise(state.velocity_mps.length(), t_s);
@@ -52,7 +51,7 @@ impl VesselTotals {
         self.roll_rad.raise(now.attitude.roll.value + wave_roll_rad, end_s);
         self.pitch_rad.raise(now.attitude.pitch.value + wave_pitch_rad, end_s);
         self.squat_m.raise(now.squat_m, t_s);
-        if let Some(value) = under_keel_m
+        if let Some(value) = now.under_keel_m
             && self.under_keel_m.is_none_or(|least| value < least.value)
         {
             self.under_keel_m = Some(Peak { value, at_s: t_s });

@@ -8,7 +8,7 @@ use crate::memory::{Memory, PatchMemory};
 use crate::model::{Material, Model};
 use crate::overlap::Patch;
 use crate::report::{Contact, ForceParts, Friction};
-use crate::touch::{Touch, touch};
+use crate::touch::{Lasting, Touch, touch};
 use crate::workspace::Workspace;
 
 /// One contact of a sub-step: what is booked of it besides its forces.
@@ -193,8 +193,9 @@ fn collect_one(
     work.ties.push(Tie::new(a, b, &touch, &laws, begins_with, time.h));
     let flags = tell_of_patch(model, work, patch, face, &touch, inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
-    let memory = touch.memory(patch, &work.places);
-    work.next_patches.push(PatchMemory { flags, factor, v_normal_0_mps: v_ref_mps, ..memory });
+    // The shear is known when the solve is done.
+    let lasting = Lasting { flags, factor, v_normal_0_mps: v_ref_mps, ..Lasting::default() };
+    touch.remember(patch, &work.places, lasting, &mut work.next_patches);
     let unheld_j = unheld_j(&touch, factor, law_n, old);
     work.rows.push(Row { touch, parts, factor, restitution: material.restitution, unheld_j });
 }

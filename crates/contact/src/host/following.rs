@@ -103,6 +103,14 @@ impl FollowingHost {
         *self = FollowingHost::new(model, self.settings);
     }
 
+    /// Becomes a copy of `other` without allocating where the buffers are large enough.
+    pub fn copy_from(&mut self, other: &FollowingHost) {
+        self.settings = other.settings;
+        self.memory.copy_from(&other.memory);
+        self.bodies.clone_from(&other.bodies);
+        self.given.clone_from(&other.given);
+    }
+
     /// What is known of the host.
     #[must_use]
     pub fn settings(&self) -> HostSettings {
@@ -136,7 +144,8 @@ impl FollowingHost {
     /// ([`crate::EventKind::Teleported`]).
     ///
     /// # Errors
-    /// As [`crate::step`], for states, loads and Δt; this host is then as it was.
+    /// As [`crate::step`], for states, loads and Δt, and where what is reckoned from them leaves what the engine
+    /// takes; this host is then as it was, and `work` keeps the results of the last good step.
     pub fn step<'w>(
         &mut self,
         model: &Model,
@@ -152,10 +161,12 @@ impl FollowingHost {
         self.observe(model, work, states_shown);
         self.predict(model, work, told_loads);
         self.set_out(model, work, step_s);
-        let (starts, loads) = (&work.starts, &work.loads);
+        let (starts, loads) = (&work.starts, &work.loads_now);
         advance(model, &mut self.memory, &mut work.engine, starts, loads, step_s)?;
         steer(model, work, step_s);
         self.remember(work, told_loads, step_s);
+        core::mem::swap(&mut work.present_now, &mut work.present);
+        core::mem::swap(&mut work.loads_now, &mut work.loads);
         Ok(&work.wrenches)
     }
 
@@ -185,14 +196,14 @@ impl FollowingHost {
         }
     }
 
-    /// The host's present and its loads, into `work.present` and `work.loads`.
+    /// The host's present and its loads, into `work.present_now` and `work.loads_now`.
     fn predict(&self, model: &Model, work: &mut HostWorkspace, told_loads: Option<&[Wrench]>) {
         let bodies = self.bodies.len();
         let delay_steps = self.settings.delay_steps as usize;
         let forgotten = self.steps_given().saturating_sub(delay_steps);
         let since_shown = &self.given[forgotten * bodies..];
-        work.present.clear();
-        work.loads.clear();
+        work.present_now.clear();
+        work.loads_now.clear();
         for (index, next) in work.next.iter().enumerate() {
             let mut state = next.shown;
             for given in since_shown.iter().skip(index).step_by(bodies) {
@@ -201,17 +212,17 @@ impl FollowingHost {
                 let integration = self.settings.integration;
                 state = predictor::next(integration, body, &state, given, &load);
             }
-            work.present.push(state);
-            work.loads.push(told_loads.map_or(next.observed, |loads| loads[index]));
+            work.present_now.push(state);
+            work.loads_now.push(told_loads.map_or(next.observed, |loads| loads[index]));
         }
     }
 
     /// Where the engine begins, into `work.starts`.
     fn set_out(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
         work.starts.clear();
-        for (index, present) in work.present.iter().enumerate() {
+        for (index, present) in work.present_now.iter().enumerate() {
             let body = &model.ranked[model.rank_of[index] as usize];
-            let half_kick = steering::half_kick(body, present, &work.loads[index], step_s);
+            let half_kick = steering::half_kick(body, present, &work.loads_now[index], step_s);
             let lead = half_kick.plus(work.next[index].ahead.unwrap_or_default());
             work.starts.push(steering::start(self.settings.integration, present, lead, step_s));
         }
@@ -247,7 +258,7 @@ fn steer(model: &Model, work: &mut HostWorkspace, step_s: f64) {
         if body.is_fixed() || (!work.touching[index] && next.ahead.is_none()) {
             continue;
         }
-        let (present, load) = (&work.present[index], &work.loads[index]);
+        let (present, load) = (&work.present_now[index], &work.loads_now[index]);
         let (start, end) = (&work.starts[index], &work.engine.states_after()[index]);
         let mean = Velocity::mean(start, end, step_s);
         let mobility = &model.bodies()[index].mobility;

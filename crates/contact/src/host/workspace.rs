@@ -14,10 +14,13 @@ pub struct HostWorkspace {
     pub(super) engine: Workspace,
     /// Body by body what is to be remembered, if the step succeeds.
     pub(super) next: Vec<Followed>,
-    /// The host's present.
+    /// The host's present in the step under way, and in the last good one.
+    pub(super) present_now: Vec<BodyState>,
     pub(super) present: Vec<BodyState>,
     /// Where the engine begins.
     pub(super) starts: Vec<BodyState>,
+    /// Loads of the step under way, and of the last good one.
+    pub(super) loads_now: Vec<Wrench>,
     pub(super) loads: Vec<Wrench>,
     pub(super) touching: Vec<bool>,
     pub(super) wrenches: Vec<Wrench>,
@@ -31,8 +34,10 @@ impl HostWorkspace {
         HostWorkspace {
             engine: Workspace::new(model),
             next: Vec::with_capacity(count),
+            present_now: Vec::with_capacity(count),
             present: Vec::with_capacity(count),
             starts: Vec::with_capacity(count),
+            loads_now: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
             touching: Vec::with_capacity(count),
             wrenches: Vec::with_capacity(count),

@@ -20,6 +20,7 @@ pub(crate) struct VesselRow {
     attitude: Attitude,
     wave_motion: [f64; 6],
     squat_m: f64,
+    tide_m: f64,
     aground: bool,
 }
 
@@ -45,6 +46,7 @@ impl VesselRow {
             attitude: now.attitude,
             wave_motion: now.wave_motion.motion,
             squat_m: now.squat_m,
+            tide_m: setup.1.tide.level_m(t_s),
             aground: now.aground,
         }
     }
@@ -188,6 +190,7 @@ pub(crate) fn vessels_columns() -> Vec<Column<VesselRow>> {
             r.attitude.pitch.value
         }),
         float("squat_m", "m", "how much deeper she sits because she is under way", |r| r.squat_m),
+        float("tide_m", "m", "level of the water above datum", |r| r.tide_m),
         flag("aground", "whether the bottom holds her", |r| r.aground),
     ]
 }

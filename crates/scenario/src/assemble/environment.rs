@@ -8,8 +8,9 @@ use fenderline_sim::environment::waves::{Jonswap, Realisation, RegularWave, Sea}
 use fenderline_sim::environment::wind::{
     GustSpectrum, Gusts, MeanWind, Wind, WindProfile, WindSeries,
 };
-use fenderline_sim::environment::{Bank, EnvironmentError};
+use fenderline_sim::environment::{Bank, EnvironmentError, Tide, TideConstituent};
 use fenderline_sim::hydro::Squat;
+use fenderline_sim::hydro::shallow::SHALLOWEST_RATIO;
 
 use super::vessel::Kind;
 use super::{Assembly, Checked};
@@ -28,6 +29,11 @@ pub(super) const DIRECTIONS_DEG: [f64; 2] = [-720.0, 720.0];
 impl Assembly<'_, '_> {
     pub(super) fn environment(&self, table: &Table) -> Checked<Environment> {
         let depth_m = table.item("depth").map(|item| *item.number());
+        let tide = match table.item("tide") {
+            None => Tide::default(),
+            Some(item) => self.tide(item)?,
+        };
+        let start_m = depth_m.map(|depth_m: f64| depth_m + tide.level_m(0.0));
         let wind = match table.item("wind") {
             None => None,
             Some(item) => Some(self.wind(table, item)?),
@@ -39,20 +45,26 @@ impl Assembly<'_, '_> {
         let sea = match table.item("waves") {
             None => None,
             Some(item) => {
-                let sea = sea(item.table(), depth_m.unwrap_or(DEEP_M));
+                let sea = sea(item.table(), start_m.unwrap_or(DEEP_M));
                 Some(sea.map_err(|error| self.refused(table, item, &error))?)
             }
         };
-        Ok(Environment {
+        let environment = Environment {
             wind,
             current,
             sea,
             depth_m,
+            tide,
             squat: self.squat(table)?,
             banks: self.banks(table)?,
             water_density_kgpm3: *table.given("water_density").number(),
             ..Environment::default()
-        })
+        };
+        if environment.depth_range_m().is_some_and(|[_, most_m]| most_m <= 0.0) {
+            let message = "there is never any water";
+            return Err(self.refused(table, table.given("depth"), &message));
+        }
+        Ok(environment)
     }
 
     fn wind(&self, table: &Table, item: &Item) -> Checked<Wind> {
@@ -76,6 +88,41 @@ impl Assembly<'_, '_> {
         });
         let series = WindSeries::new(points.collect::<Checked<_>>()?);
         Ok(Wind::series(series.map_err(|error| self.refused(of, file, &error))?))
+    }
+
+    fn tide(&self, item: &Item) -> Checked<Tide> {
+        let of = item.table();
+        let constituents = of.given("constituent").list();
+        let Some(file) = of.item("file") else {
+            self.all_of(of, &["level"], "a tide has a `level` or a `file`")?;
+            let mean_m = *of.given("level").number();
+            let constituents: Vec<TideConstituent> = constituents
+                .iter()
+                .map(|of| TideConstituent {
+                    amplitude_m: *of.given("amplitude").number(),
+                    period_s: *of.given("period").number(),
+                    lag_rad: *of.given("lag").number(),
+                })
+                .collect();
+            return Ok(match constituents.is_empty() {
+                true => Tide::Level(mean_m),
+                false => Tide::Harmonic { mean_m, constituents },
+            });
+        };
+        self.none_of(of, &["level"], "file")?;
+        if !constituents.is_empty() {
+            return Err(self.not_together(of, of.given("constituent"), "file"));
+        }
+        let key = of.path_of("file");
+        let known = ["t_s", "level_m"];
+        let csv = Csv::parse(self.files.text(file.text()), file.text(), &key, &known)?;
+        let [time, level] = [csv.column(known[0])?, csv.column(known[1])?];
+        let points = csv.grid(&[time])?.rows.into_iter().map(|row| {
+            Ok([csv.number(row, time, TIMES_S)?, csv.number(row, level, [-30.0, 30.0])?])
+        });
+        let tide = Tide::Curve(points.collect::<Checked<_>>()?);
+        tide.check().map_err(|error| self.refused(of, file, &error))?;
+        Ok(tide)
     }
 
     fn squat(&self, table: &Table) -> Checked<Option<Squat>> {
@@ -117,18 +164,37 @@ impl Assembly<'_, '_> {
                 "bank suction is UNVALIDATED: Norrbin's formulas are recalled, no source was read",
             );
         }
-        let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_m) else { return };
-        let Some([low, high]) = squat.depth_ratios() else { return };
+        let Some([shallowest_m, deepest_m]) = environment.depth_range_m() else { return };
         for (name, kind) in kinds {
-            let ratio = depth_m / kind.setup.ship.particulars.draught_m;
-            if ratio > 1.0 && !(low..=high).contains(&ratio) {
-                let message = format!(
-                    "squat of {name} by {}: made for depths of {low} to {high} draughts, but here it is {ratio:.2}",
-                    squat.name()
-                );
+            let draught_m = kind.setup.ship.particulars.draught_m;
+            let [least, most] = [shallowest_m / draught_m, deepest_m / draught_m];
+            let mut say = |message: String| {
                 let (span, key) = &kind.said_at;
                 let place = self.sources.place(span);
                 self.notices.push(Notice { place, key: key.clone(), message });
+            };
+            if least < SHALLOWEST_RATIO {
+                say(format!(
+                    "{name} in water of {least:.2} draughts: no formula for shallow water is made for less than \
+                     {SHALLOWEST_RATIO}; below it added mass, hull forces and squat are held at what they are there"
+                ));
+            }
+            if let Some((squat, [_, high])) =
+                environment.squat.and_then(|squat| Some((squat, squat.depth_ratios()?)))
+                && most > high
+            {
+                say(format!(
+                    "squat of {name} by {}: made for depths of up to {high} draughts, but here it is {most:.2}",
+                    squat.name()
+                ));
+            }
+            let [at_start, at_low] = [kind.setup.ship.added_mass, kind.low_water_mass];
+            if at_low.sway_m3 > 1.05 * at_start.sway_m3 {
+                say(format!(
+                    "the tide falls under {name}: her added mass stays that of the start; at low water it would be \
+                     {:.2} times as much in sway",
+                    at_low.sway_m3 / at_start.sway_m3
+                ));
             }
         }
     }

@@ -4,6 +4,7 @@ use std::fmt::Display;
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::environment::waves::{DriftHull, MotionResponse};
+use fenderline_sim::hydro::AddedMass;
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
 
@@ -20,6 +21,8 @@ pub(super) struct Kind {
     /// What the scenario says of her first: her table, or her name in a body.
     pub(super) said_at: (Span, String),
     pub(super) mass: MassProperties,
+    /// Her added mass at the lowest water of the run.
+    pub(super) low_water_mass: AddedMass,
     data: VesselData,
 }
 
@@ -35,13 +38,9 @@ impl Kind {
     ) -> Result<Kind, Box<dyn Display>> {
         let deep = &data.ship;
         let water = environment.water_density_kgpm3;
-        let ship = match environment.depth_m {
-            Some(depth_m) if depth_m > deep.particulars.draught_m => {
-                deep.at_depth(depth_m).map_err(|error| Box::new(error) as Box<dyn Display>)?
-            }
-            // Aground her hull coefficients are her least concern.
-            _ => *deep,
-        };
+        let in_depth = |depth_m: Option<f64>| depth_m.map_or(*deep, |m| deep.at_depth(m));
+        let ship = in_depth(environment.depth_at_m(0.0));
+        let low_water_mass = in_depth(environment.depth_range_m().map(|[low, _]| low)).added_mass;
         let shaft = match data.shaft {
             Some(shaft) => RateLimited {
                 value: 0.0,
@@ -69,6 +68,7 @@ impl Kind {
             body: 0,
             origin: data.origin.clone(),
             ship,
+            deep: *deep,
             rudder: data.rudder,
             shaft,
             thrusters: data.thrusters.clone(),
@@ -85,7 +85,7 @@ impl Kind {
             added_sway_kg: water * ship.added_mass.sway_m3,
             added_yaw_kgm2: water * ship.added_mass.yaw_m5,
         };
-        Ok(Kind { setup, said_at, mass, data })
+        Ok(Kind { setup, said_at, mass, low_water_mass, data })
     }
 
     /// From midship to the centre of gravity, which is a body's origin.

@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::fmt::Display;
 
 use fenderline_contact::Vec2;
+use fenderline_sim::environment::Tide;
 use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::mooring::{
     Fitting, Holding, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch, WinchOrder,
@@ -104,18 +105,18 @@ impl Assembly<'_, '_> {
     pub(super) fn lines(
         &self,
         lines: &[(String, Table)],
-        bodies: &[BodySetup],
+        start: (&[BodySetup], &Tide),
         decks: &Decks<'_>,
         names: &Names,
     ) -> Checked<Vec<MooringSetup>> {
-        lines.iter().map(|(name, table)| self.line(name, table, bodies, decks, names)).collect()
+        lines.iter().map(|(name, table)| self.line(name, table, start, decks, names)).collect()
     }
 
     fn line(
         &self,
         name: &str,
         table: &Table,
-        bodies: &[BodySetup],
+        (bodies, tide): (&[BodySetup], &Tide),
         decks: &Decks<'_>,
         names: &Names,
     ) -> Checked<MooringSetup> {
@@ -176,7 +177,7 @@ impl Assembly<'_, '_> {
             from_s: number("made_fast"),
         };
         if setup.from_s <= 0.0 {
-            setup.check_at_start(bodies).map_err(|error| self.wrong(table, &error))?;
+            setup.check_at_start(bodies, tide).map_err(|error| self.wrong(table, &error))?;
         }
         Ok(setup)
     }

@@ -3,7 +3,7 @@
 use serde_json::json;
 
 use super::POSITION_M;
-use super::world::{DIRECTION, LENGTH, key};
+use super::world::{DIRECTION, key};
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Choices, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
@@ -14,10 +14,11 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
     keys: &[
         key(
             "depth",
-            Kind::Quantity(LENGTH),
+            Kind::Quantity(DEPTH),
             Means("deep water"),
-            "Depth of the water: shallow water slows and stiffens a vessel and makes her squat; no deeper than her \
-             draught and her squat, she is aground.",
+            "Depth of the water below datum, negative where the bottom lies above it: shallow water slows and stiffens a vessel and makes her squat; no deeper \
+             than her draught and her squat, she is aground. What shallow water does is held below 1.1 draughts, \
+             for which no formula is made.",
             &["\"14 m\""],
         ),
         key(
@@ -35,6 +36,14 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
              sources. They are for the deepest point of the hull; it is taken for the whole: she does not trim.",
             &["\"icorels\""],
         ),
+        key(
+            "tide",
+            Kind::Table(&TIDE),
+            Means("the water stands at datum"),
+            "Level of the water above datum: it is added to `depth`, and heights on bodies that do not float \
+             (`above_water` of a fender, `bollard_height` of a line) count from datum.",
+            &["{ level = \"1.8 m\" }"],
+        ),
         key("wind", Kind::Table(&WIND), Means("no wind"), "Wind.", &[]),
         key("current", Kind::Table(&CURRENT), Means("no current"), "Current.", &[]),
         key("waves", Kind::Table(&WAVES), Means("no waves"), "Waves.", &[]),
@@ -49,6 +58,75 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
         ),
     ],
     rules: Some(|| json!({ "dependentRequired": { "squat": ["depth"] } })),
+};
+
+static TIDE: TableSpec = TableSpec {
+    what: "a tide",
+    doc: "Level of the water above datum: a `level`, always the same or with constituents about it, or a `file`. A \
+          vessel's hull forces, her squat and the water under her keel follow the tide; her added mass is that of \
+          the start, and so is the depth that waves feel.",
+    keys: &[
+        key(
+            "level",
+            Kind::Quantity(LEVEL),
+            Means("`file` is given"),
+            "Level above datum; the mean level where there are constituents.",
+            &["\"1.8 m\""],
+        ),
+        key(
+            "constituent",
+            Kind::List(&CONSTITUENT),
+            Is("[]"),
+            "What is added to the level: amplitude x cos(2 pi t / period - lag) each.",
+            &["[{ amplitude = \"1.5 m\", period = \"12.4206 h\", lag = \"90 deg\" }]"],
+        ),
+        key(
+            "file",
+            Kind::FileName,
+            Means("`level` is given"),
+            "The level in time: a CSV file beside this one with the columns t_s and level_m. Straight lines between \
+             the rows; held before the first and after the last.",
+            &["\"tide.csv\""],
+        ),
+    ],
+    rules: Some(|| {
+        json!({ "oneOf": [
+            { "required": ["level"], "properties": { "file": false } },
+            { "required": ["file"], "properties": { "level": false, "constituent": { "maxItems": 0 } } }
+        ] })
+    }),
+};
+
+const DEPTH: Quantity = Quantity { measure: &unit::LENGTH, low: -30.0, high: 12_000.0 };
+const LEVEL: Quantity = Quantity { measure: &unit::LENGTH, low: -30.0, high: 30.0 };
+
+static CONSTITUENT: TableSpec = TableSpec {
+    what: "a constituent of a tide",
+    doc: "One constituent of a tide.",
+    keys: &[
+        key(
+            "amplitude",
+            Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.0, high: 30.0 }),
+            Refused,
+            "Amplitude: half of what it rises.",
+            &["\"1.5 m\""],
+        ),
+        key(
+            "period",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 60.0, high: 1e9 }),
+            Refused,
+            "Period; 12.4206 h is that of M2 (recalled).",
+            &["\"12.4206 h\""],
+        ),
+        key(
+            "lag",
+            Kind::Quantity(DIRECTION),
+            Is("0"),
+            "Phase lag: 0 has high water at the start.",
+            &["\"90 deg\""],
+        ),
+    ],
+    rules: None,
 };
 
 static WIND: TableSpec = TableSpec {

@@ -63,8 +63,9 @@ pub(super) static FENDER: TableSpec = TableSpec {
         KeySpec {
             name: "above_water",
             kind: Kind::Quantity(Quantity { measure: &unit::LENGTH, low: -100.0, high: 100.0 }),
-            absent: Means("at the waterline"),
-            doc: "Middle of its face above the still waterline: where its force heels a vessel.",
+            absent: Means("at the waterline; on a fixed body at datum"),
+            doc: "Middle of its face above the still waterline, on a fixed body above datum: where its force heels a \
+                  vessel. It is taken to meet her side wherever that is.",
             examples: &["\"2 m\""],
         },
         KeySpec {

@@ -95,7 +95,7 @@ pub(super) static LINE: TableSpec = TableSpec {
             "fairlead_height",
             Kind::Quantity(PLACE),
             Is("0"),
-            "Fairlead above the still water.",
+            "Fairlead above the still water; on a fixed body above datum.",
             &["\"12 m\""],
         ),
         key(
@@ -123,7 +123,7 @@ pub(super) static LINE: TableSpec = TableSpec {
             "bollard_height",
             Kind::Quantity(PLACE),
             Is("0"),
-            "Bollard above the still water.",
+            "Bollard above the still water; on a fixed body above datum.",
             &["\"4 m\""],
         ),
         key(

@@ -38,10 +38,10 @@ pub mod current;
 mod error;
 mod harmonics;
 mod table;
-mod water;
+mod tide;
 pub mod waves;
 pub mod wind;
 
 pub use bank::{Bank, BankWater, ShipAtBank};
 pub use error::EnvironmentError;
-pub use water::{Tide, TideConstituent, Water};
+pub use tide::{Tide, TideConstituent};

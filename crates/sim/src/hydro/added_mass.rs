@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 
 use super::error::{HydroError, within};
 use super::particulars::Particulars;
+use super::shallow::SHALLOWEST_RATIO;
 
 /// Added mass over the density of the water, about midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -101,7 +102,9 @@ pub fn shallow_sway_factor(ship: &Particulars, depth_m: f64) -> Result<f64, Hydr
     if depth_m.is_nan() || depth_m <= ship.draught_m {
         return Err(HydroError::Aground { depth_m, draught_m: ship.draught_m });
     }
-    let ratio = within("depth over draught", depth_m / ship.draught_m, 1.1, f64::INFINITY)?;
+    // 1.1 draughts over the draught may round to less than 1.1.
+    let least = SHALLOWEST_RATIO - 1e-9;
+    let ratio = within("depth over draught", depth_m / ship.draught_m, least, f64::INFINITY)?;
     let g = 1.0 / (ratio - 1.0);
     let (g2, g3, g5) = (g * g, g * g * g, g * g * g * g * g);
     let constant = 1.0 + 0.0775 * g2 - 0.0110 * g3 + 0.000068 * g5;

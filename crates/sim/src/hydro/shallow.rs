@@ -7,6 +7,13 @@ use super::error::{HydroError, within};
 use super::particulars::Particulars;
 use super::quantities::Water;
 
+/// Depth over draught from which on, downwards, every factor of shallow water is held: below it Ankudinov's
+/// polynomial is not to be used, and Taimuri's powers grow without end.
+pub const SHALLOWEST_RATIO: f64 = 1.1;
+
+/// Drag coefficient of a hull abeam where no water passes under her keel, UFC 4-159-03.
+const BLOCKED_DRAG: f64 = 3.2;
+
 /// Acceleration of gravity [m/s²].
 const GRAVITY_MPS2: f64 = 9.806_65;
 /// Knots in a metre a second.
@@ -99,9 +106,24 @@ pub fn current_abeam_n(
     let section_m2 = midship_coefficient * ship.beam_m * ship.draught_m;
     let slender = ship.length_m * ship.length_m * section_m2 / (ship.beam_m * ship.volume_m3);
     let deep = 0.22 * slender.sqrt();
-    let coefficient = deep + (3.2 - deep) * ratio * ratio;
+    let coefficient = deep + (BLOCKED_DRAG - deep) * ratio * ratio;
     let side_m2 = ship.length_m * ship.draught_m;
     Ok(0.5 * water.density_kgpm3 * side_m2 * coefficient * current_mps * current_mps.abs())
+}
+
+/// Drag coefficient across a ship in water of a depth from that in deep water, C + (3.2 − C)(T/h)²: the form of
+/// UFC 4-159-03 with the ship's own coefficient for C₀ (ours). The two coefficients of the container ship in deep
+/// water, Hoerner's 0.60 and UFC's 0.67, are near each other.
+///
+/// # Errors
+/// [`HydroError::Aground`].
+pub fn shallow_cross_flow_drag(
+    ship: &Particulars,
+    deep: f64,
+    depth_m: f64,
+) -> Result<f64, HydroError> {
+    let ratio = draught_over_depth(ship, depth_m)?;
+    Ok(deep + (BLOCKED_DRAG - deep) * ratio * ratio)
 }
 
 /// T/h, below 1.

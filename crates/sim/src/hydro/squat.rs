@@ -1,7 +1,7 @@
 //! Squat: how much deeper a ship under way sits in shallow water.
 
 use super::particulars::Particulars;
-use super::shallow::{barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
+use super::shallow::{SHALLOWEST_RATIO, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
 
 /// Acceleration of gravity [m/s²].
 const GRAVITY_MPS2: f64 = 9.806_65;
@@ -43,17 +43,23 @@ impl Squat {
 
     /// Largest sinkage of her keel [m] at a speed along her own axis through the water [m/s], ahead or astern.
     /// From a Froude number of depth of 0.9 on it is held: no displacement ship goes faster there, and
-    /// ICORELS ends at 1. In water no deeper than her draught she sits on the bottom: 0.
+    /// ICORELS ends at 1. Below [`SHALLOWEST_RATIO`] draughts, on the bottom too, it is that of this depth: no
+    /// formula is made for less, and it does not jump where she touches.
+    ///
+    /// # Panics
+    /// With a depth or a speed that is no number.
     #[must_use]
     pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
-        let fastest_mps = FASTEST_FROUDE * (GRAVITY_MPS2 * depth_m.max(0.0)).sqrt();
+        assert!(!depth_m.is_nan() && !surge_mps.is_nan(), "depth and speed are numbers");
+        let depth_m = depth_m.max(SHALLOWEST_RATIO * ship.draught_m);
+        let fastest_mps = FASTEST_FROUDE * (GRAVITY_MPS2 * depth_m).sqrt();
         let speed_mps = surge_mps.abs().min(fastest_mps);
         let formula = match self {
             Squat::Barrass => barrass_squat_m,
             Squat::Icorels => icorels_squat_m,
             Squat::Eryuzlu => eryuzlu_squat_m,
         };
-        // What is left to refuse is water no deeper than the draught.
-        formula(ship, depth_m, speed_mps).unwrap_or(0.0)
+        formula(ship, depth_m, speed_mps)
+            .unwrap_or_else(|error| unreachable!("depth and speed are held: {error}"))
     }
 }

@@ -2,11 +2,12 @@
 
 use fenderline_contact::Vec2;
 
-use crate::environment::Bank;
 use crate::environment::current::Current;
 use crate::environment::waves::Sea;
 use crate::environment::wind::Wind;
+use crate::environment::{Bank, EnvironmentError, Tide};
 use crate::hydro::{self, Squat};
+use crate::range::within;
 
 /// The surroundings of a [`crate::WorldSetup`].
 #[derive(Clone, Debug, PartialEq)]
@@ -21,8 +22,10 @@ pub struct Environment {
     pub water_density_kgpm3: f64,
     /// Density of the air [kg/m³].
     pub air_density_kgpm3: f64,
-    /// Depth of the water [m]; `None`: deep.
+    /// Depth of the water below datum [m], negative where the bottom dries; `None`: deep.
     pub depth_m: Option<f64>,
+    /// Level of the water above datum.
+    pub tide: Tide,
     /// How squat is estimated where the water has a depth; `None`: not at all.
     pub squat: Option<Squat>,
     /// Banks that draw ships to them: unvalidated.
@@ -39,6 +42,7 @@ impl Default for Environment {
             water_density_kgpm3: 1025.0,
             air_density_kgpm3: 1.225,
             depth_m: None,
+            tide: Tide::default(),
             squat: Some(Squat::default()),
             banks: Vec::new(),
         }
@@ -46,6 +50,29 @@ impl Default for Environment {
 }
 
 impl Environment {
+    /// Depth of the water at a time [m], tide within, 0 where the bottom has fallen dry; `None`: deep.
+    #[must_use]
+    pub fn depth_at_m(&self, t_s: f64) -> Option<f64> {
+        self.depth_m.map(|depth_m| (depth_m + self.tide.level_m(t_s)).max(0.0))
+    }
+
+    /// The least and the greatest depth of a run [m]; `None`: deep.
+    #[must_use]
+    pub fn depth_range_m(&self) -> Option<[f64; 2]> {
+        self.depth_m.map(|depth_m| self.tide.range_m().map(|level_m| (depth_m + level_m).max(0.0)))
+    }
+
+    /// Checks depth and tide; wind, current and sea were checked when they were made.
+    ///
+    /// # Errors
+    /// What no water has, by its name.
+    pub fn check(&self) -> Result<(), EnvironmentError> {
+        if let Some(depth_m) = self.depth_m {
+            within("depth of the water [m]", depth_m, -100.0, 12_000.0)?;
+        }
+        self.tide.check()
+    }
+
     pub(crate) fn density(&self) -> hydro::Water {
         hydro::Water { density_kgpm3: self.water_density_kgpm3 }
     }

@@ -16,6 +16,9 @@ pub enum WorldEventKind {
     OrderClamped,
     /// The water is no deeper than a vessel's draught: the bottom holds her. Told when it begins.
     Aground,
+    /// The water is shallower than 1.1 of a vessel's draughts: no formula for shallow water is made for that, and
+    /// what shallow water does to her is held. Told when it begins.
+    ShallowHeld,
     /// A tug cannot give at this speed and angle what she is ordered to. Told when it begins.
     TugLimited,
     /// An order to a tug with a force or a direction that is none.

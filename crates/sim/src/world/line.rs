@@ -3,6 +3,8 @@
 use fenderline_contact::{BodyState, Vec2, Wrench, vec2};
 
 use super::event::{WorldEvent, WorldEventKind};
+use super::shore::Shore;
+use crate::environment::Tide;
 use crate::mooring::{Line, LineEnds, LineLoad, LineSetup, LineState, WinchOrder};
 
 /// A mooring line of a set-up.
@@ -14,7 +16,7 @@ pub struct MooringSetup {
     pub ship: usize,
     /// Fairlead in that body's frame [m], and above the still water [m].
     pub fairlead_m: Vec2,
-    /// Height of the fairlead above the still water [m].
+    /// Height of the fairlead above the still water [m]; above datum where that body is fixed.
     pub fairlead_above_water_m: f64,
     /// What the other end is fast to.
     pub end: LineEnd,
@@ -25,16 +27,15 @@ pub struct MooringSetup {
 /// What the far end of a line is fast to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineEnd {
-    /// A bollard or an anchor: north, east and above the still water [m].
+    /// A bollard or an anchor: north, east and above datum [m].
     Fixed([f64; 3]),
-    /// Another body, a quay's too: its index, the place in its frame and the height above the still
-    /// water [m].
+    /// Another body, a quay's too: its index, the place in its frame and the height [m].
     OnBody {
         /// Index into [`crate::Setup::bodies`].
         body: usize,
         /// Place in the body's frame [m].
         at_m: Vec2,
-        /// Height above the still water [m].
+        /// Height above the still water [m]; above datum where the body is fixed.
         above_water_m: f64,
     },
 }
@@ -74,7 +75,7 @@ impl Mooring {
         &mut self,
         index: usize,
         setup: &MooringSetup,
-        states: &[BodyState],
+        (states, shore): (&[BodyState], Shore<'_>),
         (t_s, step_s): (f64, f64),
         loads: &mut [Wrench],
         events: &mut Vec<WorldEvent>,
@@ -82,7 +83,7 @@ impl Mooring {
         if self.gone || t_s + step_s <= setup.from_s {
             return;
         }
-        let ends = setup.ends(states);
+        let ends = setup.ends(states, shore);
         if self.line.is_none() {
             match Line::new(setup.line.clone(), &ends) {
                 Ok(made) => self.line = Some(made),
@@ -119,21 +120,21 @@ impl Mooring {
 
 impl MooringSetup {
     /// Where the two ends are. Heave and roll do not move a fairlead: lines are long beside them.
-    fn ends(&self, states: &[BodyState]) -> LineEnds {
+    fn ends(&self, states: &[BodyState], shore: Shore<'_>) -> LineEnds {
         let at = |body: usize, at_m: Vec2, above_m: f64| {
             let place = states[body].pose().apply(at_m);
-            [place.x, place.y, above_m]
+            [place.x, place.y, shore.above_water_m(body, above_m)]
         };
         LineEnds {
             ship_m: at(self.ship, self.fairlead_m, self.fairlead_above_water_m),
             shore_m: match self.end {
-                LineEnd::Fixed(place) => place,
+                LineEnd::Fixed([north, east, up]) => [north, east, up - shore.level_m],
                 LineEnd::OnBody { body, at_m, above_water_m } => at(body, at_m, above_water_m),
             },
         }
     }
 
-    /// Could it be made fast where the bodies of a set-up are at the start?
+    /// Could it be made fast where the bodies of a set-up and the water are at the start?
     ///
     /// # Errors
     /// Why not, naming the line.
@@ -143,12 +144,11 @@ impl MooringSetup {
     pub fn check_at_start(
         &self,
         bodies: &[crate::BodySetup],
+        tide: &Tide,
     ) -> Result<(), crate::mooring::MooringError> {
         let states: Vec<BodyState> = bodies.iter().map(crate::rigid_body::initial_state).collect();
-        self.check(&states)
-    }
-
-    pub(crate) fn check(&self, states: &[BodyState]) -> Result<(), crate::mooring::MooringError> {
-        Line::new(self.line.clone(), &self.ends(states)).map(|_| ())
+        let fixed: Vec<bool> = bodies.iter().map(crate::BodySetup::is_fixed).collect();
+        let shore = Shore { fixed: &fixed, level_m: tide.level_m(0.0) };
+        Line::new(self.line.clone(), &self.ends(&states, shore)).map(|_| ())
     }
 }

@@ -14,6 +14,7 @@ mod line;
 mod order;
 mod pilot;
 mod setup;
+mod shore;
 mod tug;
 mod vessel;
 
@@ -21,7 +22,9 @@ use fenderline_contact::{BodyState, Contact, Rotation, Wrench};
 
 use self::azimuth_pilot::Stream;
 use self::pilot::Abilities;
+use self::shore::Shore;
 use crate::fender::FenderSetup;
+use crate::setup::BodySetup;
 
 pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
 pub use azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
@@ -49,10 +52,12 @@ pub(crate) struct World {
     /// Vessels that had an order beyond a stop in the last step: told once.
     clamped: Vec<bool>,
     helpers_n: Vec<f64>,
+    /// Bodies that do not float: the tide comes and goes about them.
+    fixed: Vec<bool>,
 }
 
 impl World {
-    pub(crate) fn new(setup: &WorldSetup) -> World {
+    pub(crate) fn new(setup: &WorldSetup, bodies: &[BodySetup]) -> World {
         let water = setup.environment.density();
         let mut orders = setup.orders.clone();
         orders.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
@@ -67,6 +72,7 @@ impl World {
             taken: 0,
             clamped: vec![false; setup.vessels.len()],
             helpers_n: Vec::new(),
+            fixed: bodies.iter().map(BodySetup::is_fixed).collect(),
         }
     }
 
@@ -108,7 +114,13 @@ impl World {
             }
             self.clamped[index] = clamped;
             own.squat_m = vessel.squat_m(state, &setup.environment, t_s);
-            let aground = vessel.is_aground(own, &setup.environment);
+            own.under_keel_m = vessel.under_keel_m(own.squat_m, &setup.environment, t_s);
+            let held = vessel.is_held(&setup.environment, t_s);
+            if held && !own.held {
+                self.events.push(WorldEvent { who: index, kind: WorldEventKind::ShallowHeld });
+            }
+            own.held = held;
+            let aground = VesselSetup::is_aground(own);
             if aground && !own.aground {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
             }
@@ -129,18 +141,19 @@ impl World {
             loads[vessel.body].moment_nm += wrench.moment_nm;
         }
         for (index, (mooring, line)) in self.lines.iter_mut().zip(&setup.lines).enumerate() {
-            mooring.step(index, line, states, (t_s, step_s), loads, &mut self.events);
+            let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
+            let (times, events) = ((t_s, step_s), &mut self.events);
+            mooring.step(index, line, (states, shore), times, loads, events);
         }
     }
 
-    /// Puts an order among those that are still to be taken.
-    pub(crate) fn tell(&mut self, order: Order) {
-        assert!(!order.at_s.is_nan(), "an order at a time");
-        // Those that were taken are not needed again, and every step keeps a copy of the world.
+    /// Adds an order to those that are not taken yet; what has been taken is forgotten, so that a run of hours
+    /// under somebody's hands does not grow.
+    pub(crate) fn order(&mut self, order: Order) {
         self.orders.drain(..self.taken);
         self.taken = 0;
-        let later = self.orders.partition_point(|other| other.at_s <= order.at_s);
-        self.orders.insert(later, order);
+        let place = self.orders.partition_point(|other| other.at_s <= order.at_s);
+        self.orders.insert(place, order);
     }
 
     fn take_orders(&mut self, setup: &WorldSetup, states: &[BodyState], t_s: f64, step_s: f64) {
@@ -186,6 +199,7 @@ impl World {
         states: &[BodyState],
         (t_s, step_s): (f64, f64),
     ) {
+        let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
         for (index, vessel) in setup.vessels.iter().enumerate() {
             let state = &states[vessel.body];
             self.vessels[index].wave_motion =
@@ -204,8 +218,10 @@ impl World {
                     _ => continue,
                 };
                 // A fender's own height; outlines press at the waterline.
-                let height_m =
-                    contact.fender.map_or(0.0, |id| fenders[id.0 as usize].above_water_m);
+                let height_m = contact.fender.map_or(0.0, |id| {
+                    let fender = &fenders[id.0 as usize];
+                    shore.above_water_m(fender.body, fender.above_water_m)
+                });
                 let own = attitude.apply_inverse(contact.force_on_body_1_n() * sign);
                 // Squat takes her centre of gravity down, the fender stays where it is.
                 let gravity_m = float.gravity_above_water_m - self.vessels[index].squat_m;

@@ -10,8 +10,9 @@ use crate::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
 use crate::environment::wind::{RelativeWind, ShipWindage};
-use crate::environment::{BankWater, ShipAtBank};
+use crate::environment::{BankWater, ShipAtBank, Tide};
 use crate::hydro::actuator::{Lag, Order, RateLimited};
+use crate::hydro::shallow::SHALLOWEST_RATIO;
 use crate::hydro::vessels::Origin;
 use crate::hydro::{Controls, Force, Mmg, Velocity};
 
@@ -25,8 +26,11 @@ pub struct VesselSetup {
     pub body: usize,
     /// Who she is, and where her numbers come from.
     pub origin: Origin,
-    /// Hull, propeller and rudder, about midship.
+    /// Hull, propeller and rudder, about midship, in the water of the run's start: the mass with which the engine
+    /// moves her is for good.
     pub ship: Mmg,
+    /// The same in deep water, from which her hull follows the tide.
+    pub deep: Mmg,
     /// Rudder where it starts, with its rate and stop [rad].
     pub rudder: RateLimited,
     /// Shaft where it starts, with its rate and its full revolutions as the stop [1/s].
@@ -90,8 +94,13 @@ pub struct VesselState {
     pub wave_motion: FirstOrderMotion,
     /// How much deeper her keel is because she is under way in shallow water [m].
     pub squat_m: f64,
+    /// Water under her keel, squat taken off [m]; `None` where the water is deep. Negative: how much too deep she
+    /// sits.
+    pub under_keel_m: Option<f64>,
     /// She is on the bottom.
     pub aground: bool,
+    /// The water is shallower than what the formulas for shallow water are made for: they are held.
+    pub held: bool,
 }
 
 /// Where the forces on a vessel come from, in her axes about midship.
@@ -155,7 +164,9 @@ impl VesselState {
             attitude: Attitude::default(),
             wave_motion: FirstOrderMotion::default(),
             squat_m: 0.0,
+            under_keel_m: None,
             aground: false,
+            held: false,
         }
     }
 
@@ -194,7 +205,7 @@ impl VesselSetup {
         let velocity = self.velocity(state, environment, t_s);
         let water = environment.density();
         let controls = Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
-        let parts = self.ship.parts(&velocity, &controls, water);
+        let parts = self.ship_now(environment, t_s).parts(&velocity, &controls, water);
         let mut thrusters = Force::default();
         for (thruster, lag) in self.thrusters.iter().zip(&vessel.thrusters) {
             thrusters = thrusters + thruster.tunnel.force(lag.value, &velocity);
@@ -209,9 +220,23 @@ impl VesselSetup {
             thrusters,
             wind: self.wind(state, environment, t_s),
             waves: self.drift(state, environment),
-            banks: self.banks(state, &velocity, environment),
+            banks: self.banks(state, &velocity, environment, t_s),
             bottom: self.bottom(vessel, state, environment, step_s),
         }
+    }
+
+    /// Hull, propeller and rudder in the water of a time. Her added mass stays that of the start.
+    fn ship_now(&self, environment: &Environment, t_s: f64) -> Mmg {
+        match (&environment.tide, environment.depth_at_m(t_s)) {
+            (Tide::Level(_), _) | (_, None) => self.ship,
+            (_, Some(depth_m)) => self.deep.hull_at_depth(depth_m, self.ship.added_mass),
+        }
+    }
+
+    /// Is the water shallower than what the formulas for shallow water are made for?
+    pub(crate) fn is_held(&self, environment: &Environment, t_s: f64) -> bool {
+        let least_m = SHALLOWEST_RATIO * self.ship.particulars.draught_m;
+        environment.depth_at_m(t_s).is_some_and(|depth_m| depth_m < least_m)
     }
 
     /// Velocity through the water at midship.
@@ -236,7 +261,16 @@ impl VesselSetup {
     }
 
     /// Pull and moment of all banks.
-    fn banks(&self, state: &BodyState, velocity: &Velocity, environment: &Environment) -> Force {
+    fn banks(
+        &self,
+        state: &BodyState,
+        velocity: &Velocity,
+        environment: &Environment,
+        t_s: f64,
+    ) -> Force {
+        if environment.banks.is_empty() {
+            return Force::default();
+        }
         let hull = &self.ship.particulars;
         let ship = ShipAtBank {
             length_m: hull.length_m,
@@ -248,7 +282,7 @@ impl VesselSetup {
         };
         let water = BankWater {
             density_kgpm3: environment.water_density_kgpm3,
-            depth_m: environment.depth_m,
+            depth_m: environment.depth_at_m(t_s),
         };
         environment.banks.iter().fold(Force::default(), |sum, bank| {
             let [surge_n, sway_n, yaw_nm] = bank.force(&ship, &water);
@@ -258,30 +292,34 @@ impl VesselSetup {
 
     /// Her squat in this state [m]; none in deep water.
     pub(crate) fn squat_m(&self, state: &BodyState, environment: &Environment, t_s: f64) -> f64 {
-        let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_m) else {
+        let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_at_m(t_s)) else {
             return 0.0;
         };
         let surge_mps = self.velocity(state, environment, t_s).surge_mps;
         squat.sinkage_m(&self.ship.particulars, depth_m, surge_mps)
     }
 
-    /// Water under her keel, squat taken off [m]; `None` where the water is deep. Negative: how much too deep
-    /// she sits.
-    #[must_use]
-    pub fn under_keel_m(&self, vessel: &VesselState, environment: &Environment) -> Option<f64> {
+    /// Water under the keel of a ship that squats by so much [m]; none is told of where the water is deep.
+    pub(crate) fn under_keel_m(
+        &self,
+        squat_m: f64,
+        environment: &Environment,
+        t_s: f64,
+    ) -> Option<f64> {
         let draught_m = self.ship.particulars.draught_m;
-        environment.depth_m.map(|depth_m| depth_m - draught_m - vessel.squat_m)
+        environment.depth_at_m(t_s).map(|depth_m| depth_m - draught_m - squat_m)
     }
 
     /// Is there no water under her keel? Who was aground has to come free by [`REFLOATED_M`]: a ship whose squat
     /// takes her to the bottom would else be on it and off it again with every step.
-    pub(crate) fn is_aground(&self, vessel: &VesselState, environment: &Environment) -> bool {
+    pub(crate) fn is_aground(vessel: &VesselState) -> bool {
         let least_m = if vessel.aground { REFLOATED_M } else { 0.0 };
-        self.under_keel_m(vessel, environment).is_some_and(|clearance_m| clearance_m <= least_m)
+        vessel.under_keel_m.is_some_and(|clearance_m| clearance_m <= least_m)
     }
 
     /// The drag of a bottom that bears what she sits too deep, with Coulomb's friction of 0.4 (recalled, of
-    /// sand): against her motion, and fading out below a centimetre a second so that it never drives her.
+    /// sand): against her motion, and fading out below a centimetre a second so that it never drives her. It
+    /// begins from nothing where she touches, and grows with the weight that the water no longer bears.
     fn bottom(
         &self,
         vessel: &VesselState,
@@ -289,25 +327,28 @@ impl VesselSetup {
         environment: &Environment,
         step_s: f64,
     ) -> Force {
-        let Some(clearance_m) = self.under_keel_m(vessel, environment).filter(|_| vessel.aground)
-        else {
+        let sunk_m = vessel.under_keel_m.map(|clearance_m| -clearance_m);
+        let Some(sunk_m) = sunk_m.filter(|&sunk_m| sunk_m > 0.0) else {
             return Force::default();
         };
         let ship = &self.ship.particulars;
-        let sunk_m = -clearance_m;
         let specific_npm3 = environment.water_density_kgpm3 * 9.806_65;
         let waterplane_m2 = ship.block_coefficient() * ship.length_m * ship.beam_m;
-        let weight_n = specific_npm3 * waterplane_m2 * sunk_m.max(0.01);
+        let weight_n = specific_npm3 * waterplane_m2 * sunk_m;
         let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
         let ends_mps = 0.25 * ship.length_m * state.yaw_rate_radps;
         let speed_mps = libm::sqrt(own.length_squared() + ends_mps * ends_mps);
-        // In one step no more than half of what would stop her, so that it does not turn her round.
-        let stops = 0.5 * environment.water_density_kgpm3 * ship.volume_m3 / step_s;
-        let per_speed = (0.4 * weight_n / (speed_mps + 0.01)).min(stops);
+        let per_speed = 0.4 * weight_n / (speed_mps + 0.01);
+        // What it is at the step's end, by the mass that it stops: a step does not turn her round, however short
+        // her way, and no more than the fading is left of it under a steady push.
+        let [[surge_kg, ..], [_, sway_kg, _], [.., yaw_kgm2]] =
+            mass_matrix(&self.ship, environment.water_density_kgpm3);
+        let braked = |drag: f64, inertia: f64| drag / (1.0 + drag * step_s / inertia);
+        let arm_m = 0.25 * ship.length_m;
         Force {
-            surge_n: -per_speed * own.x,
-            sway_n: -per_speed * own.y,
-            yaw_nm: -per_speed * ends_mps * 0.25 * ship.length_m,
+            surge_n: -braked(per_speed, surge_kg) * own.x,
+            sway_n: -braked(per_speed, sway_kg) * own.y,
+            yaw_nm: -braked(per_speed * arm_m * arm_m, yaw_kgm2) * state.yaw_rate_radps,
         }
     }
 

@@ -39,6 +39,8 @@ pub(in crate::report) struct VesselTrace {
     pub(in crate::report) heave_m: Decimator,
     /// Squat [m].
     pub(in crate::report) squat_m: Decimator,
+    /// Water under her keel [m]; nothing where the water is deep.
+    pub(in crate::report) under_keel_m: Decimator,
     /// Distance of her ends to a row of fenders, where there is one.
     pub(in crate::report) docking: Option<DockingTrace>,
 }
@@ -114,6 +116,7 @@ impl WorldTrace {
                 pitch_rad: Decimator::new(),
                 heave_m: Decimator::new(),
                 squat_m: Decimator::new(),
+                under_keel_m: Decimator::new(),
                 docking: docking.map(|berth| DockingTrace::new(berth, hull)),
             }
         });
@@ -171,6 +174,9 @@ impl VesselTrace {
         let end_s = t_s + step_s;
         let [_, _, heave_m, roll_rad, pitch_rad, _] = now.wave_motion.motion;
         self.squat_m.push(t_s, now.squat_m);
+        if let Some(clearance_m) = now.under_keel_m {
+            self.under_keel_m.push(t_s, clearance_m);
+        }
         self.heave_m.push(end_s, now.attitude.heave.value + heave_m);
         self.roll_rad.push(end_s, now.attitude.roll.value + roll_rad);
         self.pitch_rad.push(end_s, now.attitude.pitch.value + pitch_rad);

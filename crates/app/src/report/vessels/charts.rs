@@ -88,6 +88,11 @@ fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselT
         @if Series::line("", trace.squat_m.points()).largest() > SEEN_M {
             (chart("Squat", zero("squat", "m"), vec![line("squat", &trace.squat_m, 1.0)]))
         }
+        @if moves(&trace.under_keel_m) {
+            (chart("Water under the keel, squat taken off", zero("clearance", "m"), vec![
+                line("clearance", &trace.under_keel_m, 1.0),
+            ]))
+        }
         @if moves(&trace.heave_m) {
             (chart("Heave, positive down", zero("heave", "m"), vec![
                 line("heave", &trace.heave_m, 1.0),

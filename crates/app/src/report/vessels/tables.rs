@@ -1,5 +1,6 @@
 //! Tables of vessels, tugs and lines.
 
+use fenderline_sim::environment::Tide;
 use fenderline_sim::environment::waves::MotionResponse;
 use fenderline_sim::hydro::vessels::{Origin, Source, Standing};
 use fenderline_sim::{Environment, VesselSetup};
@@ -67,7 +68,9 @@ fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Mark
             "{}, {}",
             plain(rudder.stop.to_degrees(), 3), plain(rudder.rate_per_s.to_degrees(), 3)
         ))))
-        (number(&if thrusters.is_empty() { "none".to_owned() } else { thrusters.join(", ") }))
+        td class="number list" {
+            (if thrusters.is_empty() { "none".to_owned() } else { thrusters.join(", ") })
+        }
         (number(&fixed(totals.over_ground_mps.value / KNOT_MPS, 2)))
         (number(&fixed(60.0 * totals.rate_of_turn_radps.value.to_degrees(), 2)))
         (number(&fixed(totals.roll_rad.value.to_degrees(), 2)))
@@ -118,6 +121,10 @@ fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> M
             p class="note" {
                 (name) ": least water under the keel " (fixed(least.value, 2)) " m at "
                 (plain(least.at_s, 6)) " s"
+                @if environment.tide != Tide::default() {
+                    @let [low_m, high_m] = environment.tide.range_m();
+                    ", the water between " (plain(low_m, 4)) " and " (plain(high_m, 4)) " m above datum"
+                }
                 @if let Some(squat) = environment.squat {
                     "; largest squat " (fixed(totals.squat_m.value, 2)) " m at "
                     (plain(totals.squat_m.at_s, 6)) " s, by " (squat.name())

@@ -1,8 +1,8 @@
 //! Hull forces at low speed, added masses, shallow water.
 
 use fenderline_sim::hydro::shallow::{
-    barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_sway_derivative,
-    shallow_yaw_derivative,
+    barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_cross_flow_drag,
+    shallow_sway_derivative, shallow_yaw_derivative,
 };
 use fenderline_sim::hydro::{
     CrossFlow, Particulars, Velocity, Water, clarke_added_mass, hoerner_drag_coefficient,
@@ -99,6 +99,14 @@ fn current(values: &mut Values) {
         let depth_m = ratio * ship.draught_m;
         let force_n = current_abeam_n(&ship, midship_coefficient, depth_m, 0.5, Water::SEA);
         values.put(format!("current/{name}"), force_n.expect("afloat") / 1e3, "kN");
+        // The same by what the simulation does: her own drag coefficient in deep water.
+        let deep = hoerner_drag_coefficient(ship.beam_m, ship.draught_m);
+        let drag = shallow_cross_flow_drag(&ship, deep, depth_m).expect("afloat");
+        let cross_flow =
+            CrossFlow { drag_coefficient: drag, yaw_gain_force: 1.0, yaw_gain_moment: 1.0 };
+        let adrift = Velocity { sway_mps: -0.5, ..Velocity::default() };
+        let force = cross_flow.force(&adrift, ship.length_m, ship.draught_m, Water::SEA);
+        values.put(format!("current/simulated/{name}"), force.sway_n / 1e3, "kN");
     }
 }
 

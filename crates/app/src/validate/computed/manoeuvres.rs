@@ -89,7 +89,7 @@ fn shallow_turns(values: &mut Values) {
     };
     let deep_m = diameter_m(&deep);
     for (ratio, name) in DEPTHS {
-        let ship = deep.ship.at_depth(ratio * deep.ship.particulars.draught_m).expect("afloat");
+        let ship = deep.ship.at_depth(ratio * deep.ship.particulars.draught_m);
         let shallow_m = diameter_m(&Vessel { ship, ..deep.clone() });
         values.put(format!("kvlcc2/shallow_turn/{name}"), shallow_m / deep_m, "");
     }

@@ -1,5 +1,7 @@
 //! Propellers in four quadrants, and thrusters.
 
+use std::f64::consts::PI;
+
 use fenderline_sim::hydro::{Propeller, Series, Water, tunnel_effect};
 
 use super::Values;
@@ -10,7 +12,7 @@ const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
 pub(super) fn compute(values: &mut Values) {
     own_polynomial(values);
-    series_at_bollard(values);
+    series(values);
     force_astern(values);
     for (knots, name) in [(0.0, "0"), (4.0, "4"), (15.0, "15")] {
         values.put(format!("bow_thruster/{name}"), tunnel_effect(knots * KNOT_MPS), "");
@@ -26,14 +28,28 @@ fn own_polynomial(values: &mut Values) {
     }
 }
 
-/// K_T and K_Q of the series at J = 0.
-fn series_at_bollard(values: &mut Values) {
+/// K_T and K_Q of the series ahead by J, and C_T* and C_Q* in the other quadrants by β.
+fn series(values: &mut Values) {
+    let density_kgpm3 = Water::SEA.density_kgpm3;
     for (name, series) in [("0.8", Series::B4Pitch08), ("1.0", Series::B4Pitch10)] {
         let propeller = Propeller { diameter_m: 1.0, thrust_polynomial: None, series };
-        let torque_nm = propeller.torque_nm(0.0, 1.0, Water::SEA);
-        let unit_nm = Water::SEA.density_kgpm3; // ρn²D⁵ at 1 m and 1 s⁻¹
-        values.put(format!("series/{name}/kt"), thrust_coefficient(&propeller, 0.0, 1.0), "");
-        values.put(format!("series/{name}/kq"), torque_nm / unit_nm, "");
+        for (advance, at) in [(0.0, "0"), (0.4, "0.4"), (0.8, "0.8")] {
+            // ρn²D⁴ and ρn²D⁵ at 1 m and 1 s⁻¹.
+            let thrust = propeller.thrust_n(advance, 1.0, Water::SEA) / density_kgpm3;
+            let torque = propeller.torque_nm(advance, 1.0, Water::SEA) / density_kgpm3;
+            values.put(format!("series/{name}/kt/{at}"), thrust, "");
+            values.put(format!("series/{name}/kq/{at}"), torque, "");
+        }
+        for degrees in [90, 150, 210, 330] {
+            // At 1 m/s over the blades' 0.7 radius and the water together.
+            let (sin, cos) = libm::sincos(f64::from(degrees).to_radians());
+            let shaft_rps = cos / (0.7 * PI);
+            let unit = 0.5 * density_kgpm3 * 0.25 * PI;
+            let thrust = propeller.thrust_n(sin, shaft_rps, Water::SEA) / unit;
+            let torque = propeller.torque_nm(sin, shaft_rps, Water::SEA) / unit;
+            values.put(format!("series/{name}/ct/{degrees}"), thrust, "");
+            values.put(format!("series/{name}/cq/{degrees}"), torque, "");
+        }
     }
 }
 

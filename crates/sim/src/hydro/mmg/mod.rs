@@ -22,7 +22,9 @@ use super::particulars::Particulars;
 use super::propeller::Propeller;
 use super::quantities::{Controls, Force, Velocity, Water};
 use super::rudder::{Race, Rudder};
-use super::shallow::{shallow_sway_derivative, shallow_yaw_derivative};
+use super::shallow::{
+    SHALLOWEST_RATIO, shallow_cross_flow_drag, shallow_sway_derivative, shallow_yaw_derivative,
+};
 
 /// A ship's manoeuvring model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,24 +93,47 @@ impl Mmg {
         }
     }
 
-    /// The same ship in water of a depth: added mass in sway and yaw by Ankudinov's factor, Y_v and N_r by
-    /// Taimuri's. The yaw factor of the added mass is taken equal to the sway factor, for want of another.
+    /// The same ship in water of a depth: added mass in sway and yaw by Ankudinov's factor, the hull as
+    /// [`Mmg::hull_at_depth`]. The yaw factor of the added mass is taken equal to the sway factor, for want of
+    /// another. In less than [`SHALLOWEST_RATIO`] draughts of water, on the bottom too, she is the ship at that
+    /// depth: every force is continuous from deep water to none.
     ///
-    /// # Errors
-    /// [`HydroError::Aground`] or [`HydroError::OutOfRange`] where the water is too shallow for the formulas.
-    pub fn at_depth(&self, depth_m: f64) -> Result<Mmg, HydroError> {
-        let ship = &self.particulars;
-        let mass = shallow_sway_factor(ship, depth_m)?;
-        let sway = shallow_sway_derivative(ship, depth_m)?;
-        let yaw = shallow_yaw_derivative(ship, depth_m)?;
-        let added_mass = self.added_mass.scaled(1.0, mass, mass);
+    /// # Panics
+    /// With a depth that is no number.
+    pub fn at_depth(&self, depth_m: f64) -> Mmg {
+        let mass = shallow_sway_factor(&self.particulars, self.held_depth_m(depth_m))
+            .unwrap_or_else(|error| unreachable!("the depth is held: {error}"));
+        self.hull_at_depth(depth_m, self.added_mass.scaled(1.0, mass, mass))
+    }
+
+    /// The same ship with her hull in water of a depth and an added mass that was found for it or for another:
+    /// Y_v and N_r by Taimuri's factors, cross-flow drag by [`shallow_cross_flow_drag`], all held below
+    /// [`SHALLOWEST_RATIO`] draughts.
+    ///
+    /// # Panics
+    /// With a depth that is no number.
+    pub fn hull_at_depth(&self, depth_m: f64, added_mass: AddedMass) -> Mmg {
+        let (ship, depth_m) = (&self.particulars, self.held_depth_m(depth_m));
+        let held = |factor: Result<f64, HydroError>| {
+            factor.unwrap_or_else(|error| unreachable!("the depth is held: {error}"))
+        };
+        let sway = held(shallow_sway_derivative(ship, depth_m));
+        let yaw = held(shallow_yaw_derivative(ship, depth_m));
         let mut hull = self.hull;
+        let cross_flow = &mut hull.low_speed.cross_flow;
+        cross_flow.drag_coefficient =
+            held(shallow_cross_flow_drag(ship, cross_flow.drag_coefficient, depth_m));
         hull.low_speed.sway_v *= sway;
         hull.low_speed.yaw_r *= yaw;
         hull.under_way = hull
             .under_way
             .map(|p| p.with_linear_scaled(sway, yaw, &self.added_mass, &added_mass, ship));
-        Ok(Mmg { added_mass, hull, ..*self })
+        Mmg { added_mass, hull, ..*self }
+    }
+
+    fn held_depth_m(&self, depth_m: f64) -> f64 {
+        assert!(!depth_m.is_nan(), "a depth is a number");
+        depth_m.max(SHALLOWEST_RATIO * self.particulars.draught_m)
     }
 }
 

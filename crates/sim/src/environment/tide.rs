@@ -1,4 +1,4 @@
-//! The water a ship lies in: charted depth, density and the level over time.
+//! The level of the water above datum over time.
 
 use core::f64::consts::TAU;
 
@@ -6,18 +6,8 @@ use super::error::EnvironmentError;
 use super::table::{check_axis, place};
 use crate::range::within;
 
-/// Depth, density and tide of one place.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Water {
-    /// Depth below chart datum [m].
-    pub charted_depth_m: f64,
-    /// Density [kg/m³]: 1025 for sea water, 1000 for fresh water.
-    pub density_kgpm3: f64,
-    /// Level above chart datum.
-    pub tide: Tide,
-}
-
-/// The level of the water above chart datum over time.
+/// The level of the water above datum over time. Datum is what charted depths count down from and heights of
+/// what is ashore count up from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tide {
     /// Always the same [m].
@@ -45,15 +35,20 @@ pub struct TideConstituent {
     pub lag_rad: f64,
 }
 
-impl Water {
+impl Default for Tide {
+    /// The water stands at datum.
+    fn default() -> Tide {
+        Tide::Level(0.0)
+    }
+}
+
+impl Tide {
     /// Checks every number.
     ///
     /// # Errors
     /// The first that no water has, by its name.
     pub fn check(&self) -> Result<(), EnvironmentError> {
-        within("charted depth [m]", self.charted_depth_m, -100.0, 12_000.0)?;
-        within("density of the water [kg/m³]", self.density_kgpm3, 900.0, 1300.0)?;
-        match &self.tide {
+        match self {
             Tide::Level(level_m) => {
                 within("level of the tide [m]", *level_m, -30.0, 30.0)?;
             }
@@ -75,10 +70,10 @@ impl Water {
         Ok(())
     }
 
-    /// Level above chart datum [m].
+    /// Level above datum [m].
     #[must_use]
     pub fn level_m(&self, t_s: f64) -> f64 {
-        match &self.tide {
+        match self {
             Tide::Level(level_m) => *level_m,
             Tide::Curve(points) => {
                 let at = place(points.len(), |i| points[i][0], t_s);
@@ -93,9 +88,21 @@ impl Water {
         }
     }
 
-    /// Depth of the water [m]: charted depth and level; 0 where the bottom falls dry.
+    /// The lowest and the highest level that it may come to from the start on [m]; of a sum of constituents, if
+    /// ever all are at their ends together.
     #[must_use]
-    pub fn depth_m(&self, t_s: f64) -> f64 {
-        (self.charted_depth_m + self.level_m(t_s)).max(0.0)
+    pub fn range_m(&self) -> [f64; 2] {
+        match self {
+            Tide::Level(level_m) => [*level_m; 2],
+            Tide::Curve(points) => {
+                let start_m = self.level_m(0.0);
+                let later = points.iter().filter(|point| point[0] > 0.0);
+                later.fold([start_m; 2], |[low, high], p| [low.min(p[1]), high.max(p[1])])
+            }
+            Tide::Harmonic { mean_m, constituents } => {
+                let reach_m: f64 = constituents.iter().map(|c| c.amplitude_m).sum();
+                [mean_m - reach_m, mean_m + reach_m]
+            }
+        }
     }
 }

@@ -1,0 +1,74 @@
+/*
+ * A tug pushes against a fender on a quay for ten minutes, made by calls. Her simulator is a co-simulation
+ * master's: it shows her one step late and never tells her thrust. She comes to rest as deep in the fender as
+ * thrust and stiffness say: 500 kN / 6.5 MN/m = 0.0769 m.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "fenderline.h"
+
+#define STEP_S 0.1
+#define MASS_KG 1e6
+#define THRUST_N 500e3
+#define STIFFNESS_NPM 6.5e6
+
+static void must(fl_status status)
+{
+    char text[1000];
+    if (status == FL_STATUS_OK)
+        return;
+    fl_last_error(text, sizeof text, NULL);
+    fprintf(stderr, "%s\n", text);
+    exit(1);
+}
+
+static fl_engine *tug_at_a_quay(uint32_t *tug)
+{
+    const double hull[] = {-16, -6.5, 16, -6.5, 16, 6.5, -16, 6.5};
+    const double wall[] = {-5, -50, 5, -50, 5, 50, -5, 50};
+    const double curve[] = {0, 0, 1, STIFFNESS_NPM};
+    const fl_material rubber = {
+        .size = sizeof rubber, .stiffness_npm2 = 50e6, .shear_stiffness_npm = 3e6,
+        .friction_static = 0.5, .friction_dynamic = 0.5, .restitution = 0.1,
+    };
+    const fl_body floating = {.size = sizeof floating, .mass_kg = MASS_KG, .yaw_inertia_kgm2 = 6.4e7};
+    const fl_body fixed = {.size = sizeof fixed, .north_m = 22};
+    fl_fender fender = {
+        .size = sizeof fender, .forward_m = -5, .facing_rad = 3.14159265358979, .width_m = 10,
+        .projection_m = 1,
+    };
+    const fl_settings late = {.size = sizeof late, .host = FL_HOST_FOLLOWING, .delay_steps = 1};
+    fl_builder *builder;
+    fl_engine *engine;
+    must(fl_builder_new(&builder));
+    must(fl_builder_add_material(builder, "rubber", FL_NUL, &rubber, &fender.material));
+    must(fl_builder_add_body(builder, "tug", FL_NUL, &floating, hull, 4, tug));
+    must(fl_builder_add_body(builder, "quay", FL_NUL, &fixed, wall, 4, &fender.body));
+    must(fl_builder_add_fender(builder, "fender", FL_NUL, &fender, curve, 2, NULL));
+    must(fl_builder_add_pair(builder, *tug, fender.body, fender.material));
+    must(fl_builder_build(builder, &late, &engine));
+    must(fl_builder_destroy(builder));
+    return engine;
+}
+
+int main(void)
+{
+    uint32_t tug;
+    fl_engine *engine = tug_at_a_quay(&tug);
+    fl_state now = {0}, shown = now;
+    fl_contact contact = {.size = sizeof contact};
+    for (int step = 0; step < 6000; step++) {
+        fl_wrench wrenches[2];
+        must(fl_engine_set_state(engine, tug, &shown));
+        must(fl_engine_step(engine, STEP_S));
+        must(fl_engine_wrenches(engine, wrenches, 2));
+        shown = now;
+        now.north_m += now.north_mps * STEP_S;
+        now.north_mps += (THRUST_N + wrenches[tug].north_n) / MASS_KG * STEP_S;
+    }
+    must(fl_engine_contact(engine, 0, &contact));
+    printf("deflection_m,reaction_n\n%.17g,%.17g\n", contact.depth_m, contact.normal_force_n);
+    must(fl_engine_destroy(engine));
+    return 0;
+}

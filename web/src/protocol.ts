@@ -1,0 +1,295 @@
+/**
+ * What server and page say to each other over the websocket `/live?token=…`, as JSON text, one message a frame.
+ *
+ * The server's side is `crates/app/src/serve/protocol`; a test there reads the names out of this file. Units are
+ * SI: metres, seconds, radians, newtons, joules, kilograms. Earth-fixed places are [north, east]; headings and
+ * bearings are from north, positive to starboard; body-fixed places are [forward, starboard].
+ */
+
+// ---------------------------------------------------------------- server → page
+
+export type FromServer = Hello | Frame | Prediction | Ack | Refused | Notice;
+
+/** A place or a vector: [north, east] or [forward, starboard]. */
+export type Pair = [number, number];
+
+/** Sent first, and again whenever the scenario, the branch or the claims change. */
+export interface Hello {
+  type: "hello";
+  protocol: 1;
+  role: Role;
+  title: string;
+  /** File name of the scenario, as in `gallery`. */
+  file: string;
+  step_s: number;
+  bodies: BodyInfo[];
+  vessels: VesselInfo[];
+  fenders: FenderInfo[];
+  lines: LineInfo[];
+  tugs: TugInfo[];
+  /** What this page may command: see [`Control`]. */
+  mine: Control[];
+  /** Who holds what, everywhere; `null`: nobody. */
+  claims: { control: Control; holder: string | null; connected: boolean }[];
+  /** Scenarios that the instructor can open. */
+  gallery: { file: string; title: string; text: string }[];
+  /** The berth that distances are to: a line [m], and the side where the water is; `null` where there is none. */
+  berth: { from: Pair; to: Pair; facing: Pair } | null;
+  depth_m: number | null;
+}
+
+export type Role =
+  | { name: "instructor" }
+  | { name: "pilot" }
+  | { name: "tugmaster"; tug: string }
+  | { name: "observer" };
+
+/** A helm: a vessel by her name, or a tug by hers. One client holds it at a time. */
+export type Control = { vessel: string } | { tug: string } | { session: true };
+
+export interface BodyInfo {
+  name: string;
+  fixed: boolean;
+  /** Body-fixed [m]. */
+  outline: Pair[];
+}
+
+export interface VesselInfo {
+  name: string;
+  /** Index into `bodies`. */
+  body: number;
+  title: string;
+  length_m: number;
+  beam_m: number;
+  draught_m: number;
+  /** `null`: she has none. */
+  rudder_stop_rad: number | null;
+  full_rps: number | null;
+  thrusters: { name: string; along_m: number; force_n: number }[];
+  azimuths: { name: string; at_m: Pair; bollard_n: number }[];
+  /** She is a tug that assists the named vessel, or the pilot's own ship. */
+  is_tug: boolean;
+}
+
+export interface FenderInfo {
+  name: string;
+  body: number;
+  /** Of the mounting, body-fixed [m]. */
+  at_m: Pair;
+  facing_rad: number;
+  width_m: number;
+  projection_m: number;
+  rated_deflection_m: number | null;
+  rated_reaction_n: number | null;
+  rated_energy_j: number | null;
+}
+
+export interface LineInfo {
+  name: string;
+  ship: number;
+  fairlead_m: Pair;
+  /** Of its other end: a place on the earth, or on a body. */
+  end: { place_m: Pair } | { body: number; at_m: Pair };
+  breaking_n: number;
+  /** The tension beyond which the page alarms: half of the breaking load. */
+  working_n: number;
+  has_winch: boolean;
+}
+
+/** A vector tug: a force on her ship, drawn where she works. Tugs that are vessels are in `vessels`. */
+export interface TugInfo {
+  name: string;
+  /** Index into `vessels` of the ship that she serves. */
+  vessel: number;
+  length_m: number;
+  beam_m: number;
+  bollard_pull_n: number;
+  push_at_m: Pair;
+  pull_at_m: Pair;
+}
+
+/** One tick. The page draws between the last two. */
+export interface Frame {
+  type: "frame";
+  tick: number;
+  t_s: number;
+  /** The server's clock when the tick was made [ms since 1970]. */
+  at_ms: number;
+  run: RunState;
+  bodies: BodyNow[];
+  vessels: VesselNow[];
+  fenders: FenderNow[];
+  contacts: ContactNow[];
+  lines: LineNow[];
+  tugs: TugNow[];
+  /** At the pilot's ship, 0 where there is none: from where, and how fast. */
+  wind: { speed_mps: number; from_rad: number };
+  /** Towards where. */
+  current: { speed_mps: number; to_rad: number };
+  waves: { height_m: number; period_s: number; from_rad: number } | null;
+  alarms: Alarm[];
+  /** Since the last frame. */
+  events: { t_s: number; text: string }[];
+}
+
+export interface RunState {
+  paused: boolean;
+  /** Simulated over wall time. */
+  pace: number;
+  /** Ticks that came later than half a step, and the latest of them [ms]. */
+  late_ticks: number;
+  latest_ms: number;
+  branch: number;
+  branches: { id: number; from_tick: number; ends_tick: number; parent: number | null }[];
+  /** The last tick of this branch: beyond `tick` while rewound. */
+  last_tick: number;
+  clients: number;
+}
+
+/** [north, east, heading, velocity north, velocity east, yaw rate]. */
+export type BodyNow = [number, number, number, number, number, number];
+
+export interface VesselNow {
+  rudder: { order_rad: number; now_rad: number };
+  shaft: { order: number; now: number };
+  thrusters: { order: number; now: number }[];
+  azimuths: { power_order: number; power: number; direction_order_rad: number; direction_rad: number }[];
+  /** Who steers: `hands`, `course`, `speed`, `course+speed`, `station`, `assist`. */
+  pilot: string;
+  course_rad: number | null;
+  speed_order_mps: number | null;
+  /** Ahead and to starboard, over ground and through the water [m/s]. */
+  ground_mps: Pair;
+  water_mps: Pair;
+  /** Lateral over ground at the ends, positive to starboard [m/s]. */
+  bow_mps: number;
+  stern_mps: number;
+  heel_rad: number;
+  trim_rad: number;
+  squat_m: number;
+  under_keel_m: number | null;
+  aground: boolean;
+  /** To the berth's line of fenders, at bow and stern [m], where there is a berth. */
+  berth: { bow_m: number; stern_m: number; bow_mps: number; stern_mps: number; angle_rad: number } | null;
+  faults: Fault[];
+}
+
+export interface FenderNow {
+  deflection_m: number;
+  reaction_n: number;
+  energy_j: number;
+  /** Of what it is rated for; 0 where nobody said. */
+  of_energy: number;
+  of_reaction: number;
+  peak_of_energy: number;
+  peak_of_reaction: number;
+  failed: boolean;
+}
+
+export interface ContactNow {
+  bodies: [number, number];
+  fender: number | null;
+  at_m: Pair;
+  /** On the first body, earth-fixed [N]. */
+  force_n: Pair;
+  slips: boolean;
+}
+
+export interface LineNow {
+  /** `ashore` before it is made fast, `fast`, `gone`. */
+  state: "ashore" | "fast" | "parted" | "gone";
+  tension_n: number;
+  winch: "hold" | "heave" | "pay_out";
+}
+
+export interface TugNow {
+  order: "stand_by" | "push" | "pull";
+  order_n: number;
+  order_direction_rad: number;
+  force_n: number;
+  /** Of the force on the ship, from her bow. */
+  direction_rad: number;
+  limited: boolean;
+}
+
+export interface Alarm {
+  level: "caution" | "alarm";
+  /** What kind it is: one of each stands at a time for one thing. */
+  key: string;
+  text: string;
+}
+
+/** Once a second: where the pilot's ship goes if nothing is ordered. */
+export interface Prediction {
+  type: "prediction";
+  tick: number;
+  vessel: number;
+  /** [t_s, north, east, heading]. */
+  path: [number, number, number, number][];
+}
+
+export interface Ack {
+  type: "ack";
+  id: number;
+  /** The tick in which it counts. */
+  tick: number;
+}
+
+export interface Refused {
+  type: "refused";
+  id: number | null;
+  reason: string;
+}
+
+/** To be shown for a while: a client came or went, the run was rewound. */
+export interface Notice {
+  type: "notice";
+  text: string;
+}
+
+// ---------------------------------------------------------------- page → server
+
+export interface Command {
+  type: "command";
+  /** Chosen by the page; comes back in the answer. */
+  id: number;
+  action: Action;
+}
+
+export type Action =
+  // The helm of a vessel, for who holds her.
+  | { do: "rudder"; vessel: string; angle_rad: number }
+  | { do: "engine"; vessel: string; share: number }
+  | { do: "thruster"; vessel: string; thruster: string; share: number }
+  | { do: "azimuth"; vessel: string; unit: string; power: number | null; direction_rad: number | null }
+  | { do: "course"; vessel: string; heading_rad: number }
+  | { do: "speed"; vessel: string; speed_mps: number }
+  | { do: "hands"; vessel: string }
+  // A tug by her master, or by the pilot's order.
+  | { do: "tug"; tug: string; order: "stand_by" }
+  | { do: "tug"; tug: string; order: "push" | "pull"; force_n: number; direction_rad: number }
+  // A tug that is a vessel, told by the pilot: she goes there by herself.
+  | { do: "push_ship"; vessel: string; ship: string; at_m: Pair; force_n: number }
+  | { do: "follow_ship"; vessel: string; ship: string; at_m: Pair; heading_rad: number }
+  // Lines.
+  | { do: "winch"; line: string; order: "hold" | "heave" | "pay_out"; rate_mps: number }
+  | { do: "let_go"; line: string }
+  // Claims.
+  | { do: "claim"; control: Control }
+  | { do: "release"; control: Control }
+  // The instructor's.
+  | { do: "pause" }
+  | { do: "resume" }
+  | { do: "single_step" }
+  | { do: "pace"; pace: number }
+  | { do: "rewind"; tick: number }
+  /** Go on from where it is rewound to, as a new branch. */
+  | { do: "branch" }
+  | { do: "show_branch"; id: number }
+  | { do: "load"; file: string }
+  | { do: "save"; name: string }
+  | { do: "wind"; speed_mps: number; from_rad: number }
+  | { do: "current"; speed_mps: number; to_rad: number }
+  | { do: "fault"; vessel: string; fault: Fault; on: boolean };
+
+export type Fault = "rudder_stuck" | "engine_lost" | "thrusters_lost" | "blackout";

@@ -1,0 +1,253 @@
+//! `cargo xtask c`: the C interface as C uses it. Examples and guide are compiled with all warnings as errors,
+//! run under the address and undefined-behaviour sanitizers, and their numbers held against `fenderline run`;
+//! then random sequences of calls.
+
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitCode, Stdio};
+
+use crate::command::{cargo, run, run_quietly};
+use crate::guide;
+use crate::step::Done;
+use crate::tools;
+
+/// Sequences of random calls where the caller does not say.
+pub(crate) const SEQUENCES: u64 = 100_000;
+/// How many of them a run under sanitizers plays too, and one under valgrind, which are slower.
+const SANITIZED_SHARE: u64 = 4;
+const VALGRIND_SHARE: u64 = 1000;
+
+const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Werror", "-pedantic"];
+const SANITIZERS: [&str; 2] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+/// What the static library needs of the system.
+const SYSTEM: [&str; 3] = ["-lpthread", "-ldl", "-lm"];
+
+/// The scenario whose run the first example repeats, and its steps.
+const SCENARIO: (&str, &str) = ("scenarios/paper/experiment_2_4kn.toml", "200");
+
+/// `cargo xtask c`.
+pub(crate) fn c_command(sequences: u64) -> ExitCode {
+    let parts: [&dyn Fn() -> Result<Done, String>; 2] = [&examples, &|| random_calls(sequences)];
+    for part in parts {
+        match part() {
+            Ok(Done::Good) => {}
+            Ok(Done::NotRun(missing)) => {
+                eprintln!("{} is missing; install: {}", missing.tool, missing.install);
+                return ExitCode::FAILURE;
+            }
+            Err(message) => {
+                eprintln!("{message}");
+                return ExitCode::FAILURE;
+            }
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+/// The examples and the guide.
+pub(crate) fn examples() -> Result<Done, String> {
+    if let Err(missing) = tools::c_compiler() {
+        return Ok(Done::NotRun(missing));
+    }
+    let build = Build::new("examples")?;
+    let done = examples_in(&build);
+    build.remove()?;
+    done.map(|()| Done::Good)
+}
+
+fn examples_in(build: &Build) -> Result<(), String> {
+    let ship = build.compile("ship", Path::new("examples/c/ship.c"), &SANITIZERS)?;
+    let printed = run_quietly(Command::new(&ship).arg(SCENARIO.0).arg(SCENARIO.1))?;
+    let out = build.folder.join("run");
+    let mut program = cargo(["run", "--quiet", "--release", "--package", "fenderline", "--"]);
+    run_quietly(program.args(["run", SCENARIO.0, "--out"]).arg(&out))?;
+    let bodies = out.join("bodies.csv");
+    let bodies =
+        std::fs::read_to_string(&bodies).map_err(|e| format!("{}: {e}", bodies.display()))?;
+    let forces = same_forces(&printed, &bodies)?;
+    println!("examples/c/ship.c: {forces} forces and moments, the bits of `fenderline run`");
+
+    let tug = build.compile("by_calls", Path::new("examples/c/by_calls.c"), &SANITIZERS)?;
+    let printed = run_quietly(&mut Command::new(&tug))?;
+    // Thrust over stiffness, and thrust: a host that integrates by itself keeps to them as the engine does.
+    let rest = printed.lines().last().unwrap_or_default();
+    let numbers: Vec<f64> = rest.split(',').filter_map(|cell| cell.parse().ok()).collect();
+    let near = |index: usize, right: f64| {
+        numbers.get(index).is_some_and(|number| (number / right - 1.0).abs() < 1e-6)
+    };
+    if !(near(0, 500e3 / 6.5e6) && near(1, 500e3)) {
+        return Err(format!(
+            "examples/c/by_calls.c does not rest at thrust over stiffness:\n{printed}"
+        ));
+    }
+    println!("examples/c/by_calls.c: rests at thrust over stiffness");
+
+    let text =
+        std::fs::read_to_string("docs/guides/c.md").map_err(|e| format!("the guide: {e}"))?;
+    let guide = guide::Guide::read(&text, "c")?;
+    let source = build.folder.join("guide.c");
+    std::fs::write(&source, &guide.program).map_err(|e| format!("{}: {e}", source.display()))?;
+    // Both ways in which the guide links.
+    for (name, linking) in [("static", &SANITIZERS[..]), ("shared", &[])] {
+        let program = build.compile(name, &source, linking)?;
+        let printed = run_quietly(&mut Command::new(&program))?;
+        guide.expects(&printed)?;
+    }
+    println!("docs/guides/c.md: prints what it says, by the static and the shared library");
+    build.exports()
+}
+
+/// Every force of the table that the example printed is that of the run's table, bit for bit.
+fn same_forces(printed: &str, bodies: &str) -> Result<usize, String> {
+    const COLUMNS: [&str; 5] = ["t_s", "body", "force_x_n", "force_y_n", "moment_z_nm"];
+    let table = |text: &str| -> Result<Vec<(u64, String, [u64; 3])>, String> {
+        let mut lines = text.lines();
+        let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
+        let place = |name| header.iter().position(|column| *column == name);
+        let places: Option<Vec<usize>> = COLUMNS.into_iter().map(place).collect();
+        let places = places.ok_or_else(|| format!("columns {header:?}"))?;
+        let row = |line: &str| {
+            let cells: Vec<&str> = line.split(',').collect();
+            let bits =
+                |column: usize| Some(cells.get(places[column])?.parse::<f64>().ok()?.to_bits());
+            let body = (*cells.get(places[1])?).to_owned();
+            Some((bits(0)?, body, [bits(2)?, bits(3)?, bits(4)?]))
+        };
+        lines.map(|line| row(line).ok_or_else(|| format!("the line `{line}`"))).collect()
+    };
+    let (ours, run) = (table(printed)?, table(bodies)?);
+    if ours.is_empty() || ours.len() > run.len() {
+        return Err(format!("the example has {} rows, the run {}", ours.len(), run.len()));
+    }
+    for (own, other) in ours.iter().zip(&run) {
+        if own != other {
+            let (t_s, body) = (f64::from_bits(own.0), &own.1);
+            return Err(format!("at {t_s} s, {body}: the example's force is not that of the run"));
+        }
+    }
+    if ours.iter().all(|row| row.2 == [0; 3]) {
+        return Err("nothing touched".to_owned());
+    }
+    Ok(3 * ours.len())
+}
+
+/// Random sequences of calls: a plain build plays all of them, one under sanitizers a part, at the same time,
+/// and what comes back must be the same.
+pub(crate) fn random_calls(sequences: u64) -> Result<Done, String> {
+    if let Err(missing) = tools::c_compiler() {
+        return Ok(Done::NotRun(missing));
+    }
+    let build = Build::new("calls")?;
+    let done = random_calls_in(&build, sequences);
+    build.remove()?;
+    done.map(|()| Done::Good)
+}
+
+fn random_calls_in(build: &Build, sequences: u64) -> Result<(), String> {
+    let source = Path::new("crates/capi/fuzz/fuzz.c");
+    let plain = build.compile("plain", source, &["-O1"])?;
+    let options = [&SANITIZERS[..], &["-O1"]].concat();
+    let sanitized = build.compile("sanitized", source, &options)?;
+    let all = start(Command::new(&plain).arg(sequences.to_string()))?;
+    let part = start(Command::new(&sanitized).arg((sequences / SANITIZED_SHARE).to_string()))?;
+    let (all, part) = (end(all)?, end(part)?);
+    println!("{}", all.lines().last().unwrap_or_default());
+    println!("under sanitizers: {}", part.lines().last().unwrap_or_default());
+    let digests = |printed: &str| -> Vec<String> {
+        let lines = printed.lines().filter(|line| line.starts_with("digest"));
+        lines.map(str::to_owned).collect()
+    };
+    let (all, part) = (digests(&all), digests(&part));
+    if part.iter().zip(&all).any(|(one, other)| one != other) {
+        return Err("the same calls gave other results under sanitizers".to_owned());
+    }
+    if tools::valgrind().is_ok() {
+        let some = (sequences / VALGRIND_SHARE).to_string();
+        let mut valgrind = Command::new("valgrind");
+        valgrind.args(["--quiet", "--error-exitcode=9", "--leak-check=full"]);
+        run_quietly(valgrind.arg(&plain).arg(&some))?;
+        println!("{some} sequences under valgrind: no read, write or leak where there may be none");
+    } else {
+        println!("valgrind is not installed: none under it");
+    }
+    Ok(())
+}
+
+fn start(command: &mut Command) -> Result<Child, String> {
+    let command = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.spawn().map_err(|e| format!("{command:?}: {e}"))
+}
+
+fn end(child: Child) -> Result<String, String> {
+    let output = child.wait_with_output().map_err(|e| e.to_string())?;
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+    if output.status.success() {
+        return Ok(printed);
+    }
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    Err(format!("random calls: {}\n{printed}{complaint}", output.status))
+}
+
+/// The library, built, and a folder for programs.
+struct Build {
+    folder: PathBuf,
+    library: PathBuf,
+}
+
+impl Build {
+    /// Builds the library, optimised.
+    fn new(what: &str) -> Result<Build, String> {
+        const PACKAGE: [&str; 4] = ["build", "--release", "--package", "fenderline-capi"];
+        run(&mut cargo(PACKAGE))?;
+        // Where it is, cargo says; the second time it has nothing else to say.
+        let said = run_quietly(cargo(PACKAGE).args(["--quiet", "--message-format", "json"]))?;
+        let library = said.split('"').find(|text| text.ends_with("libfenderline.a"));
+        let library = library.ok_or("cargo does not say where libfenderline.a is")?.into();
+        let name = format!("fenderline-c-{what}-{}", std::process::id());
+        let folder = std::env::temp_dir().join(name);
+        std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+        Ok(Build { folder, library })
+    }
+
+    /// Compiles one file to a program; without options, against the shared library.
+    fn compile(&self, name: &str, source: &Path, options: &[&str]) -> Result<PathBuf, String> {
+        let program = self.folder.join(name);
+        let mut cc = Command::new("cc");
+        cc.args(["-std=c99", "-g"]).args(WARNINGS).args(options).arg("-Iinclude").arg(source);
+        if options.is_empty() {
+            let folder = self.library.parent().unwrap_or(Path::new(""));
+            cc.arg("-L").arg(folder).arg(format!("-Wl,-rpath,{}", folder.display()));
+            cc.arg("-l:libfenderline.so");
+        } else {
+            cc.arg(&self.library).args(SYSTEM);
+        }
+        run_quietly(cc.arg("-o").arg(&program))?;
+        Ok(program)
+    }
+
+    /// The shared library exports the header's functions and nothing else.
+    fn exports(&self) -> Result<(), String> {
+        let shared = self.library.with_extension("so");
+        let listed = run_quietly(Command::new("nm").args(["-D", "--defined-only"]).arg(&shared))?;
+        let mut exported: Vec<&str> =
+            listed.lines().filter_map(|line| line.split_whitespace().nth(2)).collect();
+        exported.sort_unstable();
+        let header = std::fs::read_to_string("include/fenderline.h")
+            .map_err(|e| format!("include/fenderline.h: {e}"))?;
+        // A declaration begins a line; comments do not.
+        let declared = header.lines().filter(|line| line.starts_with(|c: char| c.is_alphabetic()));
+        let name =
+            |line: &'_ str| Some(line.split_once('(')?.0.rsplit([' ', '*']).next()?.to_owned());
+        let mut declared: Vec<String> =
+            declared.filter_map(name).filter(|name| name.starts_with("fl_")).collect();
+        declared.sort_unstable();
+        if exported != declared {
+            return Err(format!("exported: {exported:?}\ndeclared: {declared:?}"));
+        }
+        println!("{} functions, all of the header and no other symbol", exported.len());
+        Ok(())
+    }
+
+    fn remove(&self) -> Result<(), String> {
+        std::fs::remove_dir_all(&self.folder).map_err(|e| format!("{}: {e}", self.folder.display()))
+    }
+}
