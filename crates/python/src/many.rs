@@ -13,6 +13,9 @@ use crate::summaries::{Summary, fenders_table, pairs_table};
 use crate::tables;
 use crate::variants::{self, Common, NoRun};
 
+/// Runs between two looks at whether the user wants to stop.
+const RUNS_AT_A_TIME: usize = 1000;
+
 enum Failed {
     NoRun(NoRun),
     BlewUp(SimError),
@@ -38,7 +41,13 @@ pub(crate) fn run_variants<'py>(
         Ok((run.simulation.states().to_vec(), Summary::of(&run.simulation)))
     };
     let threads = parallel::threads(threads);
-    let done = py.detach(|| parallel::each(sets.len(), threads, one));
+    let mut done = Vec::with_capacity(sets.len());
+    while done.len() < sets.len() {
+        let first = done.len();
+        let count = RUNS_AT_A_TIME.min(sets.len() - first);
+        done.extend(py.detach(|| parallel::each(count, threads, |index| one(first + index))));
+        py.check_signals()?;
+    }
     let bodies = common.base.setup.bodies.len();
     let mut states = vec![0.0; sets.len() * bodies * STATE];
     let mut summaries = Vec::with_capacity(sets.len());

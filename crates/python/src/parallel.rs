@@ -54,9 +54,13 @@ pub(crate) fn each_mut<I: Send, T: Send>(
     if threads == 1 || items.len() < 2 {
         return items.iter_mut().enumerate().map(|(index, item)| work(index, item)).collect();
     }
-    let items: Vec<Mutex<&mut I>> = items.iter_mut().map(Mutex::new).collect();
-    each(items.len(), threads, |index| {
-        let mut item = items[index].lock().expect("no work is done twice");
-        work(index, &mut item)
-    })
+    // A few pieces a thread, as they take different times.
+    let size = items.len().div_ceil(4 * threads);
+    let pieces: Vec<Mutex<&mut [I]>> = items.chunks_mut(size).map(Mutex::new).collect();
+    let done = each(pieces.len(), threads, |piece| {
+        let mut own = pieces[piece].lock().expect("no piece is done twice");
+        let numbers = piece * size..;
+        own.iter_mut().zip(numbers).map(|(item, index)| work(index, item)).collect::<Vec<T>>()
+    });
+    done.into_iter().flatten().collect()
 }

@@ -113,11 +113,13 @@ impl Simulation {
                 self.show(py)?;
                 return Err(why.exception(py));
             }
+            // Shown also to whom an interrupt brings back here.
+            self.show(py)?;
             if left > 0 {
                 py.check_signals()?;
             }
         }
-        self.show(py)
+        Ok(())
     }
 
     /// Goes on to the end of the scenario's duration, or to a time.

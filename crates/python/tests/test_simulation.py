@@ -2,7 +2,9 @@
 
 import csv
 import os
+import signal
 import subprocess
+import threading
 from pathlib import Path
 
 import fenderline
@@ -174,3 +176,16 @@ def test_events_are_told_by_name() -> None:
     simulation.run()
     kinds = [event.kind for event in simulation.events]
     assert kinds == ["contact_began", "contact_ended"]
+
+
+def test_an_interrupt_stops_a_long_run(scenarios: Path) -> None:
+    simulation = Simulation(berth(scenarios))
+    timer = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        simulation.step(10**9)
+    timer.join()
+    assert 0 < simulation.time_s < 1e7
+    here = simulation.states.copy()
+    simulation.restore(simulation.save())
+    assert (simulation.states == here).all()
