@@ -204,7 +204,8 @@ typedef enum {
      */
     FL_STATUS_BAD_MODEL = 7,
     /**
-     * A state, a load or a time step that is not finite or out of range: the text names body and field.
+     * A state, a load or a time step that is not finite or out of range: the text names body and field; or a
+     * step so long that its results are not finite.
      */
     FL_STATUS_BAD_NUMBER = 8,
     /**

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use crate::command::{cargo, run};
 use crate::tools;
 
-const BENCHES: [&str; 6] = ["clip", "step", "accuracy", "mmg", "berth", "callgrind"];
+const BENCHES: [&str; 7] = ["clip", "step", "border", "accuracy", "mmg", "berth", "callgrind"];
 
 /// Runs the benches that are named; all where none is.
 pub(crate) fn bench(names: &[&str]) -> ExitCode {
@@ -24,9 +24,13 @@ pub(crate) fn bench(names: &[&str]) -> ExitCode {
             println!("== not run: {} is missing; install: {}", missing.tool, missing.install);
             continue;
         }
-        let arguments =
-            ["run", "--quiet", "--release", "--package", "fenderline-bench", "--", name];
-        if let Err(message) = run(&mut cargo(arguments)) {
+        let bench: &[&str] = match name {
+            // Beside the crate that has the right to call it.
+            "border" => &["--package", "fenderline-capi", "--example", "cost"],
+            _ => &["--package", "fenderline-bench", "--", name],
+        };
+        let mut cargo = cargo(["run", "--quiet", "--release"]);
+        if let Err(message) = run(cargo.args(bench)) {
             eprintln!("{message}");
             code = ExitCode::FAILURE;
         }

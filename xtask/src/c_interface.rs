@@ -55,6 +55,9 @@ pub(crate) fn examples() -> Result<Done, String> {
 }
 
 fn examples_in(build: &Build) -> Result<(), String> {
+    let mut cpp = Command::new("c++");
+    cpp.args(["-x", "c++", "-std=c++11", "-fsyntax-only"]).args(WARNINGS);
+    run_quietly(cpp.arg("include/fenderline.h"))?;
     let ship = build.compile("ship", Path::new("examples/c/ship.c"), &SANITIZERS)?;
     let printed = run_quietly(Command::new(&ship).arg(SCENARIO.0).arg(SCENARIO.1))?;
     let out = build.folder.join("run");
@@ -216,7 +219,7 @@ impl Build {
         if options.is_empty() {
             let folder = self.library.parent().unwrap_or(Path::new(""));
             cc.arg("-L").arg(folder).arg(format!("-Wl,-rpath,{}", folder.display()));
-            cc.arg("-l:libfenderline.so");
+            cc.arg("-lfenderline");
         } else {
             cc.arg(&self.library).args(SYSTEM);
         }

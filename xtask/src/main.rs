@@ -20,9 +20,9 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
        cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
-       cargo xtask bench [clip|step|accuracy|mmg|berth|callgrind]...
+       cargo xtask bench [clip|step|border|accuracy|mmg|berth|callgrind]...
                                           times and answers against the peers, instructions a step
-                                          (all five)
+                                          (all seven)
        cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (100000)
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)";
 

@@ -53,13 +53,16 @@ pub(crate) fn cargo_fuzz() -> Result<(), Missing> {
         .ok_or(Missing { tool: "a C++ compiler", install: "g++ or clang of your distribution" })
 }
 
-/// A C compiler with the address and undefined-behaviour sanitizers.
+/// A C compiler with the address and undefined-behaviour sanitizers, a C++ compiler for the header, and `nm`.
 pub(crate) fn c_compiler() -> Result<(), Missing> {
     let mut cc = Command::new("cc");
     cc.args(["-x", "c", "-fsanitize=address,undefined", "/dev/null", "-shared", "-fPIC"]);
-    answers(cc.args(["-o", "/dev/null"])).then_some(()).ok_or(Missing {
-        tool: "a C compiler with sanitizers",
-        install: "gcc or clang of your distribution",
+    let all = answers(cc.args(["-o", "/dev/null"]))
+        && answers(Command::new("c++").arg("--version"))
+        && answers(Command::new("nm").arg("--version"));
+    all.then_some(()).ok_or(Missing {
+        tool: "a C and C++ compiler with sanitizers",
+        install: "gcc, g++ and binutils of your distribution",
     })
 }
 

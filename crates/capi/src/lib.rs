@@ -11,6 +11,9 @@
     reason = "the header's preamble says for all functions what a pointer must be"
 )]
 
+#[cfg(not(panic = "unwind"))]
+compile_error!("a panic must become a status: build this with panic = \"unwind\"");
+
 mod border;
 mod builder;
 mod engine;

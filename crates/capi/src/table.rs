@@ -76,7 +76,7 @@ impl<T> Table<T> {
         Ok(ptr::without_provenance_mut(MARK | (serial << 4) | self.kind))
     }
 
-    /// Lets go of an object; a call that is under way ends first.
+    /// Lets go of an object, which lasts until a call on it that is under way has ended.
     pub(crate) fn remove<H>(&self, handle: *const H) -> Outcome {
         let serial = self.serial_of(handle)?;
         let mut held = self.held.write().unwrap_or_else(PoisonError::into_inner);

@@ -1,0 +1,210 @@
+//! What a program in C sees: statuses and texts, two engines at once, handles that were destroyed.
+#![allow(unsafe_code, reason = "it calls as a program in C does")]
+
+use std::ptr;
+use std::thread;
+
+use fenderline::*;
+
+const TUG: &str =
+    concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/paper/experiment_2_4kn.toml");
+const STEP_S: f64 = 0.1;
+
+/// A handle that another thread may use: the library says so.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Engine(*mut FlEngine);
+
+// SAFETY: a handle is a number; the library locks what it stands for.
+unsafe impl Send for Engine {}
+
+impl Engine {
+    fn new(overrides: &str, settings: Option<&FlSettings>) -> Engine {
+        let mut engine = ptr::null_mut();
+        let settings = settings.map_or(ptr::null(), ptr::from_ref);
+        let (path, more) = (TUG.as_ptr().cast(), overrides.as_ptr().cast());
+        // SAFETY: texts with their lengths, settings or NULL, room for a handle.
+        let status = unsafe {
+            fl_engine_from_file(path, TUG.len(), more, overrides.len(), settings, &mut engine)
+        };
+        assert_eq!(status, FlStatus::Ok, "{}", last_error());
+        Engine(engine)
+    }
+
+    fn begin(self) -> [FlState; 2] {
+        let mut states = [FlState::default(); 2];
+        // SAFETY: room for two.
+        let status = unsafe { fl_engine_initial_states(self.0, states.as_mut_ptr(), 2) };
+        assert_eq!(status, FlStatus::Ok);
+        states
+    }
+
+    fn set(self, states: &[FlState]) -> FlStatus {
+        // SAFETY: as many as there are.
+        unsafe { fl_engine_set_states(self.0, states.as_ptr(), states.len()) }
+    }
+
+    fn wrenches(self) -> (FlStatus, [FlWrench; 2]) {
+        let mut wrenches = [FlWrench::default(); 2];
+        // SAFETY: room for two.
+        let status = unsafe { fl_engine_wrenches(self.0, wrenches.as_mut_ptr(), 2) };
+        (status, wrenches)
+    }
+
+    fn error(self) -> String {
+        // SAFETY: as the text is asked for.
+        text(|buffer, capacity| unsafe {
+            fl_engine_error(self.0, buffer, capacity, ptr::null_mut())
+        })
+    }
+
+    /// The forces on the tug while the engine moves the bodies, as bits.
+    fn run(self, steps: usize) -> Vec<u64> {
+        let mut states = self.begin();
+        let mut forces = Vec::new();
+        for _ in 0..steps {
+            assert_eq!(self.set(&states), FlStatus::Ok);
+            assert_eq!(fl_engine_step(self.0, STEP_S), FlStatus::Ok);
+            // SAFETY: room for two.
+            let moved = unsafe { fl_engine_states_after(self.0, states.as_mut_ptr(), 2) };
+            assert_eq!(moved, FlStatus::Ok);
+            forces.push(self.wrenches().1[1].east_n.to_bits());
+        }
+        assert!(forces.iter().any(|bits| f64::from_bits(*bits) < -1e6));
+        forces
+    }
+
+    fn destroy(self) -> FlStatus {
+        fl_engine_destroy(self.0)
+    }
+}
+
+fn text(ask: impl FnOnce(*mut core::ffi::c_char, usize) -> FlStatus) -> String {
+    let mut buffer = [0_u8; 1000];
+    assert_eq!(ask(buffer.as_mut_ptr().cast(), buffer.len()), FlStatus::Ok);
+    let text = core::ffi::CStr::from_bytes_until_nul(&buffer).expect("a NUL");
+    text.to_str().expect("UTF-8").to_owned()
+}
+
+fn last_error() -> String {
+    // SAFETY: as the text is asked for.
+    text(|buffer, capacity| unsafe { fl_last_error(buffer, capacity, ptr::null_mut()) })
+}
+
+const COUPLED: &str = "contact.method=coupled\ntime.integrator=semi_implicit";
+
+#[test]
+fn two_engines_in_two_threads_give_the_bits_that_each_gives_alone() {
+    let alone = Engine::new(COUPLED, None);
+    let forces = alone.run(40);
+    assert_eq!(fl_engine_reset(alone.0), FlStatus::Ok);
+    let others: Vec<_> = (0..4)
+        .map(|_| {
+            thread::spawn(|| {
+                let engine = Engine::new(COUPLED, None);
+                let forces = engine.run(40);
+                assert_eq!(engine.destroy(), FlStatus::Ok);
+                forces
+            })
+        })
+        .collect();
+    assert_eq!(alone.run(40), forces);
+    for other in others {
+        assert_eq!(other.join().expect("no panic"), forces);
+    }
+    assert_eq!(alone.destroy(), FlStatus::Ok);
+}
+
+#[test]
+fn an_engine_may_be_destroyed_while_another_thread_steps_it() {
+    let engine = Engine::new(COUPLED, None);
+    let states = engine.begin();
+    assert_eq!(engine.set(&states), FlStatus::Ok);
+    let stepping = thread::spawn(move || {
+        let engine = engine;
+        let mut steps = 0_u64;
+        loop {
+            match fl_engine_step(engine.0, 1e-3) {
+                FlStatus::Ok => steps += 1,
+                FlStatus::BadHandle => return steps,
+                other => panic!("{other:?}"),
+            }
+        }
+    });
+    thread::sleep(std::time::Duration::from_millis(20));
+    assert_eq!(engine.destroy(), FlStatus::Ok);
+    assert!(stepping.join().expect("no panic") > 0);
+    assert_eq!(engine.destroy(), FlStatus::BadHandle);
+}
+
+#[test]
+fn calls_out_of_order_have_their_status() {
+    let engine = Engine::new(COUPLED, None);
+    assert_eq!(engine.wrenches().0, FlStatus::OutOfOrder);
+    assert_eq!(fl_engine_step(engine.0, STEP_S), FlStatus::OutOfOrder);
+    assert_eq!(engine.error(), "the state of body `ship` was never shown");
+    let states = engine.begin();
+    assert_eq!(engine.set(&states[1..]), FlStatus::BadArgument);
+    assert_eq!(engine.set(&states), FlStatus::Ok);
+    assert_eq!(fl_engine_step(engine.0, 0.0), FlStatus::BadNumber);
+    assert_eq!(engine.wrenches().0, FlStatus::OutOfOrder);
+    assert_eq!(fl_engine_step(engine.0, STEP_S), FlStatus::Ok);
+    assert_eq!(engine.wrenches().0, FlStatus::Ok);
+    assert_eq!(engine.destroy(), FlStatus::Ok);
+}
+
+#[test]
+fn a_number_that_is_none_names_body_and_field_and_another_engine_keeps_its_own_text() {
+    let (one, two) = (Engine::new(COUPLED, None), Engine::new("", None));
+    let mut states = one.begin();
+    states[1].north_mps = f64::NAN;
+    assert_eq!(one.set(&states), FlStatus::BadNumber);
+    assert_eq!(one.error(), "north velocity of body `tug` is NaN");
+    assert_eq!(last_error(), one.error());
+    assert_eq!(two.error(), "");
+    let none = [FlWrench::default(); 2];
+    // SAFETY: two of them.
+    let told = unsafe { fl_engine_set_loads(two.0, none.as_ptr(), 2) };
+    assert_eq!(told, FlStatus::NotAvailable);
+    assert_eq!(two.error(), "the paper's method knows no loads");
+    assert_eq!(one.error(), "north velocity of body `tug` is NaN");
+    assert_eq!((one.destroy(), two.destroy()), (FlStatus::Ok, FlStatus::Ok));
+}
+
+#[test]
+fn a_mistake_in_a_scenario_says_where_and_gives_no_handle() {
+    let mut engine = ptr::without_provenance_mut(1);
+    let text = "[body.tug]\nmas = 3\n";
+    // SAFETY: a text with its length, room for a handle.
+    let status = unsafe {
+        fl_engine_from_text(
+            text.as_ptr().cast(),
+            text.len(),
+            ptr::null(),
+            0,
+            ptr::null(),
+            &mut engine,
+        )
+    };
+    assert_eq!((status, engine), (FlStatus::BadScenario, ptr::null_mut()));
+    assert!(last_error().contains("--> scenario:2:1"), "{}", last_error());
+}
+
+#[test]
+fn settings_of_another_header_and_those_that_do_nothing_are_refused() {
+    let mut engine = ptr::null_mut();
+    let mut refused = |settings: FlSettings| {
+        let path = TUG.as_ptr().cast();
+        // SAFETY: a text with its length, settings, room for a handle.
+        unsafe { fl_engine_from_file(path, TUG.len(), ptr::null(), 0, &settings, &mut engine) }
+    };
+    let good = FlSettings { size: size_of::<FlSettings>(), ..FlSettings::default() };
+    assert_eq!(refused(FlSettings { size: 8, ..good }), FlStatus::BadSize);
+    assert_eq!(refused(FlSettings { delay_steps: 1, ..good }), FlStatus::BadArgument);
+    assert_eq!(refused(FlSettings { method: 9, ..good }), FlStatus::BadArgument);
+    let following = FlSettings { host: FL_HOST_FOLLOWING, ..good };
+    // The scenario's method is the paper's.
+    assert_eq!(refused(following), FlStatus::BadArgument);
+    let coupled = FlSettings { method: FL_METHOD_COUPLED, ..following };
+    assert_eq!(refused(coupled), FlStatus::Ok);
+    assert_eq!(fl_engine_destroy(engine), FlStatus::Ok);
+}
