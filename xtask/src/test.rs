@@ -30,6 +30,7 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "published cases", run: validate },
         Step { name: "independent implementation", run: independent },
         nautical::STEP,
+        Step { name: "the Python package", run: python_package },
         Step { name: "licences and sources of dependencies", run: licences },
         Step { name: "contact makes no energy", run: passive },
         Step { name: "C: examples and guide", run: c_interface::examples },
@@ -180,6 +181,15 @@ fn independent() -> Result<Done, String> {
         .try_for_each(|name| same_numbers(&Path::new(RESULTS).join(name), &out.join(name)));
     std::fs::remove_dir_all(&out).map_err(|e| format!("{}: {e}", out.display()))?;
     compared.map(|()| Done::Good)
+}
+
+/// In a clean virtual environment, with what it is tested by from PyPI.
+fn python_package() -> Result<Done, String> {
+    match tools::python_environments() {
+        Ok(python) => run(Command::new(python).args(["-B", "crates/python/test.py"])),
+        Err(missing) => return Ok(Done::NotRun(missing)),
+    }
+    .map(|()| Done::Good)
 }
 
 /// Seconds of it; `cargo xtask passivity` plays twenty times as many, and finds rarer gains.

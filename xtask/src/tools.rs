@@ -21,6 +21,18 @@ pub(crate) fn python() -> Result<&'static str, Missing> {
         .ok_or(Missing { tool: "Python 3.11 or later", install: "from your distribution" })
 }
 
+/// Python that makes virtual environments, and a package index within its reach.
+pub(crate) fn python_environments() -> Result<&'static str, Missing> {
+    let python = python()?;
+    let finds = ["install", "--dry-run", "--quiet", "--no-deps", "--ignore-installed", "maturin"];
+    let is_there = answers(Command::new(python).args(["-c", "import ensurepip, venv"]))
+        && answers(Command::new(python).args(["-m", "pip"]).args(finds));
+    is_there.then_some(python).ok_or(Missing {
+        tool: "Python's venv and pip, with PyPI within reach",
+        install: "python3-venv and python3-pip of your distribution",
+    })
+}
+
 /// cargo-deny.
 pub(crate) fn cargo_deny() -> Result<(), Missing> {
     let install = "cargo install --locked cargo-deny";

@@ -1,9 +1,9 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
-//! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre`, `vessels` and
-//! `fmu` are the commands; `load` reads a scenario;
-//! `output` writes the result files, `report` the page, with the charts of `plot`; `touched` and
-//! `verdict` are what both say of a fender, `world` of vessels, tugs and lines; `provider` speaks with other
+//! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre`, `vessels` and `fmu` are the commands;
+//! `load` reads a scenario;
+//! `output` writes the result files, `report` the page, with the charts of `plot`; `verdict` is
+//! what both say of a fender, `world` of vessels, tugs and lines; `provider` speaks with other
 //! programs that put forces on bodies.
 
 mod check;
@@ -20,7 +20,6 @@ mod report;
 mod run;
 mod serve;
 mod terminal;
-mod touched;
 mod validate;
 mod verdict;
 mod vessels;

@@ -39,13 +39,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let mut simulation = Simulation::new(setup).map_err(error)?;
     let folder_path = args.out.clone().unwrap_or_else(|| default_folder(&args.scenario));
     let folder = Folder::open(&folder_path)?;
-    let mut tables = Tables::create(
-        &folder,
-        args.format,
-        simulation.setup(),
-        simulation.energy(),
-        &facts(&title, &simulation),
-    )?;
+    let facts = facts(&title, &simulation);
+    let (setup, start) = (simulation.setup(), simulation.energy());
+    let mut tables = Tables::create(&folder, args.format, setup, start, &facts)?;
     let mut recorder = Recorder::new(simulation.setup(), simulation.energy());
     let mut events = Events::default();
     let mut world = WorldTotals::new(simulation.setup());
@@ -83,6 +79,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let files = tables.files();
     let summary = summary(&outcome, &files)?;
     let report = report::render(&outcome, &recorder);
+    let tables = tables.finish()?;
     publish(folder, tables, &report, &summary)?;
     say(&printed::summary(&outcome, &folder_path, &files))
 }

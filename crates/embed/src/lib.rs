@@ -39,3 +39,8 @@ pub use engine::Engine;
 pub use error::EngineError;
 pub use results::{Reckoned, Results};
 pub use settings::{Host, MOST_DELAY_STEPS, Settings, Turning};
+
+/// The guide's snippets, as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guides/rust.md")]
+pub struct Guide;

@@ -18,7 +18,7 @@ use fenderline_sim::environment::wind::ShipWindage;
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{
     BodySetup, BodyVelocity, FenderSetup, Integrator, Load, MassProperties, Method, NamedMaterial,
-    PairSetup, Setup, WorldSetup,
+    Order, PairSetup, Setup, WorldSetup,
 };
 
 use crate::checked::{Item, Table};
@@ -101,6 +101,23 @@ pub(crate) fn setup(
         loads,
         world: WorldSetup { environment, vessels, orders, tugs, lines, providers },
     })
+}
+
+/// An order to the vessels, tugs and lines of a set-up.
+pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Checked<Order> {
+    let (files, mut notices) = (Files::default(), Vec::new());
+    let assembly = Assembly { sources, files: &files, notices: &mut notices };
+    let names = Names::new(&setup.bodies, &setup.materials);
+    let pairs = Pairs { named: setup.pairs.clone(), every_other: setup.every_other_pair };
+    let world = &setup.world;
+    let afloat = Afloat {
+        bodies: &setup.bodies,
+        fenders: &setup.fenders,
+        pairs: &pairs,
+        lines: &world.lines,
+    };
+    let known = WorldNames { vessels: &world.vessels, tugs: &world.tugs, afloat };
+    assembly.order(table, &known, &names)
 }
 
 fn method(contact: &Table) -> Method {

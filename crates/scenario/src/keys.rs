@@ -22,7 +22,7 @@ use crate::units::measures as unit;
 pub(crate) use azimuth::AZIMUTH;
 pub(crate) use vessel::{STABILITY, THRUSTER};
 pub(crate) use windage::WINDAGE;
-pub(crate) use world::{LENGTH as LENGTH_M, PLACE as FORWARD_M, key};
+pub(crate) use world::{LENGTH as LENGTH_M, ORDER, PLACE as FORWARD_M, key};
 
 /// What an order may ask of a vessel, a tug or a line: one of them.
 pub(crate) const VESSEL_ORDERS: &[&str] = &[

@@ -63,6 +63,7 @@ mod key_path;
 mod keys;
 mod library;
 mod load;
+mod order;
 mod overrides;
 mod reader;
 mod scenario;
@@ -81,6 +82,7 @@ pub use library::{
     LookUpError, Tolerance,
 };
 pub use load::{LoadError, read_text};
+pub use order::order;
 pub use overrides::Override;
 pub use scenario::Scenario;
 pub use schema::{fender_schema, schema, vessel_schema};

@@ -63,6 +63,18 @@ impl Override {
         Ok(Override { shown, path, value: value.to_owned() })
     }
 
+    /// The names of the dotted path.
+    #[must_use]
+    pub fn path(&self) -> &[String] {
+        &self.path
+    }
+
+    /// The value as it was given: TOML, or else a text without its quotes.
+    #[must_use]
+    pub fn value_text(&self) -> &str {
+        &self.value
+    }
+
     /// The option as errors show it.
     pub(crate) fn shown(&self) -> &str {
         &self.shown

@@ -2,8 +2,9 @@
 
 use std::io::Write as _;
 
+use fenderline_results::{Column, Names, Value};
+
 use super::OutputError;
-use super::columns::{Column, Names, Value};
 use super::part_file::{PartFile, Sealed};
 
 /// A csv file being written.

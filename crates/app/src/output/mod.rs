@@ -5,14 +5,13 @@
 //! then it is called `NAME.part`. `summary.json` gets its name last of all: where it is, all of the
 //! results are there.
 
-mod columns;
 mod csv;
+mod files;
 mod outcome;
 mod parquet;
 mod part_file;
 mod summary;
 mod tables;
-mod world_tables;
 
 use core::fmt;
 use std::path::{Path, PathBuf};
@@ -20,7 +19,7 @@ use std::path::{Path, PathBuf};
 use clap::ValueEnum;
 
 pub(crate) use outcome::Outcome;
-pub(crate) use part_file::Folder;
+pub(crate) use part_file::{Folder, Sealed};
 pub(crate) use summary::{Events, event_text, integrator_text, is_plain, method_text, summary};
 pub(crate) use tables::Tables;
 
@@ -98,20 +97,19 @@ pub(crate) struct WrittenFile {
     pub(crate) rows: Option<u64>,
 }
 
-/// Brings all files of a run to the disk and then gives them their final names, the summary last.
-/// Where anything fails, none keeps its final name.
+/// Brings all files of a run to the disk and then gives them their final names, the summary last;
+/// `files` are the tables. Where anything fails, none keeps its final name.
 ///
 /// # Errors
 /// The first file that could not be written or renamed.
 pub(crate) fn publish(
     folder: Folder,
-    tables: Tables,
+    mut files: Vec<Sealed>,
     report: &str,
     summary: &str,
 ) -> Result<(), OutputError> {
     let mut report_file = folder.create(REPORT)?;
     report_file.put(report.as_bytes())?;
-    let mut files = tables.finish()?;
     files.push(report_file.seal()?);
     folder.publish(files, summary.as_bytes())
 }

@@ -4,6 +4,7 @@ use core::fmt::Write as _;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use fenderline_results::{Column, Names, Value};
 use parquet::basic::Compression;
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type};
 use parquet::errors::ParquetError;
@@ -13,7 +14,6 @@ use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::parser::parse_message_type;
 
 use super::OutputError;
-use super::columns::{Column, Names, Value};
 use super::csv::not_finite;
 use super::part_file::{PartFile, Sealed};
 

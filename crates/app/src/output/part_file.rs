@@ -58,7 +58,7 @@ impl Drop for PartFile {
 
 /// A file that is whole on the disk under its `.part` name; removed when it is dropped before it
 /// is published.
-pub(super) struct Sealed {
+pub(crate) struct Sealed {
     part: PathBuf,
     is_published: bool,
 }

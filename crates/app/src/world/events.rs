@@ -66,20 +66,6 @@ impl<'a> Who<'a> {
     }
 }
 
-/// The word for a kind of event in `summary.json`.
-pub(crate) fn world_event_key(kind: WorldEventKind) -> &'static str {
-    match kind {
-        WorldEventKind::OrderClamped => "order_clamped",
-        WorldEventKind::Aground => "aground",
-        WorldEventKind::ShallowHeld => "shallow_held",
-        WorldEventKind::TugLimited => "tug_limited",
-        WorldEventKind::TugOrderRefused => "tug_order_refused",
-        WorldEventKind::LineNotMadeFast => "line_not_made_fast",
-        WorldEventKind::LineParted => "line_parted",
-        WorldEventKind::LineRenders => "line_renders",
-    }
-}
-
 /// What a reader of the report is told of a kind of event.
 pub(crate) fn world_event_text(kind: WorldEventKind) -> &'static str {
     match kind {

@@ -7,7 +7,7 @@ mod vessel;
 
 use fenderline_sim::{Setup, StepRecord, WorldSetup};
 
-pub(crate) use events::{Who, WorldEvents, world_event_key, world_event_text};
+pub(crate) use events::{Who, WorldEvents, world_event_text};
 pub(crate) use line::{LineTotals, LineVerdict};
 pub(crate) use tug::TugTotals;
 pub(crate) use vessel::VesselTotals;

@@ -220,7 +220,12 @@ impl Assembly<'_, '_> {
         orders.iter().map(|table| self.order(table, world, names)).collect()
     }
 
-    fn order(&self, table: &Table, world: &WorldNames<'_>, names: &Names) -> Checked<Order> {
+    pub(super) fn order(
+        &self,
+        table: &Table,
+        world: &WorldNames<'_>,
+        names: &Names,
+    ) -> Checked<Order> {
         let at_s = *table.given("at").number();
         let who = ["vessel", "tug", "line"].map(|name| table.item(name));
         let (item, asked) = match who {

@@ -216,7 +216,7 @@ static ROPES: Choices = Choices {
     ],
 };
 
-pub(super) static ORDER: TableSpec = TableSpec {
+pub(crate) static ORDER: TableSpec = TableSpec {
     what: "an order",
     doc: "What is told at a time to a vessel (`vessel`), a tug (`tug`) or a line's winch (`line`): one thing an order.",
     keys: &[

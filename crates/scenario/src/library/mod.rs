@@ -8,6 +8,8 @@ mod keys;
 mod look_up;
 mod read;
 
+use std::sync::OnceLock;
+
 use fenderline_sim::hydro::vessels::Standing;
 
 pub use family::{FactorTable, Family, FenderSize, HullPressureLimit, Tolerance};
@@ -65,10 +67,15 @@ impl FenderLibrary {
     /// The files that the program carries in itself.
     #[must_use]
     pub fn built_in() -> FenderLibrary {
-        let empty = FenderLibrary { families: Vec::new(), hull_pressures: Vec::new() };
-        BUILT_IN.iter().fold(empty, |library, (name, text)| {
-            library.with_file(text, name).expect("built-in fender files are good")
-        })
+        // Read once: a batch checks thousands of scenarios.
+        static READ: OnceLock<FenderLibrary> = OnceLock::new();
+        let read = || {
+            let empty = FenderLibrary { families: Vec::new(), hull_pressures: Vec::new() };
+            BUILT_IN.iter().fold(empty, |library, (name, text)| {
+                library.with_file(text, name).expect("built-in fender files are good")
+            })
+        };
+        READ.get_or_init(read).clone()
     }
 
     /// The library with a user's file added: new families, sizes of known ones, hull pressure limits.

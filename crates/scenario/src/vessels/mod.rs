@@ -8,6 +8,8 @@ mod provenance;
 mod read;
 mod shape;
 
+use std::sync::OnceLock;
+
 pub use data::{Belting, DeckPoint, Shaft, Stability, VesselData};
 pub(crate) use keys::VESSEL_FILE;
 pub(crate) use read::{hydrostatics, own_vessel};
@@ -58,10 +60,16 @@ impl VesselLibrary {
     /// The files that the program carries in itself.
     #[must_use]
     pub fn built_in() -> VesselLibrary {
-        let empty = VesselLibrary { vessels: Vec::new() };
-        BUILT_IN.iter().fold(empty, |library, (name, text)| {
-            library.with_file(text, name).unwrap_or_else(|error| panic!("vessels/{name}: {error}"))
-        })
+        // Read once: a batch checks thousands of scenarios.
+        static READ: OnceLock<VesselLibrary> = OnceLock::new();
+        let read = || {
+            let empty = VesselLibrary { vessels: Vec::new() };
+            BUILT_IN.iter().fold(empty, |library, (name, text)| {
+                let read = library.with_file(text, name);
+                read.unwrap_or_else(|error| panic!("vessels/{name}: {error}"))
+            })
+        };
+        READ.get_or_init(read).clone()
     }
 
     /// The library with a user's file added. `name` is for messages.

@@ -3,6 +3,7 @@
 use core::mem::discriminant;
 
 use fenderline_contact::{Event, EventKind};
+use fenderline_results::event_key;
 use fenderline_sim::{Setup, StepRecord};
 use serde_json::{Map, Value, json};
 
@@ -58,21 +59,6 @@ pub(super) fn events_json(events: &Events, setup: &Setup) -> Value {
         told
     });
     json!({ "counts": counts, "first": first.collect::<Vec<_>>() })
-}
-
-fn event_key(kind: EventKind) -> &'static str {
-    match kind {
-        EventKind::ContactBegan => "contact_began",
-        EventKind::ContactEnded => "contact_ended",
-        EventKind::PatchSplit => "patch_split",
-        EventKind::PatchesMerged => "patches_merged",
-        EventKind::Contained => "contained",
-        EventKind::DeepOverlap => "deep_overlap",
-        EventKind::Teleported => "teleported",
-        EventKind::NotConverged => "not_converged",
-        EventKind::FenderOverRated(_) => "fender_over_rated",
-        EventKind::FenderFailed(_) => "fender_failed",
-    }
 }
 
 /// What a reader of the report is told of a kind of event.

@@ -1,5 +1,6 @@
 //! Vessels, tugs, lines and what happened to them, as `summary.json` has it.
 
+use fenderline_results::world_event_key;
 use fenderline_sim::Setup;
 use fenderline_sim::external::ProviderEvent;
 use serde_json::{Map, Value, json};
@@ -7,7 +8,7 @@ use serde_json::{Map, Value, json};
 use crate::output::Outcome;
 use crate::provider::provider_event_key;
 use crate::vessels::source;
-use crate::world::{LineTotals, TugTotals, VesselTotals, Who, world_event_key};
+use crate::world::{LineTotals, TugTotals, VesselTotals, Who};
 
 /// Adds the sections of what the set-up has.
 pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {

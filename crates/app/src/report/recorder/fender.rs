@@ -2,7 +2,7 @@
 
 use super::{PartsTrace, Path};
 use crate::plot::Decimator;
-use crate::touched::TouchedFender;
+use fenderline_results::TouchedFender;
 
 /// Time series of one touched fender, and its path in the diagram of reaction against deflection.
 pub(in crate::report) struct FenderTrace {

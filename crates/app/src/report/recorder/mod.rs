@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use fenderline_contact::{BodyState, Contact};
 use fenderline_sim::{Energy, Setup, StepRecord};
 
-use crate::touched::{TouchedFender, touched};
+use fenderline_results::{TouchedFender, touched};
 
 pub(super) use body::BodyTrace;
 pub(super) use docking::DockingTrace;

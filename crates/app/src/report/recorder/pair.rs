@@ -5,7 +5,7 @@ use fenderline_sim::StepRecord;
 
 use super::{Deflections, PartsTrace};
 use crate::plot::Decimator;
-use crate::touched::add_parts;
+use fenderline_results::add_parts;
 
 /// Time series of one pair.
 pub(in crate::report) struct PairTrace {

@@ -3,17 +3,17 @@
 use super::{Column, List, float, name};
 
 /// One thruster of a vessel in one step.
-pub(in crate::output) struct ThrusterRow {
-    pub(in crate::output) t_s: f64,
-    pub(in crate::output) vessel: usize,
+pub(crate) struct ThrusterRow {
+    pub(crate) t_s: f64,
+    pub(crate) vessel: usize,
     /// Number among all vessels' thrusters.
-    pub(in crate::output) thruster: usize,
-    pub(in crate::output) order: f64,
-    pub(in crate::output) power: f64,
+    pub(crate) thruster: usize,
+    pub(crate) order: f64,
+    pub(crate) power: f64,
 }
 
 /// The columns of `thrusters`, in their order.
-pub(in crate::output) fn thrusters_columns() -> Vec<Column<ThrusterRow>> {
+pub(crate) fn thrusters_columns() -> Vec<Column<ThrusterRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("vessel", "name of the vessel's body", List::Vessels, |r| Some(r.vessel)),

@@ -2,52 +2,44 @@
 
 use fenderline_sim::{StepRecord, WorldSetup};
 
-use super::columns::{
-    AzimuthRow, Column, LineRow, ThrusterRow, TugRow, VesselRow, azimuths_columns, lines_columns,
-    thrusters_columns, tugs_columns, vessels_columns,
+use crate::columns::{
+    AzimuthRow, Column, LineRow, Names, ThrusterRow, TugRow, VesselRow, azimuths_columns,
+    lines_columns, thrusters_columns, tugs_columns, vessels_columns,
 };
-use super::part_file::Sealed;
-use super::tables::{Place, Table};
-use super::{Format, OutputError, WrittenFile};
+use crate::tables::{Counted, Medium};
 
 /// These tables of a run.
-pub(super) struct WorldTables {
+pub(crate) struct WorldTables<M: Medium> {
     setup: WorldSetup,
-    vessels: Option<Table<VesselRow>>,
-    thrusters: Option<Table<ThrusterRow>>,
-    azimuths: Option<Table<AzimuthRow>>,
-    tugs: Option<Table<TugRow>>,
-    lines: Option<Table<LineRow>>,
+    vessels: Option<Counted<M, VesselRow>>,
+    thrusters: Option<Counted<M, ThrusterRow>>,
+    azimuths: Option<Counted<M, AzimuthRow>>,
+    tugs: Option<Counted<M, TugRow>>,
+    lines: Option<Counted<M, LineRow>>,
 }
 
-fn table<R>(
-    is_wanted: bool,
-    place: &Place<'_>,
-    name: &'static str,
-    columns: fn() -> Vec<Column<R>>,
-) -> Result<Option<Table<R>>, OutputError> {
-    is_wanted.then(|| Table::create(place, name, columns())).transpose()
-}
-
-impl WorldTables {
-    pub(super) fn create(
-        place: &Place<'_>,
+impl<M: Medium> WorldTables<M> {
+    pub(crate) fn start(
+        medium: &M,
+        names: &Names,
         setup: &WorldSetup,
-    ) -> Result<WorldTables, OutputError> {
+    ) -> Result<WorldTables<M>, M::Error> {
         let has_thrusters = setup.vessels.iter().any(|vessel| !vessel.thrusters.is_empty());
         let has_azimuths = setup.vessels.iter().any(|vessel| !vessel.azimuths.is_empty());
+        let has_vessels = !setup.vessels.is_empty();
+        let of = (medium, names);
         Ok(WorldTables {
-            vessels: table(!setup.vessels.is_empty(), place, "vessels", vessels_columns)?,
-            thrusters: table(has_thrusters, place, "thrusters", thrusters_columns)?,
-            azimuths: table(has_azimuths, place, "azimuths", azimuths_columns)?,
-            tugs: table(!setup.tugs.is_empty(), place, "tugs", tugs_columns)?,
-            lines: table(!setup.lines.is_empty(), place, "lines", lines_columns)?,
+            vessels: table(has_vessels, of, "vessels", vessels_columns)?,
+            thrusters: table(has_thrusters, of, "thrusters", thrusters_columns)?,
+            azimuths: table(has_azimuths, of, "azimuths", azimuths_columns)?,
+            tugs: table(!setup.tugs.is_empty(), of, "tugs", tugs_columns)?,
+            lines: table(!setup.lines.is_empty(), of, "lines", lines_columns)?,
             setup: setup.clone(),
         })
     }
 
     /// Adds the rows of one step.
-    pub(super) fn write(&mut self, step: &StepRecord<'_>) -> Result<(), OutputError> {
+    pub(crate) fn write(&mut self, step: &StepRecord<'_>) -> Result<(), M::Error> {
         let t_s = step.t_s;
         let environment = &self.setup.environment;
         if let Some(table) = &mut self.vessels {
@@ -91,27 +83,36 @@ impl WorldTables {
         Ok(())
     }
 
-    /// The files that there will be.
-    pub(super) fn files(&self, format: Format) -> Vec<WrittenFile> {
-        let files = [
-            self.vessels.as_ref().map(|table| table.file(format)),
-            self.thrusters.as_ref().map(|table| table.file(format)),
-            self.azimuths.as_ref().map(|table| table.file(format)),
-            self.tugs.as_ref().map(|table| table.file(format)),
-            self.lines.as_ref().map(|table| table.file(format)),
+    /// The tables' names, and how many rows each has.
+    pub(crate) fn rows(&self) -> Vec<(&'static str, u64)> {
+        let rows = [
+            self.vessels.as_ref().map(Counted::rows),
+            self.thrusters.as_ref().map(Counted::rows),
+            self.azimuths.as_ref().map(Counted::rows),
+            self.tugs.as_ref().map(Counted::rows),
+            self.lines.as_ref().map(Counted::rows),
         ];
-        files.into_iter().flatten().collect()
+        rows.into_iter().flatten().collect()
     }
 
-    /// Brings these tables to the disk, still under their `.part` names.
-    pub(super) fn finish(self) -> Result<Vec<Sealed>, OutputError> {
-        let sealed = [
-            self.vessels.map(Table::finish),
-            self.thrusters.map(Table::finish),
-            self.azimuths.map(Table::finish),
-            self.tugs.map(Table::finish),
-            self.lines.map(Table::finish),
+    /// No more steps come.
+    pub(crate) fn finish(self) -> Result<Vec<M::Done>, M::Error> {
+        let done = [
+            self.vessels.map(Counted::finish),
+            self.thrusters.map(Counted::finish),
+            self.azimuths.map(Counted::finish),
+            self.tugs.map(Counted::finish),
+            self.lines.map(Counted::finish),
         ];
-        sealed.into_iter().flatten().collect()
+        done.into_iter().flatten().collect()
     }
+}
+
+fn table<M: Medium, R>(
+    is_wanted: bool,
+    (medium, names): (&M, &Names),
+    name: &'static str,
+    columns: fn() -> Vec<Column<R>>,
+) -> Result<Option<Counted<M, R>>, M::Error> {
+    is_wanted.then(|| Counted::start(medium, names, name, columns())).transpose()
 }

@@ -8,7 +8,7 @@ use fenderline_sim::{Environment, VesselForces, VesselSetup, VesselState};
 use super::{Column, List, flag, float, name};
 
 /// One vessel in one step.
-pub(in crate::output) struct VesselRow {
+pub(crate) struct VesselRow {
     t_s: f64,
     vessel: usize,
     rudder_order_rad: f64,
@@ -26,7 +26,7 @@ pub(in crate::output) struct VesselRow {
 
 impl VesselRow {
     /// The row of vessel number `vessel` in a step that began at `t_s` in `state`.
-    pub(in crate::output) fn new(
+    pub(crate) fn new(
         t_s: f64,
         vessel: usize,
         setup: (&VesselSetup, &Environment),
@@ -53,7 +53,7 @@ impl VesselRow {
 }
 
 /// The columns of `vessels`, in their order.
-pub(in crate::output) fn vessels_columns() -> Vec<Column<VesselRow>> {
+pub(crate) fn vessels_columns() -> Vec<Column<VesselRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("vessel", "name of the vessel's body", List::Vessels, |r| Some(r.vessel)),

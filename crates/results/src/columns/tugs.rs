@@ -8,7 +8,7 @@ use fenderline_sim::tug::TugOrder;
 use super::{Column, List, flag, float, name};
 
 /// One tug in one step.
-pub(in crate::output) struct TugRow {
+pub(crate) struct TugRow {
     t_s: f64,
     tug: usize,
     ordered_n: f64,
@@ -20,7 +20,7 @@ pub(in crate::output) struct TugRow {
 
 impl TugRow {
     /// The row of tug number `tug`.
-    pub(in crate::output) fn new(t_s: f64, tug: usize, now: &TugAtWork) -> TugRow {
+    pub(crate) fn new(t_s: f64, tug: usize, now: &TugAtWork) -> TugRow {
         TugRow {
             t_s,
             tug,
@@ -37,7 +37,7 @@ impl TugRow {
 }
 
 /// The columns of `tugs`, in their order.
-pub(in crate::output) fn tugs_columns() -> Vec<Column<TugRow>> {
+pub(crate) fn tugs_columns() -> Vec<Column<TugRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("tug", "name of the tug", List::Tugs, |r| Some(r.tug)),

@@ -6,21 +6,22 @@ use fenderline_contact::{Contact, ForceParts};
 
 /// One touched fender in one step; hulls and patches that press on it together are one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct TouchedFender {
+pub struct TouchedFender {
     /// Deflection at the start of the step [m].
-    pub(crate) deflection_m: f64,
+    pub deflection_m: f64,
     /// Mean reaction along its axis over the step [N].
-    pub(crate) reaction_n: f64,
+    pub reaction_n: f64,
     /// Largest reaction along its axis within the step [N].
-    pub(crate) peak_reaction_n: f64,
+    pub peak_reaction_n: f64,
     /// Stored in spring and stop at the start of the step [J].
-    pub(crate) stored_j: f64,
+    pub stored_j: f64,
     /// What the mean normal force is made of, along that force.
-    pub(crate) parts: ForceParts,
+    pub parts: ForceParts,
 }
 
 /// The touched fenders of a step, by their index in the set-up.
-pub(crate) fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
+#[must_use]
+pub fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
     let mut fenders: BTreeMap<usize, TouchedFender> = BTreeMap::new();
     for contact in contacts {
         let Some(id) = contact.fender else { continue };
@@ -37,7 +38,7 @@ pub(crate) fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
 }
 
 /// Adds what another force is made of.
-pub(crate) fn add_parts(sum: &mut ForceParts, parts: &ForceParts) {
+pub fn add_parts(sum: &mut ForceParts, parts: &ForceParts) {
     sum.spring_n += parts.spring_n;
     sum.stop_n += parts.stop_n;
     sum.damper_n += parts.damper_n;

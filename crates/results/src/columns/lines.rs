@@ -5,7 +5,7 @@ use fenderline_sim::Mooring;
 use super::{Column, List, flag, float, name};
 
 /// One line that was made fast, in one step.
-pub(in crate::output) struct LineRow {
+pub(crate) struct LineRow {
     t_s: f64,
     line: usize,
     tension_n: f64,
@@ -16,7 +16,7 @@ pub(in crate::output) struct LineRow {
 
 impl LineRow {
     /// The row of line number `line`; `None` while it is not fast.
-    pub(in crate::output) fn new(t_s: f64, line: usize, now: &Mooring) -> Option<LineRow> {
+    pub(crate) fn new(t_s: f64, line: usize, now: &Mooring) -> Option<LineRow> {
         let (_, state) = now.line.as_ref()?;
         Some(LineRow {
             t_s,
@@ -30,7 +30,7 @@ impl LineRow {
 }
 
 /// The columns of `lines`, in their order.
-pub(in crate::output) fn lines_columns() -> Vec<Column<LineRow>> {
+pub(crate) fn lines_columns() -> Vec<Column<LineRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("line", "name of the line", List::Lines, |r| Some(r.line)),

@@ -4,7 +4,7 @@ use super::{Column, List, float, name};
 use crate::touched::TouchedFender;
 
 /// One touched fender in one step.
-pub(in crate::output) struct FenderRow {
+pub(crate) struct FenderRow {
     t_s: f64,
     fender: usize,
     touched: TouchedFender,
@@ -13,19 +13,14 @@ pub(in crate::output) struct FenderRow {
 
 impl FenderRow {
     /// The row of fender number `fender`, whose face has this area.
-    pub(in crate::output) fn new(
-        t_s: f64,
-        fender: usize,
-        face_m2: f64,
-        touched: TouchedFender,
-    ) -> FenderRow {
+    pub(crate) fn new(t_s: f64, fender: usize, face_m2: f64, touched: TouchedFender) -> FenderRow {
         let hull_pressure_npm2 = touched.peak_reaction_n / face_m2;
         FenderRow { t_s, fender, touched, hull_pressure_npm2 }
     }
 }
 
 /// The columns of `fenders`, in their order.
-pub(in crate::output) fn fenders_columns() -> Vec<Column<FenderRow>> {
+pub(crate) fn fenders_columns() -> Vec<Column<FenderRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("fender", "name of the fender", List::Fenders, |r| Some(r.fender)),

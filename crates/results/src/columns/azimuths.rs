@@ -5,17 +5,17 @@ use fenderline_sim::{AzimuthOrder, AzimuthState};
 use super::{Column, List, float, name};
 
 /// One azimuth unit of a vessel in one step.
-pub(in crate::output) struct AzimuthRow {
-    pub(in crate::output) t_s: f64,
-    pub(in crate::output) vessel: usize,
+pub(crate) struct AzimuthRow {
+    pub(crate) t_s: f64,
+    pub(crate) vessel: usize,
     /// Number among all vessels' units.
-    pub(in crate::output) azimuth: usize,
-    pub(in crate::output) order: AzimuthOrder,
-    pub(in crate::output) now: AzimuthState,
+    pub(crate) azimuth: usize,
+    pub(crate) order: AzimuthOrder,
+    pub(crate) now: AzimuthState,
 }
 
 /// The columns of `azimuths`, in their order.
-pub(in crate::output) fn azimuths_columns() -> Vec<Column<AzimuthRow>> {
+pub(crate) fn azimuths_columns() -> Vec<Column<AzimuthRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("vessel", "name of the vessel's body", List::Vessels, |r| Some(r.vessel)),

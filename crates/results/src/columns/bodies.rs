@@ -5,7 +5,7 @@ use fenderline_contact::{BodyState, Rotation, Vec2, Wrench};
 use super::{Column, List, float, name};
 
 /// One body at the start of one step.
-pub(in crate::output) struct BodyRow {
+pub(crate) struct BodyRow {
     t_s: f64,
     body: usize,
     position_m: Vec2,
@@ -18,12 +18,7 @@ pub(in crate::output) struct BodyRow {
 
 impl BodyRow {
     /// The row of body number `body` from its earth-fixed state and the contact forces on it.
-    pub(in crate::output) fn new(
-        t_s: f64,
-        body: usize,
-        state: &BodyState,
-        wrench: &Wrench,
-    ) -> BodyRow {
+    pub(crate) fn new(t_s: f64, body: usize, state: &BodyState, wrench: &Wrench) -> BodyRow {
         let attitude = Rotation::from_angle(state.heading_rad);
         BodyRow {
             t_s,
@@ -38,7 +33,7 @@ impl BodyRow {
 }
 
 /// The columns of `bodies`, in their order.
-pub(in crate::output) fn bodies_columns() -> Vec<Column<BodyRow>> {
+pub(crate) fn bodies_columns() -> Vec<Column<BodyRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("body", "name of the body", List::Bodies, |r| Some(r.body)),

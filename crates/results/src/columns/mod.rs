@@ -1,5 +1,5 @@
 //! The columns of the result tables: name, unit, meaning and value of each, stated once. The csv
-//! header, the parquet schema and its metadata all come from here.
+//! header, the parquet schema and its metadata, and Python's tables all come from here.
 
 mod azimuths;
 mod bodies;
@@ -13,30 +13,30 @@ mod vessels;
 
 use fenderline_sim::Setup;
 
-pub(super) use azimuths::{AzimuthRow, azimuths_columns};
-pub(super) use bodies::{BodyRow, bodies_columns};
-pub(super) use contacts::{ContactRow, ContactWorks, contacts_columns};
-pub(super) use energy::{EnergyRow, energy_columns};
-pub(super) use fenders::{FenderRow, fenders_columns};
-pub(super) use lines::{LineRow, lines_columns};
-pub(super) use thrusters::{ThrusterRow, thrusters_columns};
-pub(super) use tugs::{TugRow, tugs_columns};
-pub(super) use vessels::{VesselRow, vessels_columns};
+pub(crate) use azimuths::{AzimuthRow, azimuths_columns};
+pub(crate) use bodies::{BodyRow, bodies_columns};
+pub(crate) use contacts::{ContactRow, ContactWorks, contacts_columns};
+pub(crate) use energy::{EnergyRow, energy_columns};
+pub(crate) use fenders::{FenderRow, fenders_columns};
+pub(crate) use lines::{LineRow, lines_columns};
+pub(crate) use thrusters::{ThrusterRow, thrusters_columns};
+pub(crate) use tugs::{TugRow, tugs_columns};
+pub(crate) use vessels::{VesselRow, vessels_columns};
 
 /// One column of a table with rows of type `R`.
-pub(super) struct Column<R> {
+pub struct Column<R> {
     /// Name; it ends with the unit where there is one.
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
-    pub(super) unit: &'static str,
+    pub unit: &'static str,
     /// What it means.
-    pub(super) meaning: &'static str,
+    pub meaning: &'static str,
     /// Takes the value from a row.
-    pub(super) value: Value<R>,
+    pub value: Value<R>,
 }
 
 /// How a column's value is taken from a row, which sets the column's type.
-pub(super) enum Value<R> {
+pub enum Value<R> {
     /// A number.
     Float(fn(&R) -> f64),
     /// An index into one of the lists of [`Names`], written as the name there; empty where there is none.
@@ -51,11 +51,16 @@ pub(super) enum Value<R> {
 
 /// Which list of names an index is into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum List {
+pub enum List {
+    /// Bodies.
     Bodies,
+    /// Fenders.
     Fenders,
+    /// Vessels, by the names of their bodies.
     Vessels,
+    /// Tugs.
     Tugs,
+    /// Mooring lines.
     Lines,
     /// All vessels' thrusters, one after the other.
     Thrusters,
@@ -65,7 +70,7 @@ pub(super) enum List {
 
 /// Names that rows hold by index.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Names {
+pub struct Names {
     bodies: Vec<String>,
     fenders: Vec<String>,
     /// A vessel has the name of her body.
@@ -78,7 +83,8 @@ pub(super) struct Names {
 
 impl Names {
     /// Of a set-up.
-    pub(super) fn of(setup: &Setup) -> Names {
+    #[must_use]
+    pub fn of(setup: &Setup) -> Names {
         let world = &setup.world;
         let body = |index: usize| setup.bodies[index].name.clone();
         Names {
@@ -101,8 +107,15 @@ impl Names {
     }
 
     /// The name at an index; empty without one.
-    pub(super) fn get(&self, list: List, index: Option<usize>) -> &str {
-        let names = match list {
+    #[must_use]
+    pub fn get(&self, list: List, index: Option<usize>) -> &str {
+        index.map_or("", |index| &self.list(list)[index])
+    }
+
+    /// A list of names.
+    #[must_use]
+    pub fn list(&self, list: List) -> &[String] {
+        match list {
             List::Bodies => &self.bodies,
             List::Fenders => &self.fenders,
             List::Vessels => &self.vessels,
@@ -110,8 +123,7 @@ impl Names {
             List::Lines => &self.lines,
             List::Thrusters => &self.thrusters,
             List::Azimuths => &self.azimuths,
-        };
-        index.map_or("", |index| &names[index])
+        }
     }
 }
 

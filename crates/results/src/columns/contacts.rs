@@ -8,11 +8,11 @@ use fenderline_sim::ContactBook;
 use super::{Column, List, Value, flag, float, name};
 
 /// One patch of contact in one step.
-pub(in crate::output) struct ContactRow {
-    pub(in crate::output) t_s: f64,
-    pub(in crate::output) contact: Contact,
+pub(crate) struct ContactRow {
+    pub(crate) t_s: f64,
+    pub(crate) contact: Contact,
     /// Work of the normal and the tangential force on the two bodies in the step [J].
-    pub(in crate::output) work_j: [f64; 2],
+    pub(crate) work_j: [f64; 2],
 }
 
 /// The works of a step's contacts, each told once.
@@ -20,19 +20,19 @@ pub(in crate::output) struct ContactRow {
 /// The ledger books by pair and by fender: where several patches touch, the first row has the work of
 /// all of them, so that a sum over rows is the ledger's; but for what the later stages of Runge–Kutta see of
 /// a contact by the paper's method one step before it has its first row.
-pub(in crate::output) struct ContactWorks {
+pub(crate) struct ContactWorks {
     left: BTreeMap<([usize; 2], Option<usize>), [f64; 2]>,
 }
 
 impl ContactWorks {
     /// Of a step.
-    pub(in crate::output) fn of(books: &[ContactBook]) -> ContactWorks {
+    pub(crate) fn of(books: &[ContactBook]) -> ContactWorks {
         let left = books.iter().map(|b| ((b.bodies, b.fender), [b.normal_j, b.tangential_j]));
         ContactWorks { left: left.collect() }
     }
 
     /// What the row of this contact tells; 0 when an earlier row has told it.
-    pub(in crate::output) fn take(&mut self, contact: &Contact) -> [f64; 2] {
+    pub(crate) fn take(&mut self, contact: &Contact) -> [f64; 2] {
         let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
         let fender = contact.fender.map(|id| id.0 as usize);
         self.left.remove(&(bodies, fender)).unwrap_or_default()
@@ -40,7 +40,7 @@ impl ContactWorks {
 }
 
 /// The columns of `contacts`, in their order.
-pub(in crate::output) fn contacts_columns() -> Vec<Column<ContactRow>> {
+pub(crate) fn contacts_columns() -> Vec<Column<ContactRow>> {
     vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("body_1", "name of the body that is first in the scenario", List::Bodies, |r| {

@@ -5,13 +5,13 @@ use fenderline_sim::Energy;
 use super::{Column, float};
 
 /// The ledger at one time.
-pub(in crate::output) struct EnergyRow {
-    pub(in crate::output) t_s: f64,
-    pub(in crate::output) energy: Energy,
+pub(crate) struct EnergyRow {
+    pub(crate) t_s: f64,
+    pub(crate) energy: Energy,
 }
 
 /// The columns of `energy`, in their order.
-pub(in crate::output) fn energy_columns() -> Vec<Column<EnergyRow>> {
+pub(crate) fn energy_columns() -> Vec<Column<EnergyRow>> {
     vec![
         float("t_s", "s", "when the ledger stands so: the start, and the end of each step", |r| {
             r.t_s

@@ -1,0 +1,93 @@
+"""Times of the Python package; reported, never a test.
+
+    python crates/python/bench.py
+
+- what a step call costs over the same step called from Rust
+- 10,000 tug impacts of varying speed and angle on one thread and on all, with the share of the processors that
+  they got: on a machine that does other work too the wall clock tells of that work
+- steps a second of the docking environment with a random policy, one core
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+from typing import Any
+
+import fenderline
+import numpy as np
+from fenderline._native import seconds_of_steps
+from fenderline.docking import DockingVectorEnv
+
+
+def step_call() -> None:
+    scenario = fenderline.example("tug_4kn").with_set(
+        {"contact.method": "coupled", "body.tug.velocity.surge": 0, "body.tug.position": [0, -38.9]}
+    )
+    engine = fenderline.Engine(scenario)
+    engine.step(0.1)
+    # The least of many short spells: on a busy machine the others were interrupted.
+    count, step = 500, engine.step
+    best_rust = best_python = np.inf
+    for _ in range(500):
+        best_rust = min(best_rust, seconds_of_steps(engine, 0.1, count))
+        start = time.perf_counter()
+        for _ in range(count):
+            step(0.1)
+        best_python = min(best_python, time.perf_counter() - start)
+    rust_us, python_us = best_rust / count * 1e6, best_python / count * 1e6
+    print(
+        f"step call in contact: {python_us:.2f} µs from Python, {rust_us:.2f} µs from Rust: "
+        f"{python_us - rust_us:.2f} µs more, ratio {python_us / rust_us:.2f}"
+    )
+
+
+def timed(work: Callable[[], Any]) -> tuple[float, float, float]:
+    """Seconds by the wall, of processors, and of processors in this thread."""
+    wall, cpu, own = time.perf_counter(), time.process_time(), time.thread_time()
+    work()
+    return time.perf_counter() - wall, time.process_time() - cpu, time.thread_time() - own
+
+
+def impacts() -> None:
+    count, random = 10_000, np.random.default_rng(1)
+    variants = {
+        "body.tug.velocity.surge": random.uniform(0.2, 2.1, count),
+        "body.tug.heading": np.pi / 2 + random.uniform(-0.3, 0.3, count),
+    }
+    scenario = fenderline.example("tug_4kn")
+    threads = os.cpu_count() or 1
+    one_wall, one_cpu, _ = timed(lambda: fenderline.run_many(scenario, variants, threads=1))
+    all_wall, all_cpu, serial = timed(lambda: fenderline.run_many(scenario, variants, threads=threads))
+    print(
+        f"{count} tug impacts of 200 steps: {one_wall:.2f} s on one thread ({one_cpu:.2f} s of processors), "
+        f"{all_wall:.2f} s on {threads} ({all_cpu:.2f} s): {one_wall / all_wall:.2f} times as fast, "
+        f"{all_cpu / all_wall:.2f} processors busy; load {os.getloadavg()[0]:.1f}"
+    )
+    # The calling thread waits while the others run: what it takes itself is the part that is not shared out.
+    ideal = one_cpu / (serial + (all_cpu - serial) / threads)
+    print(
+        f"  not shared out: {serial:.3f} s; with {threads} processors to itself it would be {ideal:.2f} times as fast"
+    )
+
+
+def docking() -> None:
+    for count in (64, 1024):
+        vector = DockingVectorEnv(count)
+        vector.reset(seed=0)
+        vector.action_space.seed(0)
+        steps = 200_000 // count
+
+        def play(vector: DockingVectorEnv = vector, steps: int = steps) -> None:
+            for _ in range(steps):
+                vector.step(vector.action_space.sample())
+
+        _, cpu, _ = timed(play)
+        print(f"docking, random policy, {count} environments: {steps * count / cpu:,.0f} steps a second of a core")
+
+
+if __name__ == "__main__":
+    step_call()
+    impacts()
+    docking()

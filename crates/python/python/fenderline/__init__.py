@@ -1,0 +1,46 @@
+"""Contact forces between ships, fenders, quays and tugs, and the ship-manoeuvring simulator around them.
+
+- :class:`Engine`: the contact engine for a simulator of yours. Show it states, step, add its wrenches.
+- :class:`Simulation`: a whole scenario, step by step; :func:`run` runs one to its end.
+- :func:`run_many`: thousands of variants on all cores; :class:`Fleet`: many simulations side by side.
+- :mod:`fenderline.docking`: a Gymnasium environment, ``fenderline/Docking-v0``.
+
+Lengths are in metres, angles in radians, forces in newtons, times in seconds. x points north, y east, headings are
+clockwise from north; a body's own axes point forward and to starboard.
+"""
+
+from fenderline._errors import EngineError, Error, ScenarioError, SimulationError
+from fenderline._native import (
+    CONTACT_TYPE,
+    Engine,
+    Fleet,
+    Scenario,
+    Simulation,
+    SimulationState,
+    StepEvent,
+    __version__,
+)
+from fenderline._results import Column, Results, Table
+from fenderline._runs import Runs, example, run, run_many
+
+__all__ = [
+    "CONTACT_TYPE",
+    "Column",
+    "Engine",
+    "EngineError",
+    "Error",
+    "Fleet",
+    "Results",
+    "Runs",
+    "Scenario",
+    "ScenarioError",
+    "Simulation",
+    "SimulationError",
+    "SimulationState",
+    "StepEvent",
+    "Table",
+    "__version__",
+    "example",
+    "run",
+    "run_many",
+]

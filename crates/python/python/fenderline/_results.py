@@ -1,0 +1,161 @@
+"""The tables of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    import pandas as _pandas
+    import pyarrow as _pyarrow
+
+
+class Column:
+    """A column of a :class:`Table`."""
+
+    __slots__ = {
+        "name": "Its name; it ends with the unit where there is one.",
+        "unit": "``1`` for a pure number, ``-`` for a text or a truth value.",
+        "meaning": "What it means.",
+        "_codes": "Values, or which of the words they are.",
+        "_words": "What codes stand for, in columns of texts.",
+    }
+
+    name: str
+    unit: str
+    meaning: str
+
+    def __init__(
+        self,
+        name: str,
+        unit: str,
+        meaning: str,
+        codes: npt.NDArray[Any],
+        words: Sequence[str] | None,
+    ) -> None:
+        self.name, self.unit, self.meaning = name, unit, meaning
+        codes.flags.writeable = False
+        self._codes = codes
+        self._words = None if words is None else np.array(words, dtype=np.str_)
+
+    @property
+    def values(self) -> npt.NDArray[Any]:
+        """The values: numbers and truth values without a copy and read-only, texts made from their codes."""
+        return self._codes if self._words is None else self._words[self._codes]
+
+    def __repr__(self) -> str:
+        return f"<fenderline.Column {self.name} [{self.unit}]: {self.meaning}>"
+
+
+class Table(Mapping[str, npt.NDArray[Any]]):
+    """A table of results: NumPy columns by name, with units and meanings.
+
+    >>> import fenderline
+    >>> results = fenderline.run(fenderline.example("tug_4kn"))
+    >>> bodies = results["bodies"]
+    >>> bodies.rows, bodies.columns["u_mps"].unit
+    (400, 'm/s')
+    >>> bool(bodies["u_mps"][bodies["body"] == "tug"].min() < 0)  # she bounces off
+    True
+    """
+
+    def __init__(
+        self,
+        name: str,
+        columns: Sequence[tuple[str, str, str, npt.NDArray[Any], Sequence[str] | None]],
+    ) -> None:
+        self.name: str = name
+        self.columns: dict[str, Column] = {column[0]: Column(*column) for column in columns}
+
+    @property
+    def rows(self) -> int:
+        """Number of rows."""
+        for column in self.columns.values():
+            return len(column._codes)
+        return 0
+
+    def __getitem__(self, name: str) -> npt.NDArray[Any]:
+        return self.columns[name].values
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.columns)
+
+    def __len__(self) -> int:
+        return len(self.columns)
+
+    def to_arrow(self) -> _pyarrow.Table:
+        """As an Arrow table, with units and meanings in the fields' metadata; needs ``pyarrow``."""
+        import pyarrow as pa
+
+        arrays, fields = [], []
+        for column in self.columns.values():
+            if column._words is None:
+                array = pa.array(column._codes)
+            else:
+                words = pa.array(column._words.tolist(), pa.string())
+                array = pa.DictionaryArray.from_arrays(pa.array(column._codes), words)
+            arrays.append(array)
+            told = {"unit": column.unit, "meaning": column.meaning}
+            fields.append(pa.field(column.name, array.type, nullable=False, metadata=told))
+        return pa.Table.from_arrays(arrays, schema=pa.schema(fields))
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        """For every program that takes Arrow's streams: polars, DuckDB, pandas; needs ``pyarrow``."""
+        return self.to_arrow().__arrow_c_stream__(requested_schema)
+
+    def to_pandas(self) -> _pandas.DataFrame:
+        """As a data frame, texts as categories, units in ``attrs``; needs ``pandas``."""
+        import pandas as pd
+
+        def series(column: Column) -> Any:
+            if column._words is None:
+                return column._codes
+            return pd.Categorical.from_codes(
+                column._codes.tolist(), pd.Index(column._words.tolist(), dtype="str")
+            )
+
+        frame = pd.DataFrame({name: series(column) for name, column in self.columns.items()})
+        frame.attrs["units"] = {name: column.unit for name, column in self.columns.items()}
+        return frame
+
+    def to_parquet(self, path: str | Path) -> None:
+        """Writes a Parquet file; needs ``pyarrow``."""
+        import pyarrow.parquet as pq
+
+        pq.write_table(self.to_arrow(), path)
+
+    def __repr__(self) -> str:
+        return f"<fenderline.Table {self.name}: {self.rows} rows of {', '.join(self.columns)}>"
+
+
+class Results(Mapping[str, Table]):
+    """The tables of a run by name: those that ``fenderline run`` writes, with the same numbers."""
+
+    def __init__(self, title: str, tables: Sequence[Table]) -> None:
+        self.title: str = title
+        self._tables = {table.name: table for table in tables}
+
+    def __getitem__(self, name: str) -> Table:
+        return self._tables[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._tables)
+
+    def __len__(self) -> int:
+        return len(self._tables)
+
+    def to_parquet(self, folder: str | Path) -> list[Path]:
+        """Writes ``NAME.parquet`` for every table into a folder, which is made; needs ``pyarrow``."""
+        folder = Path(folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        paths = [folder / f"{name}.parquet" for name in self]
+        for path, table in zip(paths, self.values(), strict=True):
+            table.to_parquet(path)
+        return paths
+
+    def __repr__(self) -> str:
+        return f'<fenderline.Results "{self.title}": {", ".join(self)}>'

@@ -1,0 +1,311 @@
+"""Bringing a ship alongside: a Gymnasium environment, single and vectorised.
+
+A coaster of 130 m with propeller, rudder, bow and stern thruster comes up to a quay at her starboard side and is to
+lie on its four fenders: abreast of her berth, parallel, and without any fender storing more energy than it is rated
+for. Where she begins, wind and current are drawn from the episode's seed. One step is one second.
+
+Importing this module registers ``fenderline/Docking-v0``:
+
+>>> import fenderline.docking, gymnasium
+>>> env = gymnasium.make("fenderline/Docking-v0")
+>>> observation, info = env.reset(seed=1)
+>>> observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
+>>> vectorised = gymnasium.make_vec("fenderline/Docking-v0", num_envs=8)
+>>> vectorised.reset(seed=1)[0].shape
+(8, 14)
+
+**Action**, four numbers from −1 to 1:
+
+== =================================================================================
+0  rudder over its stop of 35°; positive turns to starboard going ahead
+1  engine: revolutions over full ones, positive ahead
+2  bow thruster over full power, positive to starboard (towards the quay)
+3  stern thruster, likewise
+== =================================================================================
+
+**Observation**, in metres, seconds and radians, in the quay's axes (along: the way she heads when berthed):
+
+=== ================================================================================
+0   along: distance still to go to her berth, positive ahead of her [m]
+1   off: least clearance between her hull and the line of the fender faces [m]
+2   heading relative to the quay, positive to starboard [rad]
+3   speed along the quay over ground [m/s]
+4   speed towards the quay over ground [m/s]
+5   rate of turn, positive to starboard [rad/s]
+6-9 rudder, engine, bow and stern thruster as ordered last, −1 to 1
+10  wind: component along the quay, the way it blows [m/s]
+11  wind: component towards the quay [m/s]
+12  current along the quay [m/s]
+13  largest energy that a fender has stored so far over what it is rated for [1]
+=== ================================================================================
+
+**Reward**: what the distance to the berth (in metres, heading counted by the ship's half length) has come down in the
+step, times 0.1; less 0.01 a step and 0.01 times the mean square of the action; less 50 times what the largest share of
+a fender's rated energy has grown by. **Termination**: +100 when she lies alongside (less than 4 m from her berth,
+0.2 m off the faces or on them, within 1° of parallel, moving less than 0.05 m/s, turning less than 0.0005 rad/s);
+−100 when a fender is loaded beyond its rating, when her hull comes to the line of the quay beside or beyond the
+fenders, or when she leaves the basin. **Truncation** after 900 s.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias, cast
+
+import gymnasium
+import numpy as np
+import numpy.typing as npt
+from gymnasium.utils import seeding
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+
+from fenderline._native import Fleet, Scenario
+from fenderline._runs import example
+
+__all__ = ["ENV_ID", "DockingEnv", "DockingVectorEnv"]
+
+ENV_ID = "fenderline/Docking-v0"
+
+Floats: TypeAlias = npt.NDArray[np.float64]
+Observation: TypeAlias = npt.NDArray[np.float32]
+Action: TypeAlias = npt.NDArray[np.float32]
+
+RUDDER_STOP_RAD = float(np.deg2rad(35.0))
+#: Of the scenario: half of the ship's length, y of the fenders' faces, and her outline's points on the starboard side.
+HALF_LENGTH_M = 65.0
+FACES_EAST_M = -1.8
+OUTLINE_M = np.array([(68, 0), (58, 6), (40, 10), (-60, 10), (-68, 8)], dtype=np.float64)
+#: The basin: along the quay, and off it.
+BASIN_ALONG_M = 400.0
+BASIN_OFF_M = 200.0
+STEPS = 900
+
+_HIGH = np.array([500, 300, np.pi, 15, 15, 0.5, 1, 1, 1, 1, 40, 40, 5, 100], dtype=np.float32)
+_LOW = np.where(np.arange(14) == 13, 0.0, -_HIGH).astype(np.float32)
+
+
+def _observation_space() -> gymnasium.Space[Observation]:
+    return cast("gymnasium.Space[Observation]", gymnasium.spaces.Box(_LOW, _HIGH))
+
+
+def _action_space() -> gymnasium.Space[Action]:
+    return cast("gymnasium.Space[Action]", gymnasium.spaces.Box(-1.0, 1.0, (4,)))
+
+
+def _draw(random: np.random.Generator) -> dict[str, Any]:
+    """Where an episode begins, and its weather: keys of the scenario."""
+    along, off = random.uniform(-230.0, -130.0), random.uniform(30.0, 60.0)
+    heading, surge = random.uniform(-0.15, 0.15), random.uniform(0.8, 1.8)
+    wind, wind_from = random.uniform(0.0, 9.0), random.uniform(0.0, 2.0 * np.pi)
+    current = random.uniform(-0.4, 0.4)
+    return {
+        "body.ship.position": [along, FACES_EAST_M - 10.0 - off],
+        "body.ship.heading": heading,
+        "body.ship.velocity": {"surge": surge},
+        "environment.wind": {"speed": wind, "from": wind_from},
+        "environment.current": {
+            "speed": abs(current),
+            "towards": 0.0 if current >= 0.0 else float(np.pi),
+        },
+    }
+
+
+class _Berth:
+    """So many episodes side by side; what both environments share."""
+
+    def __init__(self, count: int, threads: int) -> None:
+        scenario: Scenario = example("docking")
+        self.count = count
+        self.fleet = Fleet(scenario, [{}] * count, threads=threads)
+        names = self.fleet.control_names
+        controls = ["ship.rudder_rad", "ship.engine", "ship.thruster.bow", "ship.thruster.stern"]
+        self._columns = [names.index(name) for name in controls]
+        self._ship = self.fleet.bodies.index("ship")
+        self._orders = np.zeros((count, 4))
+        self._weather = np.zeros((count, 3))
+        self._far = np.zeros(count)
+        self._share = np.zeros(count)
+        self._steps = np.zeros(count, dtype=np.int64)
+        self._kinds = np.array(["", "alongside", "overloaded", "over_quay_line", "left_basin"])
+
+    def begin(self, which: Sequence[int], randoms: Sequence[np.random.Generator]) -> None:
+        """Starts some episodes anew."""
+        drawn = [_draw(random) for random in randoms]
+        self.fleet.reset(list(which), drawn)
+        rows = list(which)
+        for row, keys in zip(rows, drawn, strict=True):
+            wind, current = keys["environment.wind"], keys["environment.current"]
+            # Wind is named by where it comes from.
+            north, east = -np.cos(wind["from"]), -np.sin(wind["from"])
+            along = current["speed"] if current["towards"] == 0.0 else -current["speed"]
+            self._weather[row] = (wind["speed"] * north, wind["speed"] * east, along)
+        self._orders[rows] = 0.0
+        self._share[rows] = 0.0
+        self._steps[rows] = 0
+        self._far[rows] = self._distance()[rows]
+
+    def _hull(self) -> tuple[Floats, Floats]:
+        """Her states, and how far the farthest point of her starboard side is from the faces."""
+        states = self.fleet.states[:, self._ship]
+        sine, cosine = np.sin(states[:, 2]), np.cos(states[:, 2])
+        points = np.outer(sine, OUTLINE_M[:, 0]) + np.outer(cosine, OUTLINE_M[:, 1])
+        off: Floats = FACES_EAST_M - states[:, 1] - points.max(axis=1)
+        return states, off
+
+    def _distance(self) -> Floats:
+        states, off = self._hull()
+        heading = np.remainder(states[:, 2] + np.pi, 2.0 * np.pi) - np.pi
+        ways = np.stack([states[:, 0], np.maximum(off, 0.0), HALF_LENGTH_M * heading])
+        distance: Floats = np.sqrt((ways * ways).sum(axis=0))
+        return distance
+
+    def observe(self) -> Observation:
+        """What is seen of every episode now."""
+        states, off = self._hull()
+        seen = np.empty((self.count, 14), dtype=np.float32)
+        seen[:, 0] = -states[:, 0]
+        seen[:, 1] = off
+        seen[:, 2] = np.remainder(states[:, 2] + np.pi, 2.0 * np.pi) - np.pi
+        seen[:, 3:6] = states[:, 3:6]
+        seen[:, 6:10] = self._orders
+        seen[:, 10:13] = self._weather
+        seen[:, 13] = self._share
+        return np.clip(seen, _LOW, _HIGH)
+
+    def step(self, actions: Action) -> tuple[Floats, npt.NDArray[np.int64], npt.NDArray[np.bool_]]:
+        """One second: rewards, how each episode ended (0: not yet), and which have run out of time."""
+        orders = np.clip(np.asarray(actions, dtype=np.float64), -1.0, 1.0)
+        if not np.isfinite(orders).all():
+            raise ValueError("an action is no finite number")
+        self._orders = orders
+        controls = self.fleet.controls
+        controls[:, self._columns] = orders * (RUDDER_STOP_RAD, 1.0, 1.0, 1.0)
+        self.fleet.step()
+        self._steps += 1
+        states, off = self._hull()
+        far = self._distance()
+        share: Floats = self.fleet.fender_energy_shares.max(axis=1)
+        rewards = 0.1 * (self._far - far) - 0.01 - 0.01 * (orders * orders).mean(axis=1)
+        rewards -= 50.0 * np.maximum(share - self._share, 0.0)
+        self._far, self._share = far, share
+        speed = np.hypot(states[:, 3], states[:, 4])
+        alongside = (
+            (np.abs(states[:, 0]) < 4.0)
+            & (off < 0.2)
+            & (np.abs(states[:, 2]) < np.deg2rad(1.0))
+            & (speed < 0.05)
+            & (np.abs(states[:, 5]) < 5e-4)
+        )
+        left = (np.abs(states[:, 0]) > BASIN_ALONG_M) | (off > BASIN_OFF_M)
+        # The faces stand 1.8 m before the quay: who is nearer than 0.2 m to its line is as good as on it.
+        on_quay = off < -1.6
+        overloaded = (share > 1.0) | (self.fleet.fenders_failed > 0.0).any(axis=1)
+        ended = np.zeros(self.count, dtype=np.int64)
+        ended[alongside], ended[overloaded] = 1, 2
+        ended[on_quay], ended[left] = 3, 4
+        rewards += np.where(ended == 1, 100.0, np.where(ended > 1, -100.0, 0.0))
+        return rewards, ended, (self._steps >= STEPS) & (ended == 0)
+
+    def told(self, ended: npt.NDArray[np.int64]) -> npt.NDArray[np.str_]:
+        """How episodes ended, in words."""
+        words: npt.NDArray[np.str_] = self._kinds[ended]
+        return words
+
+
+class DockingEnv(gymnasium.Env[Observation, Action]):
+    """One ship to be brought alongside; see :mod:`fenderline.docking`."""
+
+    metadata: dict[str, Any] = {"render_modes": []}
+
+    def __init__(self, render_mode: str | None = None) -> None:
+        if render_mode is not None:
+            raise ValueError("there is nothing to render yet: render_mode must be None")
+        self.render_mode = None
+        self.observation_space = _observation_space()
+        self.action_space = _action_space()
+        self._berth = _Berth(1, 1)
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Observation, dict[str, Any]]:
+        """Begins an episode: drawn from ``seed``, or from what the last one left of it."""
+        super().reset(seed=seed)
+        self._berth.begin([0], [self.np_random])
+        return self._berth.observe()[0], {}
+
+    def step(self, action: Action) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
+        """One second; ``info["ended"]`` says how an episode ended."""
+        rewards, ended, truncated = self._berth.step(np.asarray(action)[None])
+        info = {"ended": str(self._berth.told(ended)[0])} if ended[0] else {}
+        seen = self._berth.observe()[0]
+        return seen, float(rewards[0]), bool(ended[0]), bool(truncated[0]), info
+
+
+class DockingVectorEnv(VectorEnv[Observation, Action, npt.NDArray[Any]]):
+    """Many of them at once, on ``threads`` threads; episodes begin anew in the step in which they end."""
+
+    metadata: dict[str, Any] = {"render_modes": [], "autoreset_mode": AutoresetMode.SAME_STEP}
+
+    def __init__(
+        self, num_envs: int = 1, threads: int = 1, render_mode: str | None = None
+    ) -> None:
+        if render_mode is not None:
+            raise ValueError("there is nothing to render yet: render_mode must be None")
+        self.render_mode = None
+        self.num_envs = num_envs
+        self.single_observation_space = _observation_space()
+        self.single_action_space = _action_space()
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.action_space = batch_space(self.single_action_space, num_envs)
+        self._berth = _Berth(num_envs, threads)
+        self._randoms = [seeding.np_random()[0] for _ in range(num_envs)]
+
+    def reset(
+        self,
+        *,
+        seed: int | Sequence[int | None] | None = None,
+        options: dict[str, Any] | None = None,
+    ) -> tuple[Observation, dict[str, Any]]:
+        """Begins all episodes: environment ``i`` as a single one with the seed ``seed + i``, or ``seed[i]``."""
+        if isinstance(seed, int):
+            seed = [seed + index for index in range(self.num_envs)]
+        if seed is not None:
+            if len(seed) != self.num_envs:
+                raise ValueError(f"there are {len(seed)} seeds for {self.num_envs} environments")
+            for index, own in enumerate(seed):
+                if own is not None:
+                    self._randoms[index] = seeding.np_random(own)[0]
+        self._berth.begin(range(self.num_envs), self._randoms)
+        return self._berth.observe(), {}
+
+    def step(
+        self, actions: Action
+    ) -> tuple[
+        Observation, npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any], dict[str, Any]
+    ]:
+        """One second of each; ``info["final_obs"]`` and ``info["ended"]`` tell of those that ended."""
+        rewards, ended, truncated = self._berth.step(actions)
+        seen = self._berth.observe()
+        over = (ended > 0) | truncated
+        info: dict[str, Any] = {}
+        if over.any():
+            which = np.flatnonzero(over)
+            final = np.full(self.num_envs, None, dtype=object)
+            for index in which:
+                final[index] = seen[index].copy()
+            info = {
+                "final_obs": final,
+                "_final_obs": over,
+                "final_info": {"ended": self._berth.told(ended), "_ended": over},
+                "_final_info": over,
+            }
+            self._berth.begin(which.tolist(), [self._randoms[index] for index in which])
+            seen[which] = self._berth.observe()[which]
+        return seen, rewards, ended > 0, truncated, info
+
+
+gymnasium.register(
+    ENV_ID,
+    entry_point="fenderline.docking:DockingEnv",
+    vector_entry_point="fenderline.docking:DockingVectorEnv",
+)

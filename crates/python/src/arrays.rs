@@ -1,0 +1,116 @@
+//! NumPy arrays that this package fills.
+//!
+//! The memory is NumPy's own, so that no array of Python's can outlive it: a step writes its results where
+//! Python sees them, and reads what Python wrote, once each. Results are handed out as read-only views.
+
+use fenderline_contact::{BodyState, Wrench, vec2};
+use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// Numbers of a state: north, east, heading, velocity north and east, rate of turn.
+pub(crate) const STATE: usize = 6;
+/// Numbers of a wrench: force north and east, moment.
+pub(crate) const WRENCH: usize = 3;
+
+/// An array of rows that this package and Python both may write.
+pub(crate) struct Shared(Py<PyArray2<f64>>);
+
+impl Shared {
+    /// Zeros.
+    pub(crate) fn zeros(py: Python<'_>, rows: usize, columns: usize) -> Shared {
+        Shared(PyArray2::zeros(py, [rows, columns], false).unbind())
+    }
+
+    /// The array for Python.
+    pub(crate) fn array(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.0.clone_ref(py)
+    }
+
+    /// What is in it now, handed to `read`.
+    pub(crate) fn read<T>(&self, py: Python<'_>, read: impl FnOnce(&[f64]) -> T) -> PyResult<T> {
+        let array: PyReadonlyArray2<'_, f64> = self.0.bind(py).try_readonly()?;
+        Ok(read(array.as_slice()?))
+    }
+
+    /// Its memory, handed to `write`.
+    pub(crate) fn write(&self, py: Python<'_>, write: impl FnOnce(&mut [f64])) -> PyResult<()> {
+        let mut array = self.0.bind(py).try_readwrite()?;
+        write(array.as_slice_mut()?);
+        Ok(())
+    }
+}
+
+/// An array that Python only reads.
+pub(crate) struct Shown {
+    own: Shared,
+    view: Py<PyAny>,
+}
+
+impl Shown {
+    /// Zeros of a shape; rows and columns of the memory are those of its first and all other axes.
+    pub(crate) fn zeros(py: Python<'_>, rows: usize, others: &[usize]) -> PyResult<Shown> {
+        let own = Shared::zeros(py, rows, others.iter().product());
+        let mut shape = vec![rows];
+        shape.extend_from_slice(others);
+        let view = own.0.bind(py).call_method1("reshape", (shape,))?.call_method0("view")?;
+        view.getattr("flags")?.setattr("writeable", false)?;
+        Ok(Shown { own, view: view.unbind() })
+    }
+
+    /// The view for Python.
+    pub(crate) fn view(&self, py: Python<'_>) -> Py<PyAny> {
+        self.view.clone_ref(py)
+    }
+
+    pub(crate) fn write(&self, py: Python<'_>, write: impl FnOnce(&mut [f64])) -> PyResult<()> {
+        self.own.write(py, write)
+    }
+}
+
+/// Reads states, row by row.
+pub(crate) fn read_states(numbers: &[f64], into: &mut [BodyState]) -> PyResult<()> {
+    check_length(numbers, into.len() * STATE)?;
+    for (row, state) in numbers.chunks_exact(STATE).zip(into) {
+        *state = BodyState {
+            position_m: vec2(row[0], row[1]),
+            heading_rad: row[2],
+            velocity_mps: vec2(row[3], row[4]),
+            yaw_rate_radps: row[5],
+        };
+    }
+    Ok(())
+}
+
+/// Writes states, row by row.
+pub(crate) fn write_states(states: &[BodyState], into: &mut [f64]) {
+    for (state, row) in states.iter().zip(into.chunks_exact_mut(STATE)) {
+        let (x, v) = (state.position_m, state.velocity_mps);
+        row.copy_from_slice(&[x.x, x.y, state.heading_rad, v.x, v.y, state.yaw_rate_radps]);
+    }
+}
+
+/// Reads wrenches, row by row.
+pub(crate) fn read_wrenches(numbers: &[f64], into: &mut [Wrench]) -> PyResult<()> {
+    check_length(numbers, into.len() * WRENCH)?;
+    for (row, wrench) in numbers.chunks_exact(WRENCH).zip(into) {
+        *wrench = Wrench { force_n: vec2(row[0], row[1]), moment_nm: row[2] };
+    }
+    Ok(())
+}
+
+/// Writes wrenches, row by row.
+pub(crate) fn write_wrenches(wrenches: &[Wrench], into: &mut [f64]) {
+    for (wrench, row) in wrenches.iter().zip(into.chunks_exact_mut(WRENCH)) {
+        row.copy_from_slice(&[wrench.force_n.x, wrench.force_n.y, wrench.moment_nm]);
+    }
+}
+
+/// Python may have given an array of ours another shape.
+fn check_length(numbers: &[f64], wanted: usize) -> PyResult<()> {
+    if numbers.len() == wanted {
+        return Ok(());
+    }
+    let found = numbers.len();
+    Err(PyValueError::new_err(format!("the array has {found} numbers where {wanted} should be")))
+}

@@ -1,0 +1,59 @@
+//! Mistakes as Python's exceptions: the classes of `fenderline._errors`.
+
+use fenderline_embed::EngineError;
+use fenderline_scenario::{LoadError, Place, ScenarioError};
+use fenderline_sim::{SetupError, SimError};
+use pyo3::prelude::*;
+
+/// An exception of a class of `fenderline._errors` with this message.
+fn exception(py: Python<'_>, class: &str, message: String) -> PyErr {
+    let made = py.import("fenderline._errors").and_then(|m| m.getattr(class)?.call1((message,)));
+    made.map_or_else(|error| error, PyErr::from_value)
+}
+
+/// `fenderline.ScenarioError`, with file, line, column, key, message and help.
+pub(crate) fn of_scenario(py: Python<'_>, error: &ScenarioError) -> PyErr {
+    let exception = exception(py, "ScenarioError", error.to_string());
+    let value = exception.value(py);
+    let (file, line, column) = match error.place() {
+        Place::File { name, line, column } => (name.as_str(), Some(*line), Some(*column)),
+        Place::WholeFile { name } | Place::Option { text: name } => (name.as_str(), None, None),
+    };
+    let filled = (|| {
+        value.setattr("file", file)?;
+        value.setattr("line", line)?;
+        value.setattr("column", column)?;
+        value.setattr("key", error.key())?;
+        value.setattr("message", error.message())?;
+        value.setattr("help", error.help())
+    })();
+    filled.map_or_else(|error: PyErr| error, |()| exception)
+}
+
+/// A file that cannot be read, or what is wrong in it.
+pub(crate) fn of_load(py: Python<'_>, error: &LoadError) -> PyErr {
+    match error {
+        LoadError::Refused(error) => of_scenario(py, error),
+        LoadError::Unreadable(why) => exception(py, "ScenarioError", format!("cannot read {why}")),
+    }
+}
+
+/// A set-up that cannot be simulated.
+pub(crate) fn of_setup(py: Python<'_>, error: &SetupError) -> PyErr {
+    exception(py, "ScenarioError", error.to_string())
+}
+
+/// A call that the engine refuses.
+pub(crate) fn of_engine(py: Python<'_>, error: &EngineError) -> PyErr {
+    exception(py, "EngineError", error.to_string())
+}
+
+/// A run that blew up.
+pub(crate) fn of_simulation(py: Python<'_>, error: &SimError) -> PyErr {
+    exception(py, "SimulationError", error.to_string())
+}
+
+/// A call that a simulation refuses.
+pub(crate) fn refused(py: Python<'_>, message: String) -> PyErr {
+    exception(py, "SimulationError", message)
+}

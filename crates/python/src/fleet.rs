@@ -1,0 +1,258 @@
+//! Many simulations side by side, step by step.
+
+use fenderline_scenario::Override;
+use numpy::PyArray2;
+use pyo3::exceptions::{PyIndexError, PyValueError};
+use pyo3::prelude::*;
+
+use crate::arrays::{STATE, Shared, Shown, write_states};
+use crate::errors;
+use crate::parallel;
+use crate::run::Run;
+use crate::scenario::Scenario;
+use crate::variants::{self, Common};
+
+/// Variants of one scenario that go on step by step, all at once, on `threads` threads. Their bodies, fenders and
+/// controls are those of the scenario. The numbers are those of single simulations, bit for bit.
+///
+/// >>> import fenderline
+/// >>> speeds = [{"body.ship.velocity.surge": speed} for speed in (0.5, 1.0)]
+/// >>> fleet = fenderline.Fleet(fenderline.example("docking"), speeds)
+/// >>> fleet.controls[:, 1] = 0.2
+/// >>> fleet.step(10)
+/// >>> fleet.states.shape, fleet.times_s.tolist()
+/// ((2, 2, 6), [10.0, 10.0])
+#[pyclass(module = "fenderline")]
+pub(crate) struct Fleet {
+    common: Common,
+    runs: Vec<Run>,
+    threads: usize,
+    controls: Shared,
+    states: Shown,
+    times: Shown,
+    energy_shares: Shown,
+    reactions: Shown,
+    failed: Shown,
+}
+
+#[pymethods]
+impl Fleet {
+    #[new]
+    #[pyo3(signature = (scenario, variants, *, threads=1))]
+    fn new(
+        py: Python<'_>,
+        scenario: &Scenario,
+        variants: &Bound<'_, PyAny>,
+        threads: usize,
+    ) -> PyResult<Fleet> {
+        let sets = variants::read(variants)?;
+        let common = Common::of(scenario);
+        let threads = parallel::threads(Some(threads));
+        let runs = made(py, &common, threads, &sets)?;
+        let (count, setup) = (runs.len(), &common.base.setup);
+        let (bodies, fenders) = (setup.bodies.len(), setup.fenders.len());
+        let fleet = Fleet {
+            controls: Shared::zeros(py, count, common.controls.len()),
+            states: Shown::zeros(py, count, &[bodies, STATE])?,
+            times: Shown::zeros(py, count, &[])?,
+            energy_shares: Shown::zeros(py, count, &[fenders])?,
+            reactions: Shown::zeros(py, count, &[fenders])?,
+            failed: Shown::zeros(py, count, &[fenders])?,
+            common,
+            runs,
+            threads,
+        };
+        fleet.controls.write(py, |rows| rows.fill(f64::NAN))?;
+        fleet.show(py)?;
+        Ok(fleet)
+    }
+
+    /// Takes `steps` steps in every simulation with the controls that are set now.
+    #[pyo3(signature = (steps=1))]
+    fn step(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
+        let wanted = self.runs.len() * self.common.controls.len();
+        let values = self.controls.read(py, <[f64]>::to_vec)?;
+        if values.len() != wanted {
+            return Err(PyValueError::new_err("the array of controls has another shape"));
+        }
+        if let Some(name) = Run::refused(&self.common.controls, &values) {
+            return Err(errors::refused(py, format!("control {name} is infinite")));
+        }
+        let Fleet { runs, threads, common, .. } = self;
+        let each = common.controls.len();
+        let step = |index: usize, run: &mut Run| {
+            run.order(&values[index * each..][..each]);
+            (0..steps).try_for_each(|_| run.step().map(|_| ()))
+        };
+        let done = py.detach(|| parallel::each_mut(runs, *threads, step));
+        self.show(py)?;
+        let failed =
+            done.into_iter().enumerate().find_map(|(index, done)| Some((index, done.err()?)));
+        match failed {
+            None => Ok(()),
+            Some((index, error)) => {
+                Err(variants::numbered(py, index, errors::of_simulation(py, &error)))
+            }
+        }
+    }
+
+    /// Starts some of the simulations anew, each as a variant of the scenario; their controls are free again.
+    fn reset(
+        &mut self,
+        py: Python<'_>,
+        indices: Vec<usize>,
+        variants: &Bound<'_, PyAny>,
+    ) -> PyResult<()> {
+        let sets = variants::read(variants)?;
+        let count = self.runs.len();
+        if let Some(index) = indices.iter().find(|&&index| index >= count) {
+            return Err(PyIndexError::new_err(format!(
+                "there is no simulation {index} of {count}"
+            )));
+        }
+        if sets.len() != indices.len() {
+            return Err(PyValueError::new_err("as many variants as indices"));
+        }
+        let runs = made(py, &self.common, self.threads, &sets)?;
+        for (&index, run) in indices.iter().zip(runs) {
+            self.runs[index] = run;
+        }
+        let each = self.common.controls.len();
+        self.controls.write(py, |rows| {
+            for &index in &indices {
+                rows[index * each..][..each].fill(f64::NAN);
+            }
+        })?;
+        self.show(py)
+    }
+
+    /// Values of the controls, (simulations, controls); NaN leaves a control to whoever has it. Write into it.
+    #[getter]
+    fn controls(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.controls.array(py)
+    }
+
+    /// States now, (simulations, bodies, 6). Read-only, and filled anew by each step.
+    #[getter]
+    fn states(&self, py: Python<'_>) -> Py<PyAny> {
+        self.states.view(py)
+    }
+
+    /// Time of each simulation [s]. Read-only, and filled anew by each step.
+    #[getter]
+    fn times_s(&self, py: Python<'_>) -> Py<PyAny> {
+        self.times.view(py)
+    }
+
+    /// Largest energy that each fender has stored so far over what it is rated for, (simulations, fenders); NaN
+    /// without a rating. Read-only, and filled anew by each step.
+    #[getter]
+    fn fender_energy_shares(&self, py: Python<'_>) -> Py<PyAny> {
+        self.energy_shares.view(py)
+    }
+
+    /// Reaction of each fender in the last step [N], (simulations, fenders). Read-only, and filled anew by each step.
+    #[getter]
+    fn fender_reactions_n(&self, py: Python<'_>) -> Py<PyAny> {
+        self.reactions.view(py)
+    }
+
+    /// 1 where a fender was pressed beyond its travel, (simulations, fenders). Read-only, and filled anew by each
+    /// step.
+    #[getter]
+    fn fenders_failed(&self, py: Python<'_>) -> Py<PyAny> {
+        self.failed.view(py)
+    }
+
+    /// Names of the controls, in the order of the columns.
+    #[getter]
+    fn control_names(&self) -> Vec<String> {
+        self.common.controls.iter().map(|control| control.name.clone()).collect()
+    }
+
+    /// Names of the bodies.
+    #[getter]
+    fn bodies(&self) -> Vec<String> {
+        self.common.base.setup.bodies.iter().map(|body| body.name.clone()).collect()
+    }
+
+    /// Names of the fenders.
+    #[getter]
+    fn fenders(&self) -> Vec<String> {
+        self.common.base.setup.fenders.iter().map(|fender| fender.name.clone()).collect()
+    }
+
+    /// Δt [s] of the scenario.
+    #[getter]
+    fn step_s(&self) -> f64 {
+        self.common.base.setup.step_s
+    }
+
+    fn __len__(&self) -> usize {
+        self.runs.len()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<fenderline.Fleet of {} \"{}\">", self.runs.len(), self.common.base.title)
+    }
+}
+
+/// A run of each variant.
+fn made(
+    py: Python<'_>,
+    common: &Common,
+    threads: usize,
+    sets: &[Vec<Override>],
+) -> PyResult<Vec<Run>> {
+    let made = py.detach(|| parallel::each(sets.len(), threads, |index| common.run(&sets[index])));
+    let each = made.into_iter().enumerate();
+    each.map(|(index, run)| run.map_err(|error| variants::exception(py, index, &error))).collect()
+}
+
+impl Fleet {
+    fn show(&self, py: Python<'_>) -> PyResult<()> {
+        let setup = &self.common.base.setup;
+        let (bodies, fenders) = (setup.bodies.len(), setup.fenders.len());
+        let simulations = || self.runs.iter().map(|run| &run.simulation);
+        self.states.write(py, |rows| {
+            for (simulation, rows) in simulations().zip(rows.chunks_exact_mut(bodies * STATE)) {
+                write_states(simulation.states(), rows);
+            }
+        })?;
+        self.times.write(py, |rows| {
+            for (simulation, time_s) in simulations().zip(rows) {
+                *time_s = simulation.time_s();
+            }
+        })?;
+        if fenders == 0 {
+            return Ok(());
+        }
+        let unrated = |fender: usize| setup.fenders[fender].rated.is_none();
+        self.energy_shares.write(py, |rows| {
+            for (simulation, row) in simulations().zip(rows.chunks_exact_mut(fenders)) {
+                for (fender, share) in row.iter_mut().enumerate() {
+                    *share = if unrated(fender) { f64::NAN } else { 0.0 };
+                }
+                for summary in simulation.fender_summaries() {
+                    row[summary.fender] = summary.share_of_rated_energy.unwrap_or(f64::NAN);
+                }
+            }
+        })?;
+        self.reactions.write(py, |rows| {
+            for (simulation, row) in simulations().zip(rows.chunks_exact_mut(fenders)) {
+                row.fill(0.0);
+                for summary in simulation.fender_summaries() {
+                    row[summary.fender] = summary.last_reaction_n;
+                }
+            }
+        })?;
+        self.failed.write(py, |rows| {
+            for (simulation, row) in simulations().zip(rows.chunks_exact_mut(fenders)) {
+                row.fill(0.0);
+                for summary in simulation.fender_summaries() {
+                    row[summary.fender] = f64::from(u8::from(summary.failed));
+                }
+            }
+        })
+    }
+}

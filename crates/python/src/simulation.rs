@@ -1,0 +1,458 @@
+//! One whole simulation.
+
+use std::sync::Arc;
+
+use fenderline_contact::{Contact, Wrench};
+use fenderline_results::{InMemory, Tables};
+use fenderline_scenario::order;
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::{STATE, Shared, Shown, WRENCH, read_wrenches, write_states, write_wrenches};
+use crate::contacts::{StepEvent, contact_event, contacts_array, world_event};
+use crate::controls::controls;
+use crate::errors;
+use crate::run::{CannotRun, Run};
+use crate::scenario::{Scenario, toml_of};
+use crate::summaries::{Summary, fenders_table, pairs_table};
+use crate::tables;
+
+/// Steps between two looks at whether the user wants to stop.
+const STEPS_AT_A_TIME: u64 = 2000;
+
+/// A whole simulation, step by step; with `record=True` it keeps the tables that `fenderline run` writes.
+///
+/// >>> import fenderline
+/// >>> simulation = fenderline.Simulation(fenderline.example("docking"))
+/// >>> simulation.control_names
+/// ['ship.rudder_rad', 'ship.engine', 'ship.thruster.bow', 'ship.thruster.stern']
+/// >>> simulation.controls[1] = -0.5
+/// >>> simulation.step(60)
+/// >>> bool(simulation.states[0, 3] < 1.5)
+/// True
+#[pyclass(module = "fenderline")]
+pub(crate) struct Simulation {
+    title: String,
+    names: Arc<Names>,
+    run: Run,
+    tables: Option<Tables<InMemory>>,
+    contacts: Vec<Contact>,
+    events: Vec<StepEvent>,
+    controls: Py<PyArray1<f64>>,
+    external: Shared,
+    external_rows: Vec<Wrench>,
+    states: Shown,
+    wrenches: Shown,
+    wrench_rows: Vec<Wrench>,
+}
+
+/// A simulation as it was: see `Simulation.save`.
+#[pyclass(frozen, module = "fenderline")]
+pub(crate) struct SimulationState {
+    names: Arc<Names>,
+    run: Run,
+    contacts: Vec<Contact>,
+    events: Vec<StepEvent>,
+    controls: Vec<f64>,
+    external: Vec<Wrench>,
+    wrenches: Vec<Wrench>,
+}
+
+/// What indices stand for.
+struct Names {
+    bodies: Vec<String>,
+    fenders: Vec<String>,
+    vessels: Vec<String>,
+    tugs: Vec<String>,
+    lines: Vec<String>,
+}
+
+#[pymethods]
+impl Simulation {
+    #[new]
+    #[pyo3(signature = (scenario, *, record=false))]
+    fn new(py: Python<'_>, scenario: &Scenario, record: bool) -> PyResult<Simulation> {
+        let setup = &scenario.checked.setup;
+        let run = Run::new(&scenario.checked, Arc::new(controls(setup)));
+        let run = run.map_err(|error| cannot_run(py, &error))?;
+        let body = |index: usize| setup.bodies[index].name.clone();
+        let names = Names {
+            bodies: scenario.bodies(),
+            fenders: scenario.fenders(),
+            vessels: setup.world.vessels.iter().map(|vessel| body(vessel.body)).collect(),
+            tugs: setup.world.tugs.iter().map(|tug| tug.tug.name.clone()).collect(),
+            lines: setup.world.lines.iter().map(|line| line.line.name.clone()).collect(),
+        };
+        let tables = match record {
+            true => {
+                let started = Tables::start(&InMemory, setup, run.simulation.energy());
+                Some(started.map_err(|error| errors::refused(py, error.to_string()))?)
+            }
+            false => None,
+        };
+        Simulation::around(py, scenario.checked.title.clone(), Arc::new(names), run, tables)
+    }
+
+    /// Takes `steps` steps with the controls and external wrenches that are set now.
+    #[pyo3(signature = (steps=1))]
+    fn step(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
+        self.take_in(py)?;
+        self.events.clear();
+        let mut left = steps;
+        while left > 0 {
+            let now = left.min(STEPS_AT_A_TIME);
+            left -= now;
+            let taken = match now {
+                // Letting other threads run costs more than a step.
+                1 => self.steps(1),
+                _ => py.detach(|| self.steps(now)),
+            };
+            if let Err(why) = taken {
+                self.show(py)?;
+                return Err(why.exception(py));
+            }
+            // Shown also to whom an interrupt brings back here.
+            self.show(py)?;
+            if left > 0 {
+                py.check_signals()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Goes on to the end of the scenario's duration, or to a time.
+    #[pyo3(signature = (until_s=None))]
+    fn run(&mut self, py: Python<'_>, until_s: Option<f64>) -> PyResult<()> {
+        let simulation = &self.run.simulation;
+        let end = match until_s {
+            None => simulation.steps_total(),
+            Some(until_s) if until_s.is_finite() && until_s >= 0.0 => {
+                let ratio = until_s / simulation.setup().step_s;
+                // A ratio within 1e-9 of a whole number is that number, as for the duration.
+                let whole = ratio.round();
+                if (ratio - whole).abs() <= 1e-9 * whole {
+                    whole as u64
+                } else {
+                    ratio.ceil() as u64
+                }
+            }
+            Some(other) => return Err(PyValueError::new_err(format!("until_s is {other}"))),
+        };
+        let taken = (simulation.time_s() / simulation.setup().step_s).round() as u64;
+        self.step(py, end.saturating_sub(taken))
+    }
+
+    /// Gives an order, with the keys of a scenario's `[[order]]`: `order(vessel="ship", rudder="10 deg")`. Without
+    /// `at` it is taken in the next step.
+    #[pyo3(signature = (**keys))]
+    fn order(&mut self, py: Python<'_>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
+        let text = keys.map(|keys| toml_of(keys.as_any())).transpose()?.unwrap_or_default();
+        let read = order(&text, "order", self.run.simulation.setup());
+        let read = read.map_err(|error| errors::of_scenario(py, &error))?;
+        self.run.simulation.order(read).map_err(|error| errors::of_setup(py, &error))
+    }
+
+    /// Time reached [s].
+    #[getter]
+    fn time_s(&self) -> f64 {
+        self.run.simulation.time_s()
+    }
+
+    /// Δt [s].
+    #[getter]
+    fn step_s(&self) -> f64 {
+        self.run.simulation.setup().step_s
+    }
+
+    /// Number of steps of the scenario's duration.
+    #[getter]
+    fn steps_total(&self) -> u64 {
+        self.run.simulation.steps_total()
+    }
+
+    /// Whether the scenario's duration is over; steps can still be taken.
+    #[getter]
+    fn is_done(&self) -> bool {
+        self.run.simulation.is_done()
+    }
+
+    /// The scenario's title.
+    #[getter]
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Names of the bodies, in the order of the rows.
+    #[getter]
+    fn bodies(&self) -> Vec<String> {
+        self.names.bodies.clone()
+    }
+
+    /// Names of the fenders.
+    #[getter]
+    fn fenders(&self) -> Vec<String> {
+        self.names.fenders.clone()
+    }
+
+    /// Names of the controls, in their order.
+    #[getter]
+    fn control_names(&self) -> Vec<String> {
+        self.run.controls.iter().map(|control| control.name.clone()).collect()
+    }
+
+    /// Values of the controls; NaN where none was set: an order of the scenario or a pilot has it. Write into it.
+    /// A value takes its control from the pilot in the next step.
+    #[getter]
+    fn controls(&self, py: Python<'_>) -> Py<PyArray1<f64>> {
+        self.controls.clone_ref(py)
+    }
+
+    /// What the host puts on each body, one row a body: force north and east [N], moment about the centre of gravity
+    /// [N·m]. Write into it; it counts until it is changed.
+    #[getter]
+    fn external(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.external.array(py)
+    }
+
+    /// States now, one row a body: north and east [m], heading [rad], velocity north and east [m/s], rate of turn
+    /// [rad/s]. Read-only, and filled anew by each step.
+    #[getter]
+    fn states(&self, py: Python<'_>) -> Py<PyAny> {
+        self.states.view(py)
+    }
+
+    /// Contact wrenches of the last step, one row a body: force north and east [N], moment [N·m]. Read-only, and
+    /// filled anew by each step.
+    #[getter]
+    fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {
+        self.wrenches.view(py)
+    }
+
+    /// The touching patches of the last step: a structured array of its own.
+    #[getter]
+    fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        contacts_array(py, &self.contacts)
+    }
+
+    /// What happened in the last call of `step` or `run`.
+    #[getter]
+    fn events(&self) -> Vec<StepEvent> {
+        self.events.clone()
+    }
+
+    /// The energy ledger now [J].
+    #[getter]
+    fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let e = self.run.simulation.energy();
+        let dict = PyDict::new(py);
+        for (name, value) in [
+            ("kinetic_j", e.kinetic_j),
+            ("load_work_j", e.load_work_j),
+            ("normal_work_j", e.normal_work_j),
+            ("tangential_work_j", e.tangential_work_j),
+            ("stored_j", e.stored_j),
+            ("shear_stored_j", e.shear_stored_j),
+            ("damping_j", e.damping_j),
+            ("restitution_j", e.restitution_j),
+            ("friction_j", e.friction_j),
+            ("contact_residual_j", e.contact_residual_j),
+            ("residual_j", e.residual_j),
+        ] {
+            dict.set_item(name, value)?;
+        }
+        Ok(dict)
+    }
+
+    /// What each pair that touched has gone through, and each fender: two tables.
+    fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let simulation = &self.run.simulation;
+        let summary = [Summary::of(simulation)];
+        let setup = simulation.setup();
+        let kept = vec![pairs_table(setup, &summary), fenders_table(setup, &summary)];
+        tables::results(py, &self.title, kept)
+    }
+
+    /// The tables of a recorded run, and an end to the recording: those that `fenderline run` writes, with the same
+    /// numbers.
+    fn results<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let Some(recorded) = self.tables.take() else {
+            let message = "nothing is recorded: make it with record=True, and ask once".to_owned();
+            return Err(errors::refused(py, message));
+        };
+        let kept = recorded.finish().map_err(|error| errors::refused(py, error.to_string()))?;
+        tables::results(py, &self.title, kept)
+    }
+
+    /// All of it as it is now, to `restore` it later.
+    fn save(&self, py: Python<'_>) -> PyResult<SimulationState> {
+        self.refuse_recording(py, "saved")?;
+        let mut external = self.external_rows.clone();
+        self.external.read(py, |numbers| read_wrenches(numbers, &mut external))??;
+        Ok(SimulationState {
+            names: Arc::clone(&self.names),
+            run: self.run.clone(),
+            contacts: self.contacts.clone(),
+            events: self.events.clone(),
+            controls: self.controls.bind(py).try_readonly()?.as_slice()?.to_vec(),
+            external,
+            wrenches: self.wrench_rows.clone(),
+        })
+    }
+
+    /// Goes back to what `save` gave, of this simulation or of a copy of it.
+    fn restore(&mut self, py: Python<'_>, state: &SimulationState) -> PyResult<()> {
+        self.refuse_recording(py, "restored")?;
+        if !Arc::ptr_eq(&self.names, &state.names) {
+            let message = "the state is that of another simulation".to_owned();
+            return Err(errors::refused(py, message));
+        }
+        self.take_over(py, state)
+    }
+
+    /// Another simulation that goes on from here.
+    fn copy(&self, py: Python<'_>) -> PyResult<Simulation> {
+        let state = self.save(py)?;
+        let names = Arc::clone(&self.names);
+        let mut copy = Simulation::around(py, self.title.clone(), names, state.run.clone(), None)?;
+        copy.take_over(py, &state)?;
+        Ok(copy)
+    }
+
+    fn __copy__(&self, py: Python<'_>) -> PyResult<Simulation> {
+        self.copy(py)
+    }
+
+    fn __deepcopy__(&self, py: Python<'_>, _memo: &Bound<'_, PyAny>) -> PyResult<Simulation> {
+        self.copy(py)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<fenderline.Simulation \"{}\" at {} s>", self.title, self.time_s())
+    }
+}
+
+/// Why steps could not be taken.
+enum Stopped {
+    BlewUp(fenderline_sim::SimError),
+    NotFinite(fenderline_results::NotFinite),
+}
+
+impl Stopped {
+    fn exception(&self, py: Python<'_>) -> PyErr {
+        match self {
+            Stopped::BlewUp(error) => errors::of_simulation(py, error),
+            Stopped::NotFinite(error) => errors::refused(py, error.to_string()),
+        }
+    }
+}
+
+impl Simulation {
+    fn around(
+        py: Python<'_>,
+        title: String,
+        names: Arc<Names>,
+        run: Run,
+        tables: Option<Tables<InMemory>>,
+    ) -> PyResult<Simulation> {
+        let count = names.bodies.len();
+        let controls = PyArray1::from_vec(py, vec![f64::NAN; run.controls.len()]).unbind();
+        let made = Simulation {
+            title,
+            names,
+            run,
+            tables,
+            contacts: Vec::new(),
+            events: Vec::new(),
+            controls,
+            external: Shared::zeros(py, count, WRENCH),
+            external_rows: vec![Wrench::default(); count],
+            states: Shown::zeros(py, count, &[STATE])?,
+            wrenches: Shown::zeros(py, count, &[WRENCH])?,
+            wrench_rows: vec![Wrench::default(); count],
+        };
+        made.show(py)?;
+        Ok(made)
+    }
+
+    /// Takes controls and external wrenches from their arrays.
+    fn take_in(&mut self, py: Python<'_>) -> PyResult<()> {
+        let controls = self.controls.bind(py).try_readonly()?;
+        let values = controls.as_slice()?;
+        if values.len() != self.run.controls.len() {
+            return Err(PyValueError::new_err("the array of controls has another length"));
+        }
+        if let Some(name) = Run::refused(&self.run.controls, values) {
+            return Err(errors::refused(py, format!("control {name} is infinite")));
+        }
+        let rows = &mut self.external_rows;
+        let is_finite = |w: &Wrench| w.force_n.is_finite() && w.moment_nm.is_finite();
+        self.external.read(py, |numbers| read_wrenches(numbers, rows))??;
+        if let Some(body) = rows.iter().position(|wrench| !is_finite(wrench)) {
+            let body = &self.names.bodies[body];
+            return Err(errors::refused(
+                py,
+                format!("the external wrench of {body} is not finite"),
+            ));
+        }
+        self.run.simulation.set_external(rows);
+        self.run.order(values);
+        Ok(())
+    }
+
+    fn steps(&mut self, count: u64) -> Result<(), Stopped> {
+        for _ in 0..count {
+            let record = self.run.step().map_err(Stopped::BlewUp)?;
+            let Names { bodies, fenders, vessels, tugs, lines } = &*self.names;
+            let contact = record.events.iter().map(|event| contact_event(event, bodies, fenders));
+            self.events.extend(contact);
+            let of = [vessels.as_slice(), tugs, lines];
+            self.events.extend(record.world_events.iter().map(|event| world_event(event, of)));
+            self.contacts.clear();
+            self.contacts.extend_from_slice(record.contacts);
+            self.wrench_rows.copy_from_slice(record.wrenches);
+            if let Some(tables) = &mut self.tables {
+                tables.write(&record).map_err(Stopped::NotFinite)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn show(&self, py: Python<'_>) -> PyResult<()> {
+        self.states.write(py, |rows| write_states(self.run.simulation.states(), rows))?;
+        self.wrenches.write(py, |rows| write_wrenches(&self.wrench_rows, rows))
+    }
+
+    fn take_over(&mut self, py: Python<'_>, state: &SimulationState) -> PyResult<()> {
+        let mut controls = self.controls.bind(py).try_readwrite()?;
+        let values = controls.as_slice_mut()?;
+        if values.len() != state.controls.len() {
+            return Err(PyValueError::new_err("the array of controls has another length"));
+        }
+        values.copy_from_slice(&state.controls);
+        self.external.write(py, |rows| write_wrenches(&state.external, rows))?;
+        self.run = state.run.clone();
+        self.contacts.clone_from(&state.contacts);
+        self.events.clone_from(&state.events);
+        self.wrench_rows.clone_from(&state.wrenches);
+        self.show(py)
+    }
+
+    fn refuse_recording(&self, py: Python<'_>, what: &str) -> PyResult<()> {
+        match self.tables {
+            None => Ok(()),
+            Some(_) => {
+                Err(errors::refused(py, format!("a simulation that is recorded cannot be {what}")))
+            }
+        }
+    }
+}
+
+/// Why a run cannot begin, as an exception.
+pub(crate) fn cannot_run(py: Python<'_>, error: &CannotRun) -> PyErr {
+    match error {
+        CannotRun::Setup(error) => errors::of_setup(py, error),
+        CannotRun::Providers => errors::refused(py, error.to_string()),
+    }
+}

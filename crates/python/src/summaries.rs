@@ -1,0 +1,150 @@
+//! What a run came to, as tables: pairs of bodies and fenders, one row each and run.
+
+use fenderline_results::{KeptColumn, KeptTable, KeptValues};
+use fenderline_sim::{FenderSummary, PairSummary, Setup, Simulation};
+
+/// What one run of many came to.
+pub(crate) struct Summary {
+    pub(crate) pairs: Vec<PairSummary>,
+    pub(crate) fenders: Vec<FenderSummary>,
+}
+
+impl Summary {
+    pub(crate) fn of(simulation: &Simulation) -> Summary {
+        Summary {
+            pairs: simulation.pair_summaries().to_vec(),
+            fenders: simulation.fender_summaries().cloned().collect(),
+        }
+    }
+}
+
+/// The rows of all runs, each with the number of its run.
+fn rows<S>(summaries: &[Summary], of: impl Fn(&Summary) -> &Vec<S>) -> Vec<(usize, &S)> {
+    let mut rows = Vec::new();
+    for (run, summary) in summaries.iter().enumerate() {
+        rows.extend(of(summary).iter().map(|row| (run, row)));
+    }
+    rows
+}
+
+fn column<S>(
+    rows: &[(usize, &S)],
+    (name, unit, meaning): (&'static str, &'static str, &'static str),
+    value: impl Fn(&S) -> f64,
+) -> KeptColumn {
+    let values = rows.iter().map(|(_, row)| value(row)).collect();
+    KeptColumn { name, unit, meaning, values: KeptValues::Floats(values) }
+}
+
+fn names<S>(
+    rows: &[(usize, &S)],
+    name: &'static str,
+    meaning: &'static str,
+    words: Vec<String>,
+    index: impl Fn(&S) -> usize,
+) -> KeptColumn {
+    let codes = rows.iter().map(|(_, row)| index(row) as i32).collect();
+    KeptColumn { name, unit: "-", meaning, values: KeptValues::Texts { codes, words } }
+}
+
+fn flags<S>(
+    rows: &[(usize, &S)],
+    name: &'static str,
+    meaning: &'static str,
+    flag: impl Fn(&S) -> bool,
+) -> KeptColumn {
+    let values = rows.iter().map(|(_, row)| flag(row)).collect();
+    KeptColumn { name, unit: "-", meaning, values: KeptValues::Flags(values) }
+}
+
+fn runs<S>(rows: &[(usize, &S)]) -> KeptColumn {
+    let values = KeptValues::Counts(rows.iter().map(|(run, _)| *run as u32).collect());
+    KeptColumn { name: "run", unit: "1", meaning: "number of the run, from 0", values }
+}
+
+/// Pairs that touched, run by run.
+pub(crate) fn pairs_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
+    let rows = rows(summaries, |summary| &summary.pairs);
+    let bodies = || setup.bodies.iter().map(|body| body.name.clone()).collect();
+    let columns = vec![
+        runs(&rows),
+        names(&rows, "body_1", "name of one body", bodies(), |p| p.bodies[0]),
+        names(&rows, "body_2", "name of the other", bodies(), |p| p.bodies[1]),
+        column(
+            &rows,
+            ("first_touch_s", "s", "start of the first step in which they touched"),
+            |p| p.first_touch_s,
+        ),
+        column(&rows, ("last_touch_s", "s", "start of the last step in which they touched"), |p| {
+            p.last_touch_s
+        }),
+        column(
+            &rows,
+            ("approach_speed_mps", "m/s", "speed along the normal at first touch, closing"),
+            |p| p.approach_speed_mps,
+        ),
+        column(
+            &rows,
+            ("final_speed_mps", "m/s", "speed along the normal after the last touch, leaving"),
+            |p| p.final_speed_mps,
+        ),
+        column(&rows, ("peak_normal_force_n", "N", "largest normal force of all patches"), |p| {
+            p.peak_normal_force_n
+        }),
+        column(&rows, ("peak_normal_force_at_s", "s", "when"), |p| p.peak_normal_force_at_s),
+        column(&rows, ("peak_depth_m", "m", "largest depth of a patch"), |p| p.peak_depth_m),
+        column(&rows, ("peak_depth_at_s", "s", "when"), |p| p.peak_depth_at_s),
+        column(&rows, ("impulse_ns", "N·s", "impulse of the normal force"), |p| p.impulse_ns),
+        column(&rows, ("normal_work_j", "J", "work of normal forces on the two bodies"), |p| {
+            p.normal_work_j
+        }),
+        column(&rows, ("tangential_work_j", "J", "work of friction on the two bodies"), |p| {
+            p.tangential_work_j
+        }),
+        flags(&rows, "touching_at_end", "whether they touch in the last step", |p| {
+            p.touching_at_end
+        }),
+    ];
+    KeptTable { name: "pairs", columns }
+}
+
+/// Fenders that were touched, run by run; shares are NaN where a fender has no rating.
+pub(crate) fn fenders_table(setup: &Setup, summaries: &[Summary]) -> KeptTable {
+    let rows = rows(summaries, |summary| &summary.fenders);
+    let fenders = setup.fenders.iter().map(|fender| fender.name.clone()).collect();
+    let share = |share: Option<f64>| share.unwrap_or(f64::NAN);
+    let columns = vec![
+        runs(&rows),
+        names(&rows, "fender", "name of the fender", fenders, |f| f.fender),
+        column(
+            &rows,
+            ("first_touch_s", "s", "start of the first step in which it was touched"),
+            |f| f.first_touch_s,
+        ),
+        column(&rows, ("approach_speed_mps", "m/s", "speed along the normal then, closing"), |f| {
+            f.approach_speed_mps
+        }),
+        column(&rows, ("approach_angle_rad", "rad", "angle between face and hull then"), |f| {
+            f.approach_angle_rad
+        }),
+        column(&rows, ("peak_deflection_m", "m", "largest deflection"), |f| f.peak_deflection_m),
+        column(&rows, ("peak_reaction_n", "N", "largest reaction along its axis"), |f| {
+            f.peak_reaction_n
+        }),
+        column(&rows, ("peak_energy_j", "J", "largest energy stored"), |f| f.peak_energy_j),
+        column(&rows, ("share_of_rated_energy", "1", "that over what it is rated for"), |f| {
+            share(f.share_of_rated_energy)
+        }),
+        column(&rows, ("share_of_rated_reaction", "1", "reaction over the rated one"), |f| {
+            share(f.share_of_rated_reaction)
+        }),
+        column(&rows, ("share_of_rated_deflection", "1", "deflection over the rated one"), |f| {
+            share(f.share_of_rated_deflection)
+        }),
+        column(&rows, ("share_of_hull_pressure", "1", "pressure over what the hull takes"), |f| {
+            share(f.share_of_hull_pressure)
+        }),
+        flags(&rows, "failed", "whether it was pressed beyond its travel", |f| f.failed),
+    ];
+    KeptTable { name: "fenders", columns }
+}

@@ -1,0 +1,74 @@
+"""Tests the Python package as a user gets it: `pip install .` into a clean virtual environment, then pytest with all
+doctests, the guide's snippets and the example, stubtest, and mypy on tests and examples.
+
+    python3 crates/python/test.py
+
+Standard library only. `cargo xtask test` calls it; it needs Rust, Python 3.11 or later, and PyPI.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+OWN = ROOT / "crates" / "python"
+
+
+def run(*command: str | Path, **environment: str) -> None:
+    print("$", *command, flush=True)
+    # No user's packages, no user's configuration of pip's target, no __pycache__ in the source tree.
+    clean = {"PYTHONNOUSERSITE": "1", "PYTHONDONTWRITEBYTECODE": "1", "PIP_NO_INPUT": "1"}
+    subprocess.run(
+        [str(part) for part in command],
+        cwd=ROOT,
+        env=os.environ | clean | environment,
+        check=True,
+        stdin=subprocess.DEVNULL,
+    )
+
+
+def target_folder() -> Path:
+    cargo = os.environ.get("CARGO", "cargo")
+    metadata = subprocess.run(
+        [cargo, "metadata", "--format-version", "1", "--no-deps"],
+        cwd=ROOT,
+        check=True,
+        capture_output=True,
+    )
+    return Path(json.loads(metadata.stdout)["target_directory"])
+
+
+def main() -> None:
+    target = target_folder()
+    folder = target / "python-package"
+    if folder.exists():
+        shutil.rmtree(folder)
+    venv.create(folder, with_pip=True)
+    python = folder / ("Scripts" if os.name == "nt" else "bin") / "python"
+    pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
+    run(*pip, "-r", OWN / "requirements-test.txt")
+    run(*pip, ".", CARGO_TARGET_DIR=str(target))
+    # What the package's numbers are held against.
+    run(os.environ.get("CARGO", "cargo"), "build", "--release", "--package", "fenderline")
+    program = target / "release" / ("fenderline.exe" if os.name == "nt" else "fenderline")
+    pytest = [python, "-m", "pytest"]
+    run(*pytest, FENDERLINE_PROGRAM=str(program))
+    run(*pytest, "--doctest-modules", "--pyargs", "fenderline")
+    mypy_config = ["--mypy-config-file", ROOT / "pyproject.toml"]
+    # `python -m` puts the current folder first: the package is the installed one, as there is none here.
+    run(python, "-m", "mypy.stubtest", *mypy_config, "fenderline")
+    cache = ["--cache-dir", folder / "mypy"]
+    run(python, "-m", "mypy", *cache, OWN / "tests", OWN / "bench.py", ROOT / "examples" / "python")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"failed: {error}")

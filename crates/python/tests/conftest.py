@@ -1,0 +1,17 @@
+"""Where the tests find the repository's scenarios."""
+
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+@pytest.fixture(scope="session")
+def root() -> Path:
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def scenarios() -> Path:
+    return ROOT / "scenarios"

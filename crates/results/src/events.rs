@@ -1,0 +1,36 @@
+//! What events are called in results.
+
+use fenderline_contact::EventKind;
+use fenderline_sim::WorldEventKind;
+
+/// A kind of event of contact.
+#[must_use]
+pub fn event_key(kind: EventKind) -> &'static str {
+    match kind {
+        EventKind::ContactBegan => "contact_began",
+        EventKind::ContactEnded => "contact_ended",
+        EventKind::PatchSplit => "patch_split",
+        EventKind::PatchesMerged => "patches_merged",
+        EventKind::Contained => "contained",
+        EventKind::DeepOverlap => "deep_overlap",
+        EventKind::Teleported => "teleported",
+        EventKind::NotConverged => "not_converged",
+        EventKind::FenderOverRated(_) => "fender_over_rated",
+        EventKind::FenderFailed(_) => "fender_failed",
+    }
+}
+
+/// A kind of event of the world.
+#[must_use]
+pub fn world_event_key(kind: WorldEventKind) -> &'static str {
+    match kind {
+        WorldEventKind::OrderClamped => "order_clamped",
+        WorldEventKind::Aground => "aground",
+        WorldEventKind::ShallowHeld => "shallow_held",
+        WorldEventKind::TugLimited => "tug_limited",
+        WorldEventKind::TugOrderRefused => "tug_order_refused",
+        WorldEventKind::LineNotMadeFast => "line_not_made_fast",
+        WorldEventKind::LineParted => "line_parted",
+        WorldEventKind::LineRenders => "line_renders",
+    }
+}

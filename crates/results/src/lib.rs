@@ -1,0 +1,30 @@
+//! The result tables of a run: which there are, their columns with units and meanings, and the rows of each
+//! step. How a table is kept, as a file or in memory, is its [`Medium`]'s; [`InMemory`] is one.
+//!
+//! ```
+//! # let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/paper/experiment_2_4kn.toml");
+//! # let scenario = fenderline_scenario::Scenario::load(file.as_ref(), &[])?;
+//! use fenderline_results::{InMemory, Tables};
+//! let mut simulation = fenderline_sim::Simulation::new(scenario.setup)?;
+//! let mut tables = Tables::start(&InMemory, simulation.setup(), simulation.energy())?;
+//! while !simulation.is_done() {
+//!     tables.write(&simulation.step()?)?;
+//! }
+//! let tables = tables.finish()?;
+//! assert_eq!((tables[0].name, tables[0].rows()), ("bodies", 2 * 200));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+#![forbid(unsafe_code)]
+
+mod columns;
+mod events;
+mod memory;
+mod tables;
+mod touched;
+mod world_tables;
+
+pub use columns::{Column, List, Names, Value};
+pub use events::{event_key, world_event_key};
+pub use memory::{InMemory, KeptColumn, KeptTable, KeptValues, NotFinite, TableInMemory};
+pub use tables::{Medium, Table, Tables};
+pub use touched::{TouchedFender, add_parts, touched};

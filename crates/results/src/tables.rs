@@ -1,0 +1,168 @@
+//! The tables of a run, filled step by step.
+
+use fenderline_sim::{Energy, Setup, StepRecord};
+
+use crate::columns::{
+    BodyRow, Column, ContactRow, ContactWorks, EnergyRow, FenderRow, Names, bodies_columns,
+    contacts_columns, energy_columns, fenders_columns,
+};
+use crate::touched::touched;
+use crate::world_tables::WorldTables;
+
+/// Where tables are kept.
+pub trait Medium {
+    /// What can go wrong there.
+    type Error;
+    /// A table when it is done.
+    type Done;
+    /// A table that is being filled.
+    type Table<R>: Table<R, Error = Self::Error, Done = Self::Done>;
+
+    /// Starts a table.
+    ///
+    /// # Errors
+    /// The medium's own.
+    fn start<R>(
+        &self,
+        name: &'static str,
+        columns: Vec<Column<R>>,
+        names: &Names,
+    ) -> Result<Self::Table<R>, Self::Error>;
+}
+
+/// A table that is being filled with rows of type `R`.
+pub trait Table<R> {
+    /// What can go wrong.
+    type Error;
+    /// The table when it is done.
+    type Done;
+
+    /// Adds a row.
+    ///
+    /// # Errors
+    /// The medium's own, or a value that is not finite.
+    fn push(&mut self, row: &R) -> Result<(), Self::Error>;
+
+    /// No more rows come.
+    ///
+    /// # Errors
+    /// The medium's own.
+    fn finish(self) -> Result<Self::Done, Self::Error>;
+}
+
+/// A table with its name and the number of its rows.
+pub(crate) struct Counted<M: Medium, R> {
+    name: &'static str,
+    table: M::Table<R>,
+    rows: u64,
+}
+
+impl<M: Medium, R> Counted<M, R> {
+    pub(crate) fn start(
+        medium: &M,
+        names: &Names,
+        name: &'static str,
+        columns: Vec<Column<R>>,
+    ) -> Result<Counted<M, R>, M::Error> {
+        Ok(Counted { name, table: medium.start(name, columns, names)?, rows: 0 })
+    }
+
+    pub(crate) fn push(&mut self, row: &R) -> Result<(), M::Error> {
+        self.rows += 1;
+        self.table.push(row)
+    }
+
+    pub(crate) fn rows(&self) -> (&'static str, u64) {
+        (self.name, self.rows)
+    }
+
+    pub(crate) fn finish(self) -> Result<M::Done, M::Error> {
+        self.table.finish()
+    }
+}
+
+/// All tables of a run; those of fenders, vessels, tugs and lines only where the set-up has any.
+pub struct Tables<M: Medium> {
+    bodies: Counted<M, BodyRow>,
+    contacts: Counted<M, ContactRow>,
+    energy: Counted<M, EnergyRow>,
+    fenders: Option<Counted<M, FenderRow>>,
+    world: WorldTables<M>,
+    step_s: f64,
+    /// Width times height of each fender's face [m²].
+    faces_m2: Vec<f64>,
+}
+
+impl<M: Medium> Tables<M> {
+    /// Starts the tables, and the ledger with what there is at the `start`.
+    ///
+    /// # Errors
+    /// The medium's own.
+    pub fn start(medium: &M, setup: &Setup, start: Energy) -> Result<Tables<M>, M::Error> {
+        let names = &Names::of(setup);
+        let fenders = match setup.fenders.as_slice() {
+            [] => None,
+            _ => Some(Counted::start(medium, names, "fenders", fenders_columns())?),
+        };
+        let mut energy = Counted::start(medium, names, "energy", energy_columns())?;
+        energy.push(&EnergyRow { t_s: 0.0, energy: start })?;
+        Ok(Tables {
+            bodies: Counted::start(medium, names, "bodies", bodies_columns())?,
+            contacts: Counted::start(medium, names, "contacts", contacts_columns())?,
+            energy,
+            fenders,
+            world: WorldTables::start(medium, names, &setup.world)?,
+            step_s: setup.step_s,
+            faces_m2: setup.fenders.iter().map(|f| f.width_m * f.height_m).collect(),
+        })
+    }
+
+    /// Adds the rows of one step.
+    ///
+    /// # Errors
+    /// The medium's own, or a value that is not finite.
+    pub fn write(&mut self, step: &StepRecord<'_>) -> Result<(), M::Error> {
+        let t_s = step.t_s;
+        for (body, (state, wrench)) in step.states.iter().zip(step.wrenches).enumerate() {
+            self.bodies.push(&BodyRow::new(t_s, body, state, wrench))?;
+        }
+        let mut works = ContactWorks::of(step.books);
+        for contact in step.contacts {
+            let work_j = works.take(contact);
+            self.contacts.push(&ContactRow { t_s, contact: *contact, work_j })?;
+        }
+        if let Some(table) = &mut self.fenders {
+            for (fender, now) in touched(step.contacts) {
+                table.push(&FenderRow::new(t_s, fender, self.faces_m2[fender], now))?;
+            }
+        }
+        self.world.write(step)?;
+        // The same product as the next step's start, so that the rows of both tables meet.
+        let end_s = (step.index + 1) as f64 * self.step_s;
+        self.energy.push(&EnergyRow { t_s: end_s, energy: step.energy })
+    }
+
+    /// The tables' names, and how many rows each has.
+    #[must_use]
+    pub fn rows(&self) -> Vec<(&'static str, u64)> {
+        let mut rows = vec![self.bodies.rows(), self.contacts.rows()];
+        rows.extend(self.fenders.as_ref().map(Counted::rows));
+        rows.extend(self.world.rows());
+        rows.push(self.energy.rows());
+        rows
+    }
+
+    /// No more steps come: the tables, in the order of [`Tables::rows`].
+    ///
+    /// # Errors
+    /// The medium's own.
+    pub fn finish(self) -> Result<Vec<M::Done>, M::Error> {
+        let mut done = vec![self.bodies.finish()?, self.contacts.finish()?];
+        if let Some(table) = self.fenders {
+            done.push(table.finish()?);
+        }
+        done.extend(self.world.finish()?);
+        done.push(self.energy.finish()?);
+        Ok(done)
+    }
+}

@@ -1,0 +1,34 @@
+//! An order by itself, for a simulation that is under way.
+
+use fenderline_sim::{Order, Setup};
+
+use crate::assemble;
+use crate::error::ScenarioError;
+use crate::keys::ORDER;
+use crate::reader;
+use crate::sources::Sources;
+use crate::syntax;
+
+/// Reads the keys of one `[[order]]`, without that line, for whom a set-up has. `name` is for messages.
+///
+/// ```
+/// # let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/berth/alongside_with_two_tugs.toml");
+/// # let scenario = fenderline_scenario::Scenario::load(file.as_ref(), &[])?;
+/// use fenderline_scenario::order;
+/// use fenderline_sim::Action;
+/// let port_ten = order("vessel = 'ship'\nrudder = '-10 deg'", "helm", &scenario.setup)?;
+/// assert_eq!(port_ten.action, Action::Rudder(-10f64.to_radians()));
+/// let error = order("vessel = 'ship'\nruder = 0", "helm", &scenario.setup).unwrap_err();
+/// assert_eq!((error.line(), error.key()), (Some(2), Some("order.ruder")));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// The first mistake found, as in a scenario.
+pub fn order(text: &str, name: &str, setup: &Setup) -> Result<Order, ScenarioError> {
+    let sources = Sources { file_name: name, text, overrides: &[] };
+    let document = syntax::parse(&sources)?;
+    let end = text.trim_end().len();
+    let table = reader::table(&sources, &ORDER, "order", end..end, &document)?;
+    assemble::order(&sources, &table, setup)
+}

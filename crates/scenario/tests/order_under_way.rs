@@ -1,0 +1,47 @@
+//! An order given while a simulation is under way does what one in the file does, bit for bit.
+
+use fenderline_scenario::{Override, Scenario, order};
+use fenderline_sim::Simulation;
+
+const FILE: &str =
+    concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/berth/alongside_with_two_tugs.toml");
+
+fn scenario(changes: &[&str]) -> Scenario {
+    let changes: Result<Vec<_>, _> = changes.iter().map(|text| Override::parse(text)).collect();
+    Scenario::load(FILE.as_ref(), &changes.unwrap()).unwrap()
+}
+
+#[test]
+fn an_order_given_on_the_way_is_an_order_of_the_file() {
+    let in_file = scenario(&["order=[{ at = 20.05, vessel = 'ship', rudder = '20 deg' }]"]);
+    let without = scenario(&["order=[]"]);
+    let mut told = Simulation::new(without.setup.clone()).unwrap();
+    let mut known = Simulation::new(in_file.setup).unwrap();
+    for step in 0..600 {
+        if step == 200 {
+            let rudder = order("vessel = 'ship'\nrudder = '20 deg'", "helm", told.setup()).unwrap();
+            told.order(rudder).unwrap();
+        }
+        told.step().unwrap();
+        known.step().unwrap();
+        assert_eq!(told.states(), known.states(), "step {step}");
+    }
+    assert!(told.states()[0].yaw_rate_radps > 1e-4);
+}
+
+#[test]
+fn an_order_to_nobody_changes_nothing() {
+    let setup = scenario(&[]).setup;
+    let error = order("vessel = 'quay'\nrudder = 0", "helm", &setup).unwrap_err();
+    assert_eq!(error.key(), Some("order.vessel"));
+    let mut simulation = Simulation::new(setup.clone()).unwrap();
+    let mut wrong = order("vessel = 'ship'\nrudder = 0", "helm", &setup).unwrap();
+    wrong.vessel = 7;
+    assert!(simulation.order(wrong).is_err());
+    let mut other = Simulation::new(setup).unwrap();
+    for _ in 0..100 {
+        simulation.step().unwrap();
+        other.step().unwrap();
+    }
+    assert_eq!(simulation.states(), other.states());
+}
