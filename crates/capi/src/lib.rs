@@ -2,8 +2,8 @@
 //! cbindgen, documents every function.
 //!
 //! Each function here does three things and no more: it reads what C gave (`border`), finds the object that a
-//! handle stands for (`table`) and calls [`fenderline_embed`]. This is the one crate of the project with
-//! `unsafe` in it, and only to read and write through the caller's pointers; handles are looked up in a table
+//! handle stands for (`table`) and calls [`fenderline_embed`]. `unsafe` is here, as in
+//! `fenderline-fmu`, only to read and write through the caller's pointers; handles are looked up in a table
 //! and never followed as pointers, so that a destroyed, foreign or made-up handle is refused.
 #![allow(unsafe_code, reason = "C gives raw pointers; each block says why it is sound")]
 #![allow(

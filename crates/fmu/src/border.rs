@@ -179,6 +179,11 @@ pub(crate) fn folder_of_uri(uri: &str) -> Outcome<PathBuf> {
     Ok(PathBuf::from(if drive { &path[1..] } else { &path }))
 }
 
+/// What the FMU has none of: none may be asked for.
+pub(crate) fn none(count: usize, what: &str) -> Outcome {
+    if count == 0 { Ok(()) } else { Err(format!("the FMU has no {what}")) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

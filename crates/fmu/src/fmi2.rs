@@ -8,7 +8,7 @@
 use std::ffi::{CString, c_char, c_int, c_void};
 
 use crate::border::{
-    Address, Log, check_room, folder_of_uri, instance, read, read_bytes, text, write,
+    Address, Log, check_room, folder_of_uri, instance, none, read, read_bytes, text, write,
 };
 use crate::instance::{Instance, Outcome};
 use crate::registry::{Status, as_pointer, free, make, next_number, with};
@@ -186,11 +186,6 @@ values!(
     fmi2GetBoolean fmi2SetBoolean c_int, Boolean, |v| c_int::from(v != 0.0),
         |v| f64::from(u8::from(v != 0))
 );
-
-/// There are no texts, and no derivatives: none of them may be asked for.
-fn none(count: usize, what: &str) -> Outcome {
-    if count == 0 { Ok(()) } else { Err(format!("the FMU has no {what}")) }
-}
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetString(

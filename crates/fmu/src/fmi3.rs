@@ -11,7 +11,7 @@
 use std::ffi::{c_char, c_int, c_void};
 use std::path::Path;
 
-use crate::border::{Address, Log, check_room, instance, read, text, write};
+use crate::border::{Address, Log, check_room, instance, none, read, text, write};
 use crate::fmi2::{deserialize, free_state, number_for, serialize};
 use crate::instance::{Instance, Outcome};
 use crate::registry::{Status, free, make, with};
@@ -210,10 +210,6 @@ values!(
     fmi3GetBoolean fmi3SetBoolean Bool, Boolean, |v| Bool::from(v != 0.0),
         |v| f64::from(u8::from(v != 0))
 );
-
-fn none(count: usize, what: &str) -> Outcome {
-    if count == 0 { Ok(()) } else { Err(format!("the FMU has no {what}")) }
-}
 
 /// Types that no variable has.
 macro_rules! no_values {

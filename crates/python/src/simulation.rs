@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fenderline_contact::{Contact, Wrench};
+use fenderline_contact::Wrench;
 use fenderline_results::{InMemory, Tables};
 use fenderline_scenario::order;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -38,14 +38,12 @@ pub(crate) struct Simulation {
     names: Arc<Names>,
     run: Run,
     tables: Option<Tables<InMemory>>,
-    contacts: Vec<Contact>,
     events: Vec<StepEvent>,
     controls: Py<PyArray1<f64>>,
     external: Shared,
     external_rows: Vec<Wrench>,
     states: Shown,
     wrenches: Shown,
-    wrench_rows: Vec<Wrench>,
 }
 
 /// A simulation as it was: see `Simulation.save`.
@@ -53,11 +51,9 @@ pub(crate) struct Simulation {
 pub(crate) struct SimulationState {
     names: Arc<Names>,
     run: Run,
-    contacts: Vec<Contact>,
     events: Vec<StepEvent>,
     controls: Vec<f64>,
     external: Vec<Wrench>,
-    wrenches: Vec<Wrench>,
 }
 
 /// What indices stand for.
@@ -129,19 +125,12 @@ impl Simulation {
         let end = match until_s {
             None => simulation.steps_total(),
             Some(until_s) if until_s.is_finite() && until_s >= 0.0 => {
-                let ratio = until_s / simulation.setup().step_s;
-                // A ratio within 1e-9 of a whole number is that number, as for the duration.
-                let whole = ratio.round();
-                if (ratio - whole).abs() <= 1e-9 * whole {
-                    whole as u64
-                } else {
-                    ratio.ceil() as u64
-                }
+                simulation.steps_until(until_s)
             }
             Some(other) => return Err(PyValueError::new_err(format!("until_s is {other}"))),
         };
-        let taken = (simulation.time_s() / simulation.setup().step_s).round() as u64;
-        self.step(py, end.saturating_sub(taken))
+        let left = end.saturating_sub(simulation.steps_taken());
+        self.step(py, left)
     }
 
     /// Gives an order, with the keys of a scenario's `[[order]]`: `order(vessel="ship", rudder="10 deg")`. Without
@@ -233,7 +222,7 @@ impl Simulation {
     /// The touching patches of the last step: a structured array of its own.
     #[getter]
     fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        contacts_array(py, &self.contacts)
+        contacts_array(py, self.run.simulation.contacts())
     }
 
     /// What happened in the last call of `step` or `run`.
@@ -293,11 +282,9 @@ impl Simulation {
         Ok(SimulationState {
             names: Arc::clone(&self.names),
             run: self.run.clone(),
-            contacts: self.contacts.clone(),
             events: self.events.clone(),
             controls: self.controls.bind(py).try_readonly()?.as_slice()?.to_vec(),
             external,
-            wrenches: self.wrench_rows.clone(),
         })
     }
 
@@ -363,14 +350,12 @@ impl Simulation {
             names,
             run,
             tables,
-            contacts: Vec::new(),
             events: Vec::new(),
             controls,
             external: Shared::zeros(py, count, WRENCH),
             external_rows: vec![Wrench::default(); count],
             states: Shown::zeros(py, count, &[STATE])?,
             wrenches: Shown::zeros(py, count, &[WRENCH])?,
-            wrench_rows: vec![Wrench::default(); count],
         };
         made.show(py)?;
         Ok(made)
@@ -409,9 +394,6 @@ impl Simulation {
             self.events.extend(contact);
             let of = [vessels.as_slice(), tugs, lines];
             self.events.extend(record.world_events.iter().map(|event| world_event(event, of)));
-            self.contacts.clear();
-            self.contacts.extend_from_slice(record.contacts);
-            self.wrench_rows.copy_from_slice(record.wrenches);
             if let Some(tables) = &mut self.tables {
                 tables.write(&record).map_err(Stopped::NotFinite)?;
             }
@@ -421,7 +403,7 @@ impl Simulation {
 
     fn show(&self, py: Python<'_>) -> PyResult<()> {
         self.states.write(py, |rows| write_states(self.run.simulation.states(), rows))?;
-        self.wrenches.write(py, |rows| write_wrenches(&self.wrench_rows, rows))
+        self.wrenches.write(py, |rows| write_wrenches(self.run.simulation.wrenches(), rows))
     }
 
     fn take_over(&mut self, py: Python<'_>, state: &SimulationState) -> PyResult<()> {
@@ -433,9 +415,7 @@ impl Simulation {
         values.copy_from_slice(&state.controls);
         self.external.write(py, |rows| write_wrenches(&state.external, rows))?;
         self.run = state.run.clone();
-        self.contacts.clone_from(&state.contacts);
         self.events.clone_from(&state.events);
-        self.wrench_rows.clone_from(&state.wrenches);
         self.show(py)
     }
 

@@ -127,6 +127,18 @@ impl Simulation {
         self.steps_total
     }
 
+    /// Number of steps taken.
+    #[must_use]
+    pub fn steps_taken(&self) -> u64 {
+        self.index
+    }
+
+    /// Number of steps from the start to a time [s], the one in which it lies included.
+    #[must_use]
+    pub fn steps_until(&self, t_s: f64) -> u64 {
+        whole_steps(t_s / self.setup.step_s)
+    }
+
     /// True after the last step.
     #[must_use]
     pub fn is_done(&self) -> bool {
@@ -476,8 +488,15 @@ fn rates_of(
     }
 }
 
-/// Duration over Δt, rounded up; a ratio within 1e-9 of a whole number is that number, so that
+/// A time over Δt, rounded up; a ratio within 1e-9 of a whole number is that number, so that
 /// "20 s" of "0.1 s" is 200 steps.
+fn whole_steps(ratio: f64) -> u64 {
+    let whole = libm::round(ratio);
+    let steps = if (ratio - whole).abs() <= 1e-9 * whole { whole } else { libm::ceil(ratio) };
+    steps as u64
+}
+
+/// Steps of the run's duration, at least one.
 fn count_steps(setup: &Setup) -> Result<u64, SetupError> {
     let positive = |field, value: f64| {
         if value > 0.0 && value.is_finite() {
@@ -491,9 +510,7 @@ fn count_steps(setup: &Setup) -> Result<u64, SetupError> {
     if ratio > 1e12 {
         return Err(SetupError::OutOfRange { field: "the number of steps", value: ratio });
     }
-    let whole = libm::round(ratio);
-    let steps = if (ratio - whole).abs() <= 1e-9 * whole { whole } else { libm::ceil(ratio) };
-    Ok(steps.max(1.0) as u64)
+    Ok(whole_steps(ratio).max(1))
 }
 
 fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
