@@ -1,6 +1,6 @@
 import { defineConfig } from "vitest/config";
 
-// The page asks the server that it came from; in development that is Vite, which hands the socket on to the mock.
+// The page asks the server that it came from; in development that is Vite, which hands the socket on to `fenderline serve`.
 export default defineConfig({
   base: "./",
   build: { target: "es2022", assetsInlineLimit: 0, reportCompressedSize: true },

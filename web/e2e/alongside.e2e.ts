@@ -5,13 +5,19 @@
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Browser, type Served, browse, open, serve } from "./browser";
+import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
 
-/** Where the tugmaster's tug works, and where the pilot's others are told to. */
-const MASTERS_END = process.env.FENDERLINE_TUG_END === "stern" ? "stern" : "bow";
-const PACE = process.env.FENDERLINE_PACE ?? "4";
+/** Where the tugmaster's tug works; the pilot's other is told to the other end. */
+const MASTERS_END = "bow";
+const PILOTS_END = "stern";
+const PACE = "4";
 const LONGEST_S = 280;
-const SHOTS = process.env.SCREENSHOTS ?? new URL("../screenshots/", import.meta.url).pathname;
+
+/** Stopped abreast of her berth: what is left is theirs. */
+const ABREAST = [
+  "body.ship.position=[0, -28]", 'body.ship.heading="0 deg"', 'body.ship.velocity.surge="0 kn"',
+  "body.forward_tug.position=[40, -75]", "body.after_tug.position=[-80, -75]",
+];
 
 const errors: string[] = [];
 let served: Served;
@@ -21,7 +27,7 @@ let tug: Page;
 let instructor: Page;
 
 beforeAll(async () => {
-  served = await serve();
+  served = await serve(ABREAST);
   browser = await browse({ width: 1280, height: 800 });
   pilot = await open(browser.context, served, "pilot", errors);
   tug = await open(browser.context, served, "tugmaster", errors);
@@ -67,13 +73,8 @@ async function once(key: string, order: string, press: () => Promise<void>): Pro
 }
 
 async function masterObeys({ order, percent }: Word): Promise<void> {
-  if ((await tug.getByRole("button", { name: order, exact: true }).count()) === 0) {
-    // Her tug is a vessel: sent by her own pilot, as the pilot sends the others.
-    await tells(tug, MASTERS_END, { order, percent });
-    return;
-  }
-  await once("master power", String(percent), () => tug.getByRole("button", { name: `${percent} %`, exact: true }).click());
-  await once("master", order, () => tug.getByRole("button", { name: order, exact: true }).click());
+  // Her tug is a vessel: sent by her own pilot, as the ship's pilot sends the other.
+  await tells(tug, MASTERS_END, { order, percent });
 }
 
 /** Tells every tug that this page may tell. */
@@ -110,7 +111,6 @@ test("a pilot and a tugmaster bring her alongside", async () => {
   await pilot.bringToFront();
   await pilot.getByRole("tab", { name: "Docking" }).click();
   await pilot.getByRole("button", { name: "Midships (M)" }).click();
-  const others = MASTERS_END === "bow" ? "stern" : "bow";
   const begun = Date.now();
   let [landing, settled] = [0, 0];
   while (Date.now() - begun < LONGEST_S * 1000) {
@@ -119,7 +119,7 @@ test("a pilot and a tugmaster bring her alongside", async () => {
     const lead = now.bow.off - now.stern.off;
     const held = { bow: { ...now.bow, closing: now.bow.closing + Math.max(0, -lead) * 0.02 }, stern: { ...now.stern, closing: now.stern.closing + Math.max(0, lead) * 0.02 } };
     await masterObeys(word(held[MASTERS_END]));
-    await tells(pilot, others, word(held[others]));
+    await tells(pilot, PILOTS_END, word(held[PILOTS_END]));
     for (const end of [now.bow, now.stern]) if (end.off < 0.4) landing = Math.max(landing, end.closing);
     const still = [now.bow, now.stern].every((end) => end.off < 0.25 && Math.abs(end.closing) < 0.04);
     settled = still ? settled + 1 : 0;
@@ -133,7 +133,7 @@ test("a pilot and a tugmaster bring her alongside", async () => {
   expect(landing).toBeLessThan(0.3);
   // What a ship at her fenders looks like, close by and with her lines; for a person to look at.
   await pilot.getByRole("button", { name: "Ship and berth (0)" }).click();
-  await pilot.waitForTimeout(Number(PACE) > 1 ? 3000 : 8000);
+  await pilot.waitForTimeout(3000);
   for (const tab of ["Docking", "Lines", "Alarms", "Charts", "Fenders"]) {
     await pilot.getByRole("tab", { name: tab }).click();
     await pilot.waitForTimeout(tab === "Charts" ? 1200 : 200);
@@ -143,7 +143,7 @@ test("a pilot and a tugmaster bring her alongside", async () => {
   await tug.waitForTimeout(300);
   await tug.screenshot({ path: join(SHOTS, "alongside-tugmaster.png") });
   await pilot.bringToFront();
-  for (let i = 0; i < 4; i++) await pilot.getByRole("button", { name: "Zoom in (+)" }).click();
+  for (let i = 0; i < 2; i++) await pilot.getByRole("button", { name: "Zoom in (+)" }).click();
   await pilot.waitForTimeout(200);
   await pilot.screenshot({ path: join(SHOTS, "alongside-close.png") });
   expect(await pilot.locator(".fenders .summary").textContent()).toMatch(/touched · highest so far \d+ % of rated/);

@@ -1,52 +1,39 @@
-/** A headless browser, and the server under test: the mock, or the one that the environment names. */
+/** A headless browser, and the program under test. */
 import { spawn } from "node:child_process";
 import { mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { type BrowserContext, type Page, chromium } from "playwright-core";
-import { startMock } from "../mock/server";
 
 const FLAGS = [
   "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
   "--disable-background-networking", "--disable-component-update", "--disable-sync",
 ];
 
+/** Where screenshots go. */
+export const SHOTS = process.env.SCREENSHOTS ?? new URL("../screenshots/", import.meta.url).pathname;
+
 export interface Served {
   url: string;
   /** By role: `instructor`, `pilot`, `tugmaster`, `observer`. */
   tokens: Record<string, string>;
-  mock: boolean;
   close(): Promise<void>;
 }
 
-/**
- * The server under test: the mock, or what the environment names.
- *
- * - `FENDERLINE_BIN`: the program; it is started on a free port with `FENDERLINE_SCENARIO`, the pages of `dist`, and
- *   recordings in a folder of its own, and ended after the tests of a file.
- * - `FENDERLINE_URL`: a server that runs, with `FENDERLINE_TOKENS` as JSON by role:
- *   `{"instructor": "…", "pilot": "…", "tugmaster": "…", "observer": "…"}`.
- */
-export async function serve(): Promise<Served> {
-  const { FENDERLINE_BIN: program, FENDERLINE_URL: url } = process.env;
-  if (program) return started(program);
-  if (url) {
-    const tokens = JSON.parse(process.env.FENDERLINE_TOKENS ?? "{}") as Record<string, string>;
-    return { url, tokens, mock: false, close: async () => {} };
-  }
-  const mock = await startMock({ port: 0, serveDist: true });
-  const { "tugmaster-alpha": tugmaster, ...rest } = mock.tokens;
-  return { url: mock.url, tokens: { ...rest, tugmaster: tugmaster ?? "" }, mock: true, close: () => mock.close() };
-}
-
-const SCENARIO = new URL("../../scenarios/berth/asd_tugs_push_alongside.toml", import.meta.url).pathname;
+const SCENARIO = new URL("../../scenarios/live/berthing.toml", import.meta.url).pathname;
 const DIST = new URL("../dist/", import.meta.url).pathname;
 const STARTS_MS = 30_000;
 
-/** Starts the program and reads the links that it prints. The tugmaster is of the first tug. */
-async function started(program: string): Promise<Served> {
+/**
+ * Starts the program that `FENDERLINE_BIN` names on a free port, with the pages of `dist` and recordings in a folder of
+ * their own, and reads the links that it prints. The tugmaster is of the first tug. `set`: keys of the scenario that are
+ * other than in its file.
+ */
+export async function serve(set: string[] = []): Promise<Served> {
+  const program = process.env.FENDERLINE_BIN;
+  if (!program) throw new Error("FENDERLINE_BIN names no program to test; `cargo xtask pages` builds and names it");
   const sessions = mkdtempSync(join(tmpdir(), "fenderline-sessions-"));
-  const server = spawn(program, ["serve", process.env.FENDERLINE_SCENARIO ?? SCENARIO, "--port", "0", "--page", DIST, "--sessions", sessions]);
+  const server = spawn(program, ["serve", SCENARIO, ...set.flatMap((key) => ["--set", key]), "--port", "0", "--page", DIST, "--sessions", sessions]);
   const tokens: Record<string, string> = {};
   let [url, said] = ["", ""];
   await new Promise<void>((ready, failed) => {
@@ -72,7 +59,7 @@ async function started(program: string): Promise<Served> {
     server.kill("SIGINT");
     await ended;
   };
-  return { url, tokens, mock: false, close };
+  return { url, tokens, close };
 }
 
 export interface Browser {

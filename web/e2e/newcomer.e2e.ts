@@ -1,6 +1,7 @@
 /** Somebody who has never seen the page: hints alone lead to a ship that steers; and a page whose data stops says so. */
+import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Browser, type Served, browse, open, serve } from "./browser";
+import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
 
 const errors: string[] = [];
 let served: Served;
@@ -20,16 +21,16 @@ test("hints lead a newcomer to the helm, the rudder, the engine and a tug within
   const page = await open(browser.context, served, "pilot", errors, true);
   const hint = page.getByRole("status", { name: "Hint" });
   await hint.getByText("Start here").waitFor();
-  await page.screenshot({ path: new URL("../screenshots/newcomer-1.png", import.meta.url).pathname });
+  await page.screenshot({ path: join(SHOTS, "newcomer-1.png") });
   await page.getByRole("button", { name: "Take the helm" }).tap();
   await hint.getByText("Steer:").waitFor();
-  await page.screenshot({ path: new URL("../screenshots/newcomer-2.png", import.meta.url).pathname });
+  await page.screenshot({ path: join(SHOTS, "newcomer-2.png") });
   await page.getByRole("button", { name: "Rudder starboard 20", exact: true }).tap();
   await expect.poll(() => page.getByRole("status", { name: "Rudder now" }).textContent()).toMatch(/^S \d/);
   await hint.getByText("telegraph").waitFor();
   await page.getByRole("button", { name: "Slow ahead", exact: true }).tap();
   await hint.getByText("Tell a tug").waitFor();
-  await page.screenshot({ path: new URL("../screenshots/newcomer-3.png", import.meta.url).pathname });
+  await page.screenshot({ path: join(SHOTS, "newcomer-3.png") });
   await page.getByRole("button", { name: "Tugs", exact: true }).tap();
   await page.getByRole("button", { name: / push$/ }).first().tap();
   await hint.getByText("docking board").waitFor();
@@ -52,7 +53,7 @@ test("a page whose data stops says so, and goes on when they come again", async 
   expect(await alert.isVisible()).toBe(false);
   cut = true;
   await alert.getByText("NO DATA FOR").waitFor();
-  await page.screenshot({ path: new URL("../screenshots/no-data.png", import.meta.url).pathname });
+  await page.screenshot({ path: join(SHOTS, "no-data.png") });
   cut = false;
   await alert.waitFor({ state: "hidden" });
   expect(dropped).toBeGreaterThan(5);

@@ -7,16 +7,15 @@ import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { type Served, browse, open, serve } from "./browser";
+import { type Served, SHOTS, browse, open, serve } from "./browser";
 
-const FOLDER = process.env.SCREENSHOTS ?? new URL("../screenshots/", import.meta.url).pathname;
 const SIZES = { desk: { width: 1280, height: 800 }, landscape: { width: 1024, height: 768 }, portrait: { width: 768, height: 1024 } };
 const TABS = ["Docking", "Conning", "Fenders", "Lines", "Charts", "Alarms"];
 const errors: string[] = [];
 let served: Served;
 
 beforeAll(async () => {
-  mkdirSync(FOLDER, { recursive: true });
+  mkdirSync(SHOTS, { recursive: true });
   served = await serve();
   await underWay();
 });
@@ -74,7 +73,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
         await page.waitForTimeout(tab === "Charts" ? 1200 : 200);
         for (const name of size === "desk" || tab === "Docking" ? ["day", "dusk", "night"] : ["day"]) {
           await palette(page, name);
-          await page.screenshot({ path: join(FOLDER, `${size}-${role}-${tab.split(",")[0]?.toLowerCase() ?? ""}-${name}.png`) });
+          await page.screenshot({ path: join(SHOTS, `${size}-${role}-${tab.split(",")[0]?.toLowerCase() ?? ""}-${name}.png`) });
         }
         await palette(page, "day");
         expect(await faults(page)).toEqual([]);
@@ -83,18 +82,18 @@ for (const [size, viewport] of Object.entries(SIZES)) {
         for (const group of await page.locator(".group-tabs button").all()) {
           if (!(await group.isVisible())) continue;
           await group.click();
-          await page.screenshot({ path: join(FOLDER, `${size}-pilot-controls-${(await group.textContent())?.toLowerCase() ?? ""}-day.png`) });
+          await page.screenshot({ path: join(SHOTS, `${size}-pilot-controls-${(await group.textContent())?.toLowerCase() ?? ""}-day.png`) });
           expect(await faults(page)).toEqual([]);
         }
         for (const tab of ["Docking", "Conning", "Charts"]) {
           await page.getByRole("tab", { name: tab, exact: true }).click();
           await page.keyboard.press("x");
           await page.waitForTimeout(700);
-          await page.screenshot({ path: join(FOLDER, `${size}-wide-${tab.toLowerCase()}-day.png`) });
+          await page.screenshot({ path: join(SHOTS, `${size}-wide-${tab.toLowerCase()}-day.png`) });
           await page.keyboard.press("x");
         }
         await page.keyboard.press("?");
-        await page.screenshot({ path: join(FOLDER, `${size}-help-day.png`) });
+        await page.screenshot({ path: join(SHOTS, `${size}-help-day.png`) });
         await page.keyboard.press("Escape");
       }
       await page.close();

@@ -1,7 +1,8 @@
 /**
  * What server and page say to each other over the websocket `/live?token=…`, as JSON text, one message a frame.
  *
- * The server's side is `crates/app/src/serve/protocol`; a test there reads the names out of this file. Units are
+ * The server's side is `crates/live/src/message.rs`, `action.rs` and `request.rs`; `crates/live/tests/protocol.rs` reads
+ * the names out of this file. Units are
  * SI: metres, seconds, radians, newtons, joules, kilograms. Earth-fixed places are [north, east]; headings and
  * bearings are from north, positive to starboard; body-fixed places are [forward, starboard].
  */
@@ -33,8 +34,8 @@ export interface Hello {
   claims: { control: Control; holder: string | null; connected: boolean }[];
   /** Scenarios that the instructor can open. */
   gallery: { file: string; title: string; text: string }[];
-  /** The berth that distances are to: a line [m], and the side where the water is; `null` where there is none. */
-  berth: { from: Pair; to: Pair; facing: Pair } | null;
+  /** The berth that distances are to: a line [m] and the side where the water is, on a body (a quay, a ship). */
+  berth: { body: number; from: Pair; to: Pair; facing: Pair } | null;
   depth_m: number | null;
   /** To the instructor only: the links that open each role, to be handed out; paths on this server. */
   links?: { role: Role; path: string }[];
@@ -172,8 +173,9 @@ export interface VesselNow {
   under_keel_m: number | null;
   aground: boolean;
   /** To the berth's line of fenders, at bow and stern [m], where there is a berth. */
-  // Distances of the ends of the flat of her side; speeds positive towards the berth; angle positive, bow nearer.
-  berth: { bow_m: number; stern_m: number; bow_mps: number; stern_mps: number; angle_rad: number } | null;
+  // Distances of the ends of the flat of her side; speeds positive towards the berth, and ahead along it, as seen from
+  // the berth; angle positive, bow nearer.
+  berth: { bow_m: number; stern_m: number; bow_mps: number; stern_mps: number; along_mps: number; angle_rad: number } | null;
   faults: Fault[];
 }
 
@@ -273,6 +275,8 @@ export type Action =
   | { do: "tug"; tug: string; order: "push" | "pull"; force_n: number; direction_rad: number }
   // A tug that is a vessel, told by the pilot: she goes there by herself.
   | { do: "push_ship"; vessel: string; ship: string; at_m: Pair; force_n: number }
+  /** On a line between her and the ship; from the ship's bow. */
+  | { do: "pull_ship"; vessel: string; line: string; direction_rad: number; force_n: number }
   | { do: "follow_ship"; vessel: string; ship: string; at_m: Pair; heading_rad: number }
   // Lines.
   | { do: "winch"; line: string; order: "hold" | "heave" | "pay_out"; rate_mps: number }

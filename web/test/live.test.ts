@@ -1,16 +1,14 @@
 import { expect, test } from "vitest";
-import { bodiesNow, initialState, vesselsNow } from "../mock/sim";
 import { Latency, Live, STALE_MS } from "../src/live";
 import type { BodyNow, Frame } from "../src/protocol";
 import { light, limitAt } from "../src/views/limits";
 
 function frame(tick: number, north: number, paused = false): Frame {
-  const state = initialState();
-  const bodies = bodiesNow(state).map(([, e, h], i): BodyNow => [i === 0 ? north : 0, e, h, 0, 0, 0]);
+  const bodies: BodyNow[] = [[north, 0, 0, 0, 0, 0], [0, 40, 1, 0, 0, 0]];
   return {
-    type: "frame", tick, t_s: tick / 10, at_ms: 0, bodies, vessels: vesselsNow(state), fenders: [], contacts: [], lines: [], tugs: [],
+    type: "frame", tick, t_s: tick / 10, at_ms: 0, bodies, vessels: [], fenders: [], contacts: [], lines: [], tugs: [],
     run: { paused, pace: 1, late_ticks: 0, latest_ms: 0, branch: 0, branches: [], last_tick: tick, clients: 1 },
-    wind: state.wind, current: state.current, waves: null, alarms: [], events: [],
+    wind: { speed_mps: 5, from_rad: 0 }, current: { speed_mps: 0, to_rad: 0 }, waves: null, alarms: [], events: [],
   };
 }
 

@@ -1,13 +1,12 @@
 import { expect, test } from "vitest";
 import { stations, tugDirection } from "../src/controls/orders";
-import type { Pair, TugInfo } from "../src/protocol";
+import type { Pair } from "../src/protocol";
 
-const tug = (push_at_m: Pair): TugInfo => ({ name: "t", vessel: 0, length_m: 30, beam_m: 11, bollard_pull_n: 6e5, push_at_m, pull_at_m: push_at_m });
 const DEG = Math.PI / 180;
 const degrees = (rad: number) => Math.round(rad / DEG);
 
 test("at the port side a push is to starboard and a pull to port, and leads turn them towards bow or stern", () => {
-  const port = tug([70, -16]);
+  const port: Pair = [70, -16];
   expect(degrees(tugDirection(port, "push", 0, 32))).toBe(90);
   expect(degrees(tugDirection(port, "pull", 0, 32))).toBe(-90);
   expect(degrees(tugDirection(port, "push", 1, 32))).toBe(45);
@@ -15,17 +14,17 @@ test("at the port side a push is to starboard and a pull to port, and leads turn
 });
 
 test("at the starboard side all is mirrored", () => {
-  const starboard = tug([-70, 16]);
+  const starboard: Pair = [-70, 16];
   expect(degrees(tugDirection(starboard, "push", 0, 32))).toBe(-90);
   expect(degrees(tugDirection(starboard, "pull", 1, 32))).toBe(45);
 });
 
 test("on the centre line she pushes along the ship, and pulls away from the end where she is", () => {
-  const astern = tug([-110, 0]);
+  const astern: Pair = [-110, 0];
   expect(degrees(tugDirection(astern, "push", 0, 32))).toBe(0);
   expect(Math.abs(degrees(tugDirection(astern, "pull", 0, 32)))).toBe(180);
   expect(degrees(tugDirection(astern, "pull", 1, 32))).toBe(135);
-  expect(degrees(tugDirection(tug([110, 1]), "pull", 1, 32))).toBe(45);
+  expect(degrees(tugDirection([110, 1], "pull", 1, 32))).toBe(45);
 });
 
 test("places to push at lie on the hull's outline", () => {

@@ -1,4 +1,5 @@
-//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `c`, `hosts`, `live-load`, `nautical`.
+//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `c`, `hosts`, `live-load`,
+//! `pages`, `nautical`.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
@@ -31,6 +32,7 @@ usage: cargo xtask test                   everything that a change must pass
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)
+       cargo xtask pages                  the pages: checked, built, driven in a browser
        cargo xtask nautical               sentences for chart programs, read by two parsers";
 
 fn main() -> ExitCode {
@@ -58,6 +60,7 @@ fn main() -> ExitCode {
             Err(_) => usage(),
         },
         ["hosts"] => hosts::hosts_command(),
+        ["pages"] => step::run_all(&pages::STEPS),
         ["nautical"] => step::run_all(&[nautical::STEP]),
         ["live-load"] => live_load::live_load_command(live_load::SECONDS),
         ["live-load", seconds] => match seconds.parse() {

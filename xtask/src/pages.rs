@@ -4,13 +4,19 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use crate::command::{cargo, run, run_quietly};
-use crate::step::Done;
+use crate::step::{Done, Step};
 use crate::tools;
 
 const FOLDER: &str = "web";
 
 /// Types, lints, unit tests, the build and its weight.
-pub(crate) fn check() -> Result<Done, String> {
+pub(crate) const CHECKED: Step = Step { name: "the pages", run: check };
+/// All that stands in `web/e2e`.
+pub(crate) const DRIVEN: Step = Step { name: "the pages in a browser", run: in_a_browser };
+/// Both.
+pub(crate) const STEPS: [Step; 2] = [CHECKED, DRIVEN];
+
+fn check() -> Result<Done, String> {
     if let Err(missing) = tools::node() {
         return Ok(Done::NotRun(missing));
     }
@@ -21,7 +27,7 @@ pub(crate) fn check() -> Result<Done, String> {
 }
 
 /// Pilot and tugmaster bring a ship alongside in two pages of the real server, and all that stands in `web/e2e`.
-pub(crate) fn in_a_browser() -> Result<Done, String> {
+fn in_a_browser() -> Result<Done, String> {
     for missing in [tools::node(), tools::chromium()] {
         if let Err(missing) = missing {
             return Ok(Done::NotRun(missing));

@@ -37,8 +37,8 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "C: random calls", run: || c_interface::random_calls(c_interface::SEQUENCES) },
         Step { name: "FMI: FMPy, libcosim, ecos and the guide", run: hosts::hosts },
         Step { name: "the live server under load", run: live_server },
-        Step { name: "the pages", run: pages::check },
-        Step { name: "the pages in a browser", run: pages::in_a_browser },
+        pages::CHECKED,
+        pages::DRIVEN,
         Step { name: "fuzz targets", run: || fuzz::fuzz(fuzz::SECONDS) },
     ])
 }

@@ -33,6 +33,8 @@ pub enum Action {
     },
     /// A tug that is a vessel goes to a ship's side and pushes.
     PushShip { vessel: String, ship: String, at_m: [f64; 2], force_n: f64 },
+    /// A tug that is a vessel pulls on a line between her and a ship; the direction is from the ship's bow.
+    PullShip { vessel: String, line: String, direction_rad: f64, force_n: f64 },
     /// A tug that is a vessel keeps a place beside a ship.
     FollowShip { vessel: String, ship: String, at_m: [f64; 2], heading_rad: f64 },
     /// A line's winch; the rate counts for `heave` and `pay_out`.

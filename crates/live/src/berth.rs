@@ -1,4 +1,4 @@
-//! The berth: the line of a quay's fenders, and how a ship lies to it.
+//! The berth: the line of the fenders of a quay or of another ship, and how a ship lies to it.
 
 use fenderline_contact::{BodyState, Outline, Rotation, Vec2, vec2};
 use fenderline_sim::Setup;
@@ -12,10 +12,13 @@ const SAME_WAY_RAD: f64 = 0.1;
 /// The flat of a ship's side: where she is at least this part of her greatest half breadth.
 const FLAT: f64 = 0.98;
 
-/// A straight line through fender faces on something that is fixed.
+/// A straight line through fender faces, in the frame of the body that they are on: a quay, or a ship to come
+/// alongside of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Berth {
-    /// One end of it, earth-fixed [m].
+    /// Index of that body.
+    pub body: usize,
+    /// One end of it [m].
     pub from_m: Vec2,
     /// The other.
     pub to_m: Vec2,
@@ -25,44 +28,45 @@ pub struct Berth {
 
 impl Berth {
     /// The berth with the most fenders; of those with as many, the one that is nearest to the pilot's own ship at the
-    /// start. `None` where nothing fixed has fenders, or there is no ship.
+    /// start. Fenders of hers and of her tugs are none. `None` where there are no others, or no ship.
     #[must_use]
     pub fn of(setup: &Setup, cast: &Cast) -> Option<Berth> {
-        let own = &setup.bodies[setup.world.vessels[cast.own?].body];
-        let mut faces: Vec<(Vec2, f64)> = Vec::new();
-        for fender in &setup.fenders {
-            let on = &setup.bodies[fender.body];
-            if on.mass.is_some() {
-                continue;
-            }
-            let facing_rad = on.heading_rad + fender.facing_rad;
-            let mounted =
-                on.position_m + Rotation::from_angle(on.heading_rad).apply(fender.position_m);
-            faces.push((mounted + towards(facing_rad) * fender.projection_m, facing_rad));
-        }
+        let vessels = &setup.world.vessels;
+        let own = vessels[cast.own?].body;
+        let is_tug = |body: usize| {
+            vessels.iter().zip(&cast.is_tug).any(|(vessel, &tug)| tug && vessel.body == body)
+        };
+        let faces: Vec<Face> = setup
+            .fenders
+            .iter()
+            .filter(|fender| fender.body != own && !is_tug(fender.body))
+            .map(|fender| Face {
+                body: fender.body,
+                at_m: fender.position_m + towards(fender.facing_rad) * fender.projection_m,
+                facing_rad: fender.facing_rad,
+            })
+            .collect();
         let mut best: Option<(usize, f64, Berth)> = None;
-        for &(_, facing_rad) in &faces {
-            let facing = towards(facing_rad);
-            let same = |other_rad: f64| {
-                libm::fabs(libm::remainder(other_rad - facing_rad, core::f64::consts::TAU))
-                    < SAME_WAY_RAD
-            };
-            let own_row: Vec<Vec2> =
-                faces.iter().filter(|(_, other)| same(*other)).map(|(at, _)| *at).collect();
-            let berth = Berth::through(&own_row, facing);
-            let off_m = ((berth.from_m + berth.to_m) * 0.5 - own.position_m).length();
+        for face in &faces {
+            let row: Vec<Vec2> =
+                faces.iter().filter(|f| f.is_beside(face)).map(|f| f.at_m).collect();
+            let berth = Berth::through(face.body, &row, towards(face.facing_rad));
+            let on = &setup.bodies[face.body];
+            let middle_m = (berth.from_m + berth.to_m) * 0.5;
+            let middle_m = on.position_m + Rotation::from_angle(on.heading_rad).apply(middle_m);
+            let off_m = (middle_m - setup.bodies[own].position_m).length();
             let better = best.as_ref().is_none_or(|(count, least_m, _)| {
-                own_row.len() > *count || own_row.len() == *count && off_m < *least_m
+                row.len() > *count || row.len() == *count && off_m < *least_m
             });
             if better {
-                best = Some((own_row.len(), off_m, berth));
+                best = Some((row.len(), off_m, berth));
             }
         }
         best.map(|(.., berth)| berth)
     }
 
     /// Through the faces that stand out farthest, from the first to the last of the row.
-    fn through(faces: &[Vec2], facing: Vec2) -> Berth {
+    fn through(body: usize, faces: &[Vec2], facing: Vec2) -> Berth {
         let along = facing.quarter_turn();
         let out_m = faces.iter().map(|at| at.dot(facing)).fold(f64::NEG_INFINITY, f64::max);
         let ways = faces.iter().map(|at| at.dot(along));
@@ -70,29 +74,40 @@ impl Berth {
             (least.min(way), most.max(way))
         });
         let at = |way: f64| facing * out_m + along * way;
-        Berth { from_m: at(least), to_m: at(most), facing }
+        Berth { body, from_m: at(least), to_m: at(most), facing }
     }
 
     /// As pages are told.
     #[must_use]
     pub fn info(&self) -> BerthInfo {
-        BerthInfo { from: pair(self.from_m), to: pair(self.to_m), facing: pair(self.facing) }
+        let [from, to, facing] = [self.from_m, self.to_m, self.facing].map(pair);
+        BerthInfo { body: self.body, from, to, facing }
     }
 
-    /// How a ship lies to it: distances of the two ends of the flat of her side, on the side that the berth is on,
-    /// positive off the fenders; the speeds of these ends, positive towards the berth; the angle between her and the
-    /// berth, positive with the bow nearer.
-    pub(crate) fn seen_from(&self, outline: &Outline, state: &BodyState) -> BerthNow {
+    /// How a ship lies to it, where the body that it is on is: distances of the two ends of the flat of her side, on
+    /// the side that the berth is on, positive off the fenders; the speeds of these ends, positive towards the berth;
+    /// her speed along it, positive ahead; the angle between her and the berth, positive with the bow nearer.
+    pub(crate) fn seen_from(
+        &self,
+        on: &BodyState,
+        outline: &Outline,
+        state: &BodyState,
+    ) -> BerthNow {
         let attitude = Rotation::from_angle(state.heading_rad);
+        let quay = Rotation::from_angle(on.heading_rad);
+        let facing = quay.apply(self.facing);
         // The berth is to starboard where its water side faces her port.
-        let starboard = attitude.apply_inverse(self.facing).y <= 0.0;
+        let starboard = attitude.apply_inverse(facing).y <= 0.0;
         let [bow, stern] = flat_of_side(outline, starboard);
-        let off_m =
-            |at: Vec2| (state.position_m + attitude.apply(at) - self.from_m).dot(self.facing);
-        let closing_mps = |at: Vec2| {
-            let velocity = state.velocity_mps + attitude.apply(at).spun_by(state.yaw_rate_radps);
-            -velocity.dot(self.facing)
+        let from_m = on.position_m + quay.apply(self.from_m);
+        let off_m = |at: Vec2| (state.position_m + attitude.apply(at) - from_m).dot(facing);
+        // As one on the berth sees it.
+        let velocity_mps = |at: Vec2| {
+            let arm_m = state.position_m + attitude.apply(at) - on.position_m;
+            let ours = state.velocity_mps + attitude.apply(at).spun_by(state.yaw_rate_radps);
+            ours - on.velocity_mps - arm_m.spun_by(on.yaw_rate_radps)
         };
+        let closing_mps = |at: Vec2| -velocity_mps(at).dot(facing);
         let (bow_m, stern_m) = (off_m(bow), off_m(stern));
         let length_m = (bow - stern).length();
         BerthNow {
@@ -100,19 +115,43 @@ impl Berth {
             stern_m,
             bow_mps: closing_mps(bow),
             stern_mps: closing_mps(stern),
+            along_mps: velocity_mps(Vec2::ZERO).dot(attitude.apply(vec2(1.0, 0.0))),
             angle_rad: libm::asin(((stern_m - bow_m) / length_m).clamp(-1.0, 1.0)),
         }
     }
 
     /// Is any of a ship abreast of it, and her middle within a distance of its line?
-    pub(crate) fn is_near(&self, outline: &Outline, state: &BodyState, within_m: f64) -> bool {
+    pub(crate) fn is_near(
+        &self,
+        on: &BodyState,
+        outline: &Outline,
+        state: &BodyState,
+        within_m: f64,
+    ) -> bool {
         let along = self.facing.quarter_turn();
-        let middle = state.position_m - self.from_m;
+        let quay = Rotation::from_angle(on.heading_rad);
+        let middle = quay.apply_inverse(state.position_m - on.position_m) - self.from_m;
         let length_m = (self.to_m - self.from_m).dot(along);
         let reach_m = outline.radius_m();
         let way_m = middle.dot(along);
         let off_m = middle.dot(self.facing);
         way_m > -reach_m && way_m < length_m + reach_m && off_m > -reach_m && off_m < within_m
+    }
+}
+
+/// The face of a fender, in the frame of the body that it is on.
+struct Face {
+    body: usize,
+    at_m: Vec2,
+    facing_rad: f64,
+}
+
+impl Face {
+    /// Of one berth: on the same body, facing the same way.
+    fn is_beside(&self, other: &Face) -> bool {
+        let between_rad =
+            libm::remainder(self.facing_rad - other.facing_rad, core::f64::consts::TAU);
+        self.body == other.body && libm::fabs(between_rad) < SAME_WAY_RAD
     }
 }
 
@@ -159,15 +198,20 @@ mod tests {
     #[test]
     fn distances_speeds_and_angle_are_those_of_the_flat_of_the_side() {
         // A quay to the east of her; she lies 5 m off, her bow 0.1 rad in, and turns in.
-        let berth =
-            Berth { from_m: vec2(-60.0, 30.0), to_m: vec2(60.0, 30.0), facing: vec2(0.0, -1.0) };
+        let quay = BodyState::default();
+        let berth = Berth {
+            body: 1,
+            from_m: vec2(-60.0, 30.0),
+            to_m: vec2(60.0, 30.0),
+            facing: vec2(0.0, -1.0),
+        };
         let state = BodyState {
             position_m: vec2(0.0, 10.0),
             heading_rad: 0.1,
             velocity_mps: vec2(0.0, 0.2),
             yaw_rate_radps: 0.002,
         };
-        let now = berth.seen_from(&ship(), &state);
+        let now = berth.seen_from(&quay, &ship(), &state);
         let (sin, cos) = (libm::sin(0.1), libm::cos(0.1));
         let off = |x: f64| 30.0 - (10.0 + x * sin + 10.0 * cos);
         assert!((now.bow_m - off(30.0)).abs() < 1e-12 && (now.stern_m - off(-40.0)).abs() < 1e-12);
@@ -178,8 +222,38 @@ mod tests {
         assert!((now.stern_mps - speed(-40.0)).abs() < 1e-12);
         // Turned round she has her port side to it, and her bow is the farther end.
         let turned = BodyState { heading_rad: 0.1 + core::f64::consts::PI, ..state };
-        let now = berth.seen_from(&ship(), &turned);
+        let now = berth.seen_from(&quay, &ship(), &turned);
         assert!((now.bow_m - off(-30.0)).abs() < 1e-9 && (now.angle_rad + 0.1).abs() < 1e-9);
-        assert!(berth.is_near(&ship(), &state, 100.0) && !berth.is_near(&ship(), &state, 10.0));
+        assert!(berth.is_near(&quay, &ship(), &state, 100.0));
+        assert!(!berth.is_near(&quay, &ship(), &state, 10.0));
+    }
+
+    #[test]
+    fn a_berth_on_a_ship_that_moves_is_seen_from_that_ship() {
+        // The larger one heads east at 2 m/s and turns; the smaller one keeps her place on her, and drifts in.
+        let mother = BodyState {
+            position_m: vec2(500.0, 200.0),
+            heading_rad: core::f64::consts::FRAC_PI_2,
+            velocity_mps: vec2(0.0, 2.0),
+            yaw_rate_radps: 0.01,
+        };
+        let berth = Berth {
+            body: 0,
+            from_m: vec2(-50.0, -25.0),
+            to_m: vec2(50.0, -25.0),
+            facing: vec2(0.0, -1.0),
+        };
+        // 15 m of water between the fenders at her port side and the other's starboard side.
+        let arm_m = vec2(50.0, 0.0);
+        let state = BodyState {
+            position_m: mother.position_m + arm_m,
+            velocity_mps: mother.velocity_mps + arm_m.spun_by(0.01) + vec2(-0.1, 0.3),
+            ..mother
+        };
+        let now = berth.seen_from(&mother, &ship(), &state);
+        assert!((now.bow_m - 15.0).abs() < 1e-9 && (now.stern_m - 15.0).abs() < 1e-9, "{now:?}");
+        assert!((now.bow_mps - 0.1).abs() < 1e-9 && (now.stern_mps - 0.1).abs() < 1e-9, "{now:?}");
+        assert!((now.along_mps - 0.3).abs() < 1e-9 && now.angle_rad.abs() < 1e-9, "{now:?}");
+        assert!(berth.is_near(&mother, &ship(), &state, 50.0));
     }
 }

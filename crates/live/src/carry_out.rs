@@ -7,12 +7,14 @@ use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::{MeanWind, Wind, WindProfile};
 use fenderline_sim::mooring::WinchOrder;
 use fenderline_sim::tug::TugOrder;
-use fenderline_sim::{Action as Do, Assist, Job, Order, PushJob, Setup, Simulation, VesselSetup};
+use fenderline_sim::{
+    Action as Do, Assist, Job, LineEnd, Order, PushJob, Setup, Simulation, VesselSetup,
+};
 
 use crate::action::{Action, TugWord, WinchWord};
 use crate::refusal::Refusal;
 
-/// A tug's fastest beside a ship that she pushes, and beside one that she follows [m/s]: 2 and 4 knots, the
+/// A tug's fastest beside a ship that she pushes or pulls, and beside one that she follows [m/s]: 2 and 4 knots, the
 /// defaults of the scenario's keys.
 const PUSH_MPS: f64 = 2.0 * 1852.0 / 3600.0;
 const FOLLOW_MPS: f64 = 4.0 * 1852.0 / 3600.0;
@@ -77,7 +79,7 @@ pub(crate) fn carry_out(
             to_tug(simulation, tug, *order, *force_n, *direction_rad)?
         }
         Action::Winch { .. } | Action::LetGo { .. } => to_line(simulation, action)?,
-        _ => to_vessel(simulation.setup(), action)?,
+        _ => to_vessel(simulation, action)?,
     };
     let (vessel, action) = order;
     let order = Order { at_s: simulation.time_s(), vessel, action };
@@ -127,7 +129,8 @@ fn place(at_m: [f64; 2]) -> Result<Vec2, Refusal> {
 }
 
 /// For a vessel's controls.
-fn to_vessel(setup: &Setup, action: &Action) -> Result<(usize, Do), Refusal> {
+fn to_vessel(simulation: &Simulation, action: &Action) -> Result<(usize, Do), Refusal> {
+    let setup = simulation.setup();
     let (name, order): (&str, Do) = match action {
         Action::Rudder { vessel, angle_rad } => {
             (vessel, Do::Rudder(angle("rudder angle [rad]", *angle_rad)?))
@@ -173,6 +176,24 @@ fn to_vessel(setup: &Setup, action: &Action) -> Result<(usize, Do), Refusal> {
             let force_n = within("a tug's force [N]", *force_n, 0.0, 1e8)?;
             let push = PushJob::new(&setup.bodies, &setup.fenders, tug.body, ship, force_n);
             let job = Job::Push(push.map_err(Refusal::new)?);
+            (vessel, Do::Assist(Assist { job, fastest_mps: PUSH_MPS }))
+        }
+        Action::PullShip { vessel, line, direction_rad, force_n } => {
+            let (_, tug) = find_vessel(setup, vessel)?;
+            let index = standing_line(simulation, line)?;
+            let towed = &setup.world.lines[index];
+            let ends = match towed.end {
+                LineEnd::OnBody { body, .. } => [towed.ship, body],
+                LineEnd::Fixed(_) => [towed.ship; 2],
+            };
+            let afloat = ends.iter().all(|&body| setup.bodies[body].mass.is_some());
+            if !afloat || ends[0] == ends[1] || !ends.contains(&tug.body) {
+                let what = format_args!("line `{line}` is not between `{vessel}` and a ship");
+                return Err(Refusal::new(what));
+            }
+            let direction_rad = angle("a pull's direction [rad]", *direction_rad)?;
+            let force_n = within("a tug's force [N]", *force_n, 0.0, 1e8)?;
+            let job = Job::Pull { line: index, direction_rad, force_n };
             (vessel, Do::Assist(Assist { job, fastest_mps: PUSH_MPS }))
         }
         Action::FollowShip { vessel, ship, at_m, heading_rad } => {
@@ -243,17 +264,24 @@ fn to_tug(
     Ok((ship, Do::Tug(index, order)))
 }
 
+/// The index of a line that has not been cast off.
+fn standing_line(simulation: &Simulation, name: &str) -> Result<usize, Refusal> {
+    let lines = &simulation.setup().world.lines;
+    let index = lines.iter().position(|line| line.line.name == name);
+    let index = index.ok_or_else(|| Refusal::new(format_args!("there is no line `{name}`")))?;
+    if simulation.lines()[index].gone {
+        return Err(Refusal::new(format_args!("line `{name}` is gone")));
+    }
+    Ok(index)
+}
+
 /// For a line.
 fn to_line(simulation: &Simulation, action: &Action) -> Result<(usize, Do), Refusal> {
     let (Action::Winch { line: name, .. } | Action::LetGo { line: name }) = action else {
         unreachable!("{action:?} is not for a line");
     };
+    let index = standing_line(simulation, name)?;
     let lines = &simulation.setup().world.lines;
-    let index = lines.iter().position(|line| line.line.name == *name);
-    let index = index.ok_or_else(|| Refusal::new(format_args!("there is no line `{name}`")))?;
-    if simulation.lines()[index].gone {
-        return Err(Refusal::new(format_args!("line `{name}` is gone")));
-    }
     let order = match action {
         Action::Winch { order, rate_mps, .. } => {
             let rate_mps = within("a winch's rate [m/s]", *rate_mps, 0.0, 20.0)?;

@@ -12,7 +12,8 @@ const LONGEST_TUG_M: f64 = 60.0;
 /// The parts in a scenario, by names.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cast {
-    /// Index of the pilot's own ship among the vessels: the largest that is no tug; `None` without vessels.
+    /// Index of the pilot's own ship among the vessels: the first that is no tug, or the first; `None` without
+    /// vessels.
     pub own: Option<usize>,
     /// Names of the vessels, in the order of the set-up.
     pub vessels: Vec<String>,
@@ -40,18 +41,12 @@ impl Cast {
     #[must_use]
     pub fn of(setup: &Setup) -> Cast {
         let vessels = &setup.world.vessels;
-        let size = |vessel: &VesselSetup| vessel.ship.particulars.volume_m3;
-        let mut own: Option<usize> = None;
-        for (index, vessel) in vessels.iter().enumerate() {
-            if own.is_none_or(|best| size(vessel) > size(&vessels[best])) {
-                own = Some(index);
-            }
-        }
-        let is_tug = |(index, vessel): (usize, &VesselSetup)| {
-            own != Some(index)
-                && vessel.steers_with_azimuths()
-                && vessel.ship.particulars.length_m <= LONGEST_TUG_M
+        let looks_like_a_tug = |vessel: &VesselSetup| {
+            vessel.steers_with_azimuths() && vessel.ship.particulars.length_m <= LONGEST_TUG_M
         };
+        let first = vessels.iter().position(|vessel| !looks_like_a_tug(vessel));
+        let own = first.or((!vessels.is_empty()).then_some(0));
+        let is_tug = |(index, vessel)| own != Some(index) && looks_like_a_tug(vessel);
         let name = |vessel: &VesselSetup| setup.bodies[vessel.body].name.clone();
         let on = |body: usize| vessels.iter().position(|vessel| vessel.body == body);
         let lines = setup.world.lines.iter().map(|line| {
@@ -104,6 +99,7 @@ impl Cast {
             | Action::Speed { vessel, .. }
             | Action::Hands { vessel }
             | Action::PushShip { vessel, .. }
+            | Action::PullShip { vessel, .. }
             | Action::FollowShip { vessel, .. } => Helm::Of(Control::Vessel(vessel.clone())),
             Action::Tug { tug, .. } => Helm::Of(Control::Tug(tug.clone())),
             Action::Winch { line, .. } | Action::LetGo { line } => {

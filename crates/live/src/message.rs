@@ -63,6 +63,7 @@ pub struct Link {
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BerthInfo {
+    pub body: usize,
     pub from: Pair,
     pub to: Pair,
     pub facing: Pair,
@@ -234,6 +235,7 @@ pub struct BerthNow {
     pub stern_m: f64,
     pub bow_mps: f64,
     pub stern_mps: f64,
+    pub along_mps: f64,
     pub angle_rad: f64,
 }
 

@@ -7,7 +7,7 @@ use fenderline_live::{
     Action, Fault, Line, Recording, Request, Session, SessionError, Source, TugWord, WinchWord,
 };
 use proptest::prelude::*;
-use support::{engine, go, harbour, rudder, say};
+use support::{engine, go, harbour, open, rudder, say};
 
 fn commands() -> Vec<Action> {
     let ship = || "ship".to_owned();
@@ -300,6 +300,24 @@ fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
             },
             "azimuth",
         ),
+        (
+            Action::PullShip {
+                vessel: ship(),
+                line: "head".into(),
+                direction_rad: 0.0,
+                force_n: 1.0,
+            },
+            "not between `ship` and a ship",
+        ),
+        (
+            Action::PullShip {
+                vessel: ship(),
+                line: "none".into(),
+                direction_rad: 0.0,
+                force_n: 1.0,
+            },
+            "no line `none`",
+        ),
         (Action::Wind { speed_mps: 400.0, from_rad: 0.0 }, "wind speed"),
         (Action::Wind { speed_mps: f64::NAN, from_rad: 0.0 }, "wind speed"),
         (Action::Current { speed_mps: -1.0, to_rad: 0.0 }, "is not within"),
@@ -326,6 +344,29 @@ fn a_hand_on_a_control_takes_it_from_the_scenarios_own_orders_for_good() {
     assert_eq!((vessel.orders.rudder_rad, vessel.orders.shaft), (0.0, 0.1));
     let texts: Vec<String> = session.take_events().into_iter().map(|(_, text)| text).collect();
     assert!(texts.iter().any(|text| text.contains("own orders")), "{texts:?}");
+}
+
+#[test]
+fn a_tug_that_is_a_vessel_pulls_the_ship_off_on_her_line() {
+    let mut session = open("scenarios/live/berthing.toml", &["body.ship.velocity.surge=0"]);
+    let towards_quay = |session: &Session| session.simulation().states()[0].velocity_mps.y;
+    let mut left_alone = open("scenarios/live/berthing.toml", &["body.ship.velocity.surge=0"]);
+    for tug in ["forward", "after"] {
+        say(
+            &mut session,
+            Action::PullShip {
+                vessel: format!("{tug}_tug"),
+                line: format!("{tug}_tow"),
+                direction_rad: -1.57,
+                force_n: 3e5,
+            },
+        );
+    }
+    go(&mut session, 1800);
+    go(&mut left_alone, 1800);
+    let [pulled, alone] = [&session, &left_alone].map(towards_quay);
+    // 600 kN for a good minute on 47,000 t and as much added mass is 0.4 m/s and more.
+    assert!(pulled < alone - 0.3, "{pulled} beside {alone} m/s");
 }
 
 #[test]

@@ -133,6 +133,23 @@ fn beside_a_ship_under_way_she_comes_on_pushes_and_stays_with_her() {
 }
 
 #[test]
+fn behind_a_ship_at_six_knots_she_does_not_lie_a_breadth_off_her_place() {
+    // At speed her side thrust turned her bow the wrong way: she crabbed along 20 m beside her place.
+    let text = include_str!("../../../scenarios/live/tug_escort.toml");
+    let mut simulation = simulation(&text.replace("duration = \"4 h\"", "duration = \"6 min\""));
+    while !simulation.is_done() {
+        simulation.step().expect("a good step");
+        let [ship, tug] = [&simulation.states()[0], &simulation.states()[1]];
+        if simulation.time_s() > 60.0 {
+            let own = fenderline_contact::Rotation::from_angle(ship.heading_rad);
+            let off = own.apply_inverse(tug.position_m - ship.position_m);
+            // Her place is 195 m astern; what is left is leeway, which nothing takes off: a quarter of her beam.
+            assert!(off.y.abs() < 3.0 && (off.x + 195.0).abs() < 3.0, "{off:?}");
+        }
+    }
+}
+
+#[test]
 fn on_her_line_she_pulls_with_what_was_ordered() {
     let line = r#"
 [line.tow]

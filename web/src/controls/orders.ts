@@ -1,6 +1,6 @@
 /** What the pilot's words to a tug mean as directions and places. Pure. */
 import { sideAt } from "../geometry";
-import type { BodyInfo, Pair, TugInfo } from "../protocol";
+import type { BodyInfo, Pair } from "../protocol";
 import { wrapped } from "../units";
 
 /** How a tug lays herself: square to the side, or leading 45° towards the ship's bow or stern. */
@@ -10,11 +10,11 @@ export type Lead = -1 | 0 | 1;
 const CENTRE_SHARE = 0.3;
 
 /**
- * Direction of the force on the ship, from her bow, positive to starboard [rad]. At a side a push goes in and a pull
+ * Direction of the force on the ship, from her bow, positive to starboard [rad], of a tug that works at a place of hers.
+ * At a side a push goes in and a pull
  * out; on the centre line a tug astern pushes ahead and pulls astern, one ahead the other way about.
  */
-export function tugDirection(tug: TugInfo, order: "push" | "pull", lead: Lead, beam_m: number): number {
-  const [along, across] = order === "push" ? tug.push_at_m : tug.pull_at_m;
+export function tugDirection([along, across]: Pair, order: "push" | "pull", lead: Lead, beam_m: number): number {
   if (Math.abs(across) < (CENTRE_SHARE * beam_m) / 2) {
     const outward = along < 0 ? Math.PI : 0;
     // On the centre line a lead is to starboard (1) or to port (−1).

@@ -78,7 +78,7 @@ export class VectorHelm implements Group {
 
   private choose(order: TugNow["order"]): void {
     // Push and pull start square to the side; the ring turns them from there.
-    if (order !== "stand_by" && order !== this.order) this.ring.follow(tugDirection(this.info, order, 0, this.beam_m));
+    if (order !== "stand_by" && order !== this.order) this.ring.follow(tugDirection(order === "push" ? this.info.push_at_m : this.info.pull_at_m, order, 0, this.beam_m));
     this.order = order;
     this.send(false);
   }

@@ -1,7 +1,7 @@
 /** The pilot's orders to tugs: those that are forces, and those that are vessels and go there by themselves. */
 import { length, minus, turned } from "../geometry";
 import type { Page } from "../page";
-import type { Action, Frame, Hello, TugInfo, VesselInfo } from "../protocol";
+import type { Action, Frame, Hello, Pair, TugInfo, VesselInfo } from "../protocol";
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
 import { TONNE_N, fixed, spoken, tonnes } from "../units";
 import type { Group, KeyAction } from "./group";
@@ -28,6 +28,28 @@ interface Card {
 /** What a tug is told; `off`: to leave the side and stand by, for one that has no line to pull on. */
 type Told = "push" | "stop" | "pull" | "off";
 
+/** Which way a tug leads: square to the side, or towards the ship's bow or stern; a press turns it. */
+class LeadButton {
+  value: Lead = 0;
+  readonly root: HTMLButtonElement;
+
+  constructor(private readonly tug: string, changed: () => void) {
+    this.root = button("⊥", () => {
+      this.value = this.value === 0 ? 1 : this.value === 1 ? -1 : 0;
+      this.show();
+      changed();
+    });
+    this.show();
+  }
+
+  private show(): void {
+    setText(this.root, { [-1]: "↙ aft", 0: "⊥", 1: "↗ fwd" }[this.value]);
+    const leads = `${this.tug} leads ${{ [-1]: "aft", 0: "square to the side", 1: "forward" }[this.value]}; change`;
+    setAttribute(this.root, "aria-label", leads);
+    setAttribute(this.root, "title", leads);
+  }
+}
+
 abstract class Base implements Card {
   abstract readonly name: string;
   readonly root: HTMLElement;
@@ -46,7 +68,7 @@ abstract class Base implements Card {
       (order) => (order === "push" ? this.push() : order === "stop" ? this.stop() : this.away()),
     );
     this.root = h("section", { class: "card tug", "aria-label": `Tug ${title}` }, this.head, h("div", { class: "row" }, this.orders.root, this.powers.root, h("span", { class: "ordered" }, "%")));
-    this.head.append(h("h3", {}, spoken(title)), this.state);
+    this.head.append(h("div", { class: "who" }, h("h3", {}, spoken(title)), this.state));
   }
 
   abstract push(): void;
@@ -86,33 +108,22 @@ abstract class Base implements Card {
 /** A tug that is a force at the ship's side. */
 class VectorTug extends Base {
   readonly name: string;
-  private lead: Lead = 0;
   private ordered: "push" | "pull" | "stand_by" = "stand_by";
-  private readonly leadButton: HTMLButtonElement;
+  private readonly lead: LeadButton;
   private shownOrder = "";
 
   constructor(page: Page, private readonly info: TugInfo, private readonly index: number, private readonly beam_m: number) {
     super(page, info.name, "pull");
     this.name = info.name;
-    this.leadButton = button("Square", () => {
-      this.lead = this.lead === 0 ? 1 : this.lead === 1 ? -1 : 0;
-      this.showLead();
-      this.again();
-    });
-    this.showLead();
-    this.head.append(this.leadButton);
-  }
-
-  private showLead(): void {
-    const text = { [-1]: "Leads aft ↙", 0: "Square ⊥", 1: "Leads fwd ↗" }[this.lead];
-    setText(this.leadButton, text);
-    setAttribute(this.leadButton, "aria-label", `${this.info.name} leads ${{ [-1]: "aft", 0: "square to the side", 1: "forward" }[this.lead]}; change`);
+    this.lead = new LeadButton(info.name, () => this.again());
+    this.head.append(this.lead.root);
   }
 
   private go(order: "push" | "pull"): void {
     this.ordered = order;
     const force_n = (this.info.bollard_pull_n * this.percent) / 100;
-    this.send({ do: "tug", tug: this.info.name, order, force_n, direction_rad: tugDirection(this.info, order, this.lead, this.beam_m) });
+    const at = order === "push" ? this.info.push_at_m : this.info.pull_at_m;
+    this.send({ do: "tug", tug: this.info.name, order, force_n, direction_rad: tugDirection(at, order, this.lead.value, this.beam_m) });
   }
 
   push(): void {
@@ -157,7 +168,22 @@ class VectorTug extends Base {
   }
 }
 
-/** A tug that is a vessel: told where to push, or to stand by off that side; her own pilot takes her there. */
+/** The line between a tug and the ship, and where it is on the ship. */
+interface Towline { name: string; at_m: Pair }
+
+function towline(hello: Hello, tug: VesselInfo, ship: VesselInfo): Towline | null {
+  for (const { name, ship: own, fairlead_m, end } of hello.lines) {
+    if (!("body" in end)) continue;
+    if (own === tug.body && end.body === ship.body) return { name, at_m: end.at_m };
+    if (own === ship.body && end.body === tug.body) return { name, at_m: fairlead_m };
+  }
+  return null;
+}
+
+/**
+ * A tug that is a vessel: told where to push, or to stand by off that side, or to pull where she has a line to the ship;
+ * her own pilot takes her there.
+ */
 export class VesselTug extends Base {
   readonly name: string;
   private readonly place: HTMLSelectElement;
@@ -165,9 +191,14 @@ export class VesselTug extends Base {
   private chosen = false;
   private readonly stations;
   private readonly bollard_n: number;
+  private readonly line: Towline | null;
+  private readonly lead: LeadButton | null;
 
   constructor(page: Page, private readonly info: VesselInfo, private readonly index: number, private readonly ship: VesselInfo, hello: Hello) {
-    super(page, info.name, "off");
+    const line = towline(hello, info, ship);
+    super(page, info.name, line ? "pull" : "off");
+    this.line = line;
+    this.lead = line && new LeadButton(info.name, () => this.again());
     this.name = info.name;
     this.bollard_n = info.azimuths.reduce((sum, unit) => sum + unit.bollard_n, 0);
     this.stations = stations(hello.bodies[ship.body]?.outline ?? [], ship.length_m);
@@ -176,6 +207,7 @@ export class VesselTug extends Base {
       this.chosen = true;
       this.again();
     });
+    if (this.lead) this.head.append(this.lead.root);
     this.head.append(this.place);
   }
 
@@ -211,6 +243,13 @@ export class VesselTug extends Base {
   }
 
   away(): void {
+    if (this.line && this.lead) {
+      this.ordered = "pull";
+      const force_n = (this.bollard_n * this.percent) / 100;
+      const direction_rad = tugDirection(this.line.at_m, "pull", this.lead.value, this.ship.beam_m);
+      this.send({ do: "pull_ship", vessel: this.info.name, line: this.line.name, direction_rad, force_n });
+      return;
+    }
     const station = this.station();
     if (!station) return;
     this.ordered = "off";
@@ -221,7 +260,7 @@ export class VesselTug extends Base {
   protected again(): void {
     if (this.ordered === "push") this.push();
     else if (this.ordered === "stop") this.stop();
-    else if (this.ordered === "off") this.away();
+    else if (this.ordered !== null) this.away();
   }
 
   protected commanded(): boolean {

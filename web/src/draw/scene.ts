@@ -279,7 +279,8 @@ export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, liv
   const outline = hello.bodies[info?.body ?? -1]?.outline;
   if (!info || !now || !body || !outline) return;
   const half = info.length_m / 2;
-  const towardShore = hello.berth ? times(hello.berth.facing, -1) : null;
+  const quay = hello.berth && bodies[hello.berth.body];
+  const towardShore = hello.berth && quay ? turned(quay[2], times(hello.berth.facing, -1)) : null;
   for (const [end, speed, berthDistance] of [
     [1, now.bow_mps, now.berth?.bow_m],
     [-1, now.stern_mps, now.berth?.stern_m],
@@ -307,9 +308,10 @@ export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, liv
 }
 
 /** The berth's line that distances are to: between its ends, at the faces of its fenders. */
-export function drawBerth({ to, camera, colours, hello }: Scene): void {
-  if (!hello.berth) return;
-  stroke(to, toScreen(camera, hello.berth.from), toScreen(camera, hello.berth.to), colours.land_edge, 4);
+export function drawBerth({ to, camera, colours, hello, bodies }: Scene): void {
+  const on = hello.berth && bodies[hello.berth.body];
+  if (!hello.berth || !on) return;
+  stroke(to, toScreen(camera, onEarth(on, hello.berth.from)), toScreen(camera, onEarth(on, hello.berth.to)), colours.land_edge, 4);
 }
 
 /** Earth places that a first look shows: the ship, the fenders that she is near, her tugs and where her lines go. */
@@ -331,5 +333,9 @@ export function firstLook(hello: Hello, bodies: BodyNow[], ship: number, frame: 
   // Tugs that are forces lie about a length of theirs off the side that they work at.
   const alongside = hello.tugs.map((t) => onEarth(now, add(t.push_at_m, [0, Math.sign(t.push_at_m[1]) * (t.length_m + 14)])));
   const moored = hello.lines.flatMap((l, i): Pair[] => ("place_m" in l.end && frame?.lines[i]?.state === "fast" ? [l.end.place_m] : []));
-  return [...places, ...near, ...tugs, ...alongside, ...moored];
+  // Another ship that she comes alongside of is looked at whole.
+  const other = hello.berth && !hello.bodies[hello.berth.body]?.fixed ? hello.berth.body : -1;
+  const mother = bodies[other];
+  const hull = mother ? (hello.bodies[other]?.outline ?? []).map((at) => onEarth(mother, at)) : [];
+  return [...places, ...near, ...tugs, ...alongside, ...moored, ...hull];
 }

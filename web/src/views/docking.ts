@@ -92,20 +92,21 @@ export class Docking implements View {
     const index = this.page.live.ship();
     const now = frame.vessels[index];
     const body = frame.bodies[hello.vessels[index]?.body ?? -1];
+    const quay = frame.bodies[hello.berth?.body ?? -1];
     const berth = now?.berth;
     setClass(this.root, "none", !berth);
-    if (!berth || !hello.berth || !body) return;
+    if (!berth || !hello.berth || !body || !quay) return;
     this.bow.show(berth.bow_m, berth.bow_mps, this.limit_mps);
     this.stern.show(berth.stern_m, berth.stern_mps, this.limit_mps);
     this.showLimit(Math.min(berth.bow_m, berth.stern_m));
     // As she lies when one looks at the quay over her side: starboard side to, her bow is to the left.
-    const starboardTo = dot(turned(body[2], [0, 1]), hello.berth.facing) < 0;
+    const starboardTo = dot(turned(body[2] - quay[2], [0, 1]), hello.berth.facing) < 0;
     setClass(this.ends, "starboard-to", starboardTo);
     const degrees = Math.abs(toDegrees(berth.angle_rad));
     setText(this.angle, fixed(degrees, 1));
     const open = berth.bow_m - berth.stern_m;
     setText(this.angleWay, degrees < 0.05 ? "parallel" : open > 0 ? "bow out" : "bow in");
-    setText(this.along, fixed(Math.abs(now.ground_mps[0]), 2));
-    setText(this.alongWay, now.ground_mps[0] > STILL_MPS ? "ahead" : now.ground_mps[0] < -STILL_MPS ? "astern" : "still");
+    setText(this.along, fixed(Math.abs(berth.along_mps), 2));
+    setText(this.alongWay, berth.along_mps > STILL_MPS ? "ahead" : berth.along_mps < -STILL_MPS ? "astern" : "still");
   }
 }

@@ -98,7 +98,10 @@ export class Plan implements View {
   private turn(now_ms = performance.now()): void {
     const { hello } = this.live;
     if (this.up === "north") this.camera.up_rad = 0;
-    else if (this.up === "berth" && hello?.berth) this.camera.up_rad = Math.atan2(-hello.berth.facing[1], -hello.berth.facing[0]);
+    else if (this.up === "berth" && hello?.berth) {
+      const heading = this.live.bodies(now_ms)[hello.berth.body]?.[2] ?? 0;
+      this.camera.up_rad = heading + Math.atan2(-hello.berth.facing[1], -hello.berth.facing[0]);
+    }
     else this.camera.up_rad = this.shipNow(now_ms)?.[2] ?? 0;
   }
 

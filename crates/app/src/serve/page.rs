@@ -15,7 +15,7 @@ const WEB: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web");
 /// A page's files together are not read beyond this [bytes].
 const LARGEST: u64 = 64 << 20;
 /// What lies in `web` and is no source of the page.
-const NO_SOURCES: [&str; 6] = ["node_modules", "dist", "e2e", "mock", "test", "screenshots"];
+const NO_SOURCES: [&str; 5] = ["node_modules", "dist", "e2e", "test", "screenshots"];
 
 /// A file as it is sent.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -92,8 +92,9 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
             continue;
         };
         let setup = of.simulation.setup();
-        let (body, state) = (&setup.bodies[vessel.body], &of.simulation.states()[vessel.body]);
-        if !berth.is_near(&body.outline, state, NEAR_M) {
+        let states = of.simulation.states();
+        let outline = &setup.bodies[vessel.body].outline;
+        if !berth.is_near(&states[berth.body], outline, &states[vessel.body], NEAR_M) {
             continue;
         }
         let ends = [("bow", near.bow_m, near.bow_mps), ("stern", near.stern_m, near.stern_mps)];

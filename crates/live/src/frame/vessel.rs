@@ -46,7 +46,10 @@ pub(super) fn now(simulation: &Simulation, index: usize, berth: Option<&Berth>) 
         squat_m: vessel.squat_m,
         under_keel_m: vessel.under_keel_m,
         aground: vessel.aground,
-        berth: berth.map(|berth| berth.seen_from(&body.outline, state)),
+        // From the body that it is on there is no distance to it.
+        berth: berth
+            .filter(|berth| berth.body != of.body)
+            .map(|berth| berth.seen_from(&simulation.states()[berth.body], &body.outline, state)),
         faults: Fault::standing(&vessel.faults),
     }
 }

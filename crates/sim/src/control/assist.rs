@@ -31,7 +31,11 @@ const FAR: f64 = 0.75;
 const BOW_FIRST_MPS: f64 = 0.5;
 /// On the last metres she takes so much longer than elsewhere: her thrusters lag behind.
 const PATIENCE: f64 = 1.6;
-/// Outwards on a slack line [m/s].
+/// Ahead at these speeds she begins to steer back to her place, and does nothing else [m/s].
+const STEERS_MPS: [f64; 2] = [0.5, 1.5];
+/// By no more than this [rad].
+const MOST_STEERED_RAD: f64 = 0.5;
+/// Outwards on a line that is about to come tight [m/s].
 const TAKE_UP_MPS: f64 = 0.3;
 
 /// How a vessel is handled.
@@ -116,6 +120,8 @@ pub enum Task {
         outward: Vec2,
         /// Whether the line leads over her bow: she faces the ship then and pulls astern.
         over_bow: bool,
+        /// So much longer is the line than the way between its ends [m].
+        slack_m: f64,
         /// Force [N].
         force_n: f64,
         /// Tension of the line in the last step [N].
@@ -130,6 +136,17 @@ pub struct Asked {
     pub demand: Demand,
     /// Whether the side force matters.
     pub sway: Sway,
+}
+
+/// By how much she turns off a heading so that her way ahead takes her where she is going [rad], and what part steering
+/// has in keeping her place: at speed, units at her stern push her bow round long before they push her sideways.
+fn steered(going_mps: Vec2, heading_rad: f64) -> (f64, f64) {
+    let own = Rotation::from_angle(heading_rad).apply_inverse(going_mps);
+    let [begins_mps, whole_mps] = STEERS_MPS;
+    let share = ((own.x - begins_mps) / (whole_mps - begins_mps)).clamp(0.0, 1.0);
+    // Without way there is nothing to steer with, and the angle would mean nothing.
+    let angle_rad = if share > 0.0 { libm::atan2(own.y, own.x) } else { 0.0 };
+    (share, share * angle_rad.clamp(-MOST_STEERED_RAD, MOST_STEERED_RAD))
 }
 
 /// What her thrusters should give, in her own axes about her centre of gravity.
@@ -151,7 +168,11 @@ pub fn assist(
         Task::Follow { place_m, velocity_mps, heading_rad } => {
             let off = place_m - state.position_m;
             let going = velocity_mps + cut(off * (1.0 / handling.place_time_s), fastest_mps);
-            (going, handling.bow_first(off, going).unwrap_or(heading_rad))
+            let (share, steered_rad) = steered(going, heading_rad);
+            if share >= 1.0 {
+                sway = Sway::Free;
+            }
+            (going, handling.bow_first(off, going).unwrap_or(heading_rad + steered_rad))
         }
         Task::Push { place_m, velocity_mps, inward, bow_m, force_n, touch_n } => {
             let heading_rad = libm::atan2(inward.y, inward.x);
@@ -169,7 +190,7 @@ pub fn assist(
             let off = beside_m - inward * (STAND_OFF * handling.length_m) - state.position_m;
             (going, handling.bow_first(off, going).unwrap_or(heading_rad))
         }
-        Task::Pull { place_m, velocity_mps, outward, over_bow, force_n, tension_n } => {
+        Task::Pull { place_m, velocity_mps, outward, over_bow, slack_m, force_n, tension_n } => {
             let facing = if over_bow { -outward } else { outward };
             let off = place_m - state.position_m;
             let across = off - outward * off.dot(outward);
@@ -182,7 +203,7 @@ pub fn assist(
                 thrust_n = Some(along * if over_bow { -eased_n } else { eased_n });
                 0.0
             } else {
-                TAKE_UP_MPS.min(fastest_mps)
+                (slack_m / handling.place_time_s).max(TAKE_UP_MPS).min(fastest_mps)
             };
             (velocity_mps + way + outward * out_mps, libm::atan2(facing.y, facing.x))
         }

@@ -186,11 +186,15 @@ impl AssistPilot {
                 let setup = &lines.0[line];
                 let [(ship, at_m), (_, own_at_m)] = ends_for(setup, own);
                 let direction = vec2(libm::cos(direction_rad), libm::sin(direction_rad));
+                let place_m = states[ship].pose().apply(at_m);
+                let span_m = (states[own].pose().apply(own_at_m) - place_m).length();
+                let length_m = lines.1[line].line.as_ref().map_or(0.0, |(_, state)| state.length_m);
                 Task::Pull {
-                    place_m: states[ship].pose().apply(at_m),
+                    place_m,
                     velocity_mps: velocity_at(ship, at_m),
                     outward: states[ship].pose().rotation.apply(direction),
                     over_bow: own_at_m.x >= 0.0,
+                    slack_m: (length_m - span_m).max(0.0),
                     force_n,
                     tension_n: lines.1[line].load.tension_n,
                 }

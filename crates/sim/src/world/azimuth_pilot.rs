@@ -7,7 +7,7 @@ use super::line::{Mooring, MooringSetup};
 use super::pilot::Abilities;
 use super::vessel::{VesselForces, VesselSetup, VesselState};
 use crate::control::{
-    Asked, Demand, Handling, LateralDevice, Reach, Sway, ThrustDevice, allocate_thrust,
+    Asked, Demand, Handling, LateralDevice, Reach, Sway, Task, ThrustDevice, allocate_thrust,
     assist as work, bias_pairs,
 };
 use crate::hydro::{Force, Velocity, Water};
@@ -92,7 +92,7 @@ pub(crate) fn assist(
     let Asked { demand, sway } =
         work(&task, &handling, state, &felt, pilot.order.fastest_mps, pilot.steady_nm);
     // While she leans on the ship she learns what moment that takes; else she forgets it.
-    let leans = sway == Sway::Free;
+    let leans = matches!(task, Task::Push { .. }) && sway == Sway::Free;
     let most_nm: f64 =
         setup.azimuths.iter().map(|a| a.bollard_n * azimuth_place(setup, a).length()).sum();
     let learnt = demand.yaw_nm - pilot.steady_nm;

@@ -1,0 +1,55 @@
+/** The gallery: the instructor opens every scenario of it from the page; pilots and tugmasters see each at once. */
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser";
+
+/** By their titles, and whether there is something to come alongside of. */
+const GALLERY: Record<string, { berth: boolean }> = {
+  Berthing: { berth: true },
+  Unberthing: { berth: true },
+  "Tug escort": { berth: false },
+  "Ship to ship": { berth: true },
+  Moored: { berth: true },
+};
+
+const errors: string[] = [];
+let served: Served;
+let browser: Browser;
+let instructor: Page;
+let pilot: Page;
+
+beforeAll(async () => {
+  served = await serve();
+  browser = await browse({ width: 1280, height: 800 });
+  pilot = await open(browser.context, served, "pilot", errors);
+  instructor = await open(browser.context, served, "instructor", errors);
+});
+afterAll(async () => {
+  await browser.close();
+  await served.close();
+});
+
+for (const [begins, { berth }] of Object.entries(GALLERY)) {
+  test(`${begins}: opened from the page, it runs`, async () => {
+    await instructor.bringToFront();
+    await instructor.getByRole("tab", { name: "Session" }).click();
+    const title = await instructor.locator(".gallery b", { hasText: begins }).first().textContent();
+    const button = instructor.getByRole("button", { name: `Open ${title}`, exact: true });
+    await button.click();
+    await button.click();
+    await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
+    await instructor.locator("header", { hasText: title ?? "" }).waitFor();
+    await instructor.getByRole("button", { name: "Resume (K)" }).click();
+    await instructor.waitForTimeout(2500);
+    // A link is for a role, not for a scenario; of tugs only those are there that have the same name.
+    await pilot.bringToFront();
+    await pilot.locator("header", { hasText: title ?? "" }).waitFor();
+    await pilot.getByRole("tab", { name: "Docking" }).click();
+    await pilot.waitForTimeout(600);
+    const off = await pilot.evaluate(() => document.querySelector<HTMLElement>('.end[aria-label="Bow"]')?.dataset.off ?? null);
+    expect(off !== null && Number.isFinite(Number(off))).toBe(berth);
+    await pilot.screenshot({ path: join(SHOTS, `gallery-${begins.toLowerCase().replaceAll(" ", "-")}.png`) });
+    expect(errors).toEqual([]);
+  });
+}
