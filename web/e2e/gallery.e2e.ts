@@ -1,4 +1,7 @@
-/** The gallery: the instructor opens every scenario of it from the page; pilots and tugmasters see each at once. */
+/**
+ * The gallery: the instructor opens every scenario of it from the page, pilots see each at once; a session that was saved
+ * is opened again.
+ */
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
@@ -30,21 +33,28 @@ afterAll(async () => {
   await served.close();
 });
 
+/** Opens what the list of the session's view has under a title; the button asks once whether that is meant. */
+async function load(title: string): Promise<void> {
+  await instructor.bringToFront();
+  await instructor.getByRole("tab", { name: "Session" }).click();
+  const button = instructor.getByRole("button", { name: `Open ${title}`, exact: true });
+  await button.click();
+  await button.click();
+  await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
+}
+
 for (const [begins, { berth }] of Object.entries(GALLERY)) {
   test(`${begins}: opened from the page, it runs`, async () => {
     await instructor.bringToFront();
     await instructor.getByRole("tab", { name: "Session" }).click();
-    const title = await instructor.locator(".gallery b", { hasText: begins }).first().textContent();
-    const button = instructor.getByRole("button", { name: `Open ${title}`, exact: true });
-    await button.click();
-    await button.click();
-    await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
-    await instructor.locator("header", { hasText: title ?? "" }).waitFor();
+    const title = (await instructor.locator(".gallery b", { hasText: begins }).first().textContent()) ?? "";
+    await load(title);
+    await instructor.locator("header", { hasText: title }).waitFor();
     await instructor.getByRole("button", { name: "Resume (K)" }).click();
     await instructor.waitForTimeout(2500);
     // A link is for a role, not for a scenario; of tugs only those are there that have the same name.
     await pilot.bringToFront();
-    await pilot.locator("header", { hasText: title ?? "" }).waitFor();
+    await pilot.locator("header", { hasText: title }).waitFor();
     await pilot.getByRole("tab", { name: "Docking" }).click();
     await pilot.waitForTimeout(600);
     const off = await pilot.evaluate(() => document.querySelector<HTMLElement>('.end[aria-label="Bow"]')?.dataset.off ?? null);
@@ -53,3 +63,26 @@ for (const [begins, { berth }] of Object.entries(GALLERY)) {
     expect(errors).toEqual([]);
   });
 }
+
+test("a session is saved under a name, and goes on where it ended when it is opened again", async () => {
+  await instructor.bringToFront();
+  await instructor.getByRole("button", { name: "Pause (K)" }).click();
+  await instructor.locator(".run-state", { hasText: "PAUSED" }).waitFor();
+  const timeline = instructor.getByRole("slider", { name: "Timeline" });
+  const ended = Number(await timeline.inputValue());
+  expect(ended).toBeGreaterThan(10);
+  await instructor.getByRole("tab", { name: "Session" }).click();
+  await instructor.getByRole("textbox", { name: "Name to save under" }).fill("kept by a test");
+  await instructor.getByRole("button", { name: "Save session" }).click();
+  await instructor.getByText(/^Refused: .*letters, digits/).waitFor();
+  await instructor.getByRole("textbox", { name: "Name to save under" }).fill("kept-by-a-test");
+  await instructor.getByRole("button", { name: "Save session" }).click();
+  await instructor.getByText("saved as kept-by-a-test").waitFor();
+  await load("Berthing: a bulk carrier with two ASD tugs");
+  await expect.poll(async () => Number(await timeline.inputValue())).toBe(0);
+  await load("Session: Moored while a squall passes");
+  await expect.poll(async () => Number(await timeline.inputValue())).toBe(ended);
+  await instructor.getByRole("button", { name: "Resume (K)" }).click();
+  await expect.poll(async () => Number(await timeline.inputValue())).toBeGreaterThan(ended);
+  expect(errors).toEqual([]);
+});

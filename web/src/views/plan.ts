@@ -130,6 +130,9 @@ export class Plan implements View {
     if (this.prediction) scene.drawMinutes(all);
     scene.drawBowAndStern(all);
     drawScale(to, this.camera, colours);
+    // Read by tests: what is drawn on a canvas cannot be.
+    const { centre, pixels_per_m } = this.camera;
+    setAttribute(this.surface.root, "data-view", [...centre, pixels_per_m].map((n) => n.toFixed(3)).join(" "));
     drawRose(to, this.camera, colours, frame);
   }
 

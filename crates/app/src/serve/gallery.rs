@@ -77,7 +77,9 @@ fn recording_entry(path: &Path, file: String) -> Option<GalleryEntry> {
     let text = read(path).ok()?;
     let first = &text[..=text.find('\n')?];
     let title = Recording::parse(first).ok()?.source.scenario().ok()?.title;
-    Some(GalleryEntry { title: format!("Session: {title}"), text: "A saved session.".into(), file })
+    let name = file.strip_suffix(ENDING).unwrap_or(&file);
+    let text = format!("Saved as {name}; it goes on where it ended.");
+    Some(GalleryEntry { title: format!("Session: {title}"), text, file })
 }
 
 /// A session that was opened, and the text that its recording begins with.
