@@ -146,7 +146,7 @@ test("a pilot and a tugmaster bring her alongside", async () => {
   for (let i = 0; i < 2; i++) await pilot.getByRole("button", { name: "Zoom in (+)" }).click();
   await pilot.waitForTimeout(200);
   await pilot.screenshot({ path: join(SHOTS, "alongside-close.png") });
-  expect(await pilot.locator(".fenders .summary").textContent()).toMatch(/touched · highest so far \d+ % of rated/);
+  expect(await pilot.locator(".fenders .summary").textContent()).toMatch(/touched so far · highest so far \d+ % of rated/);
   expect(await pilot.locator(".fenders li.alarm").count()).toBe(0);
 });
 

@@ -83,15 +83,11 @@ export async function open(context: BrowserContext, served: Served, role: string
   const page = await context.newPage();
   page.on("pageerror", (error) => errors.push(`${role}: ${error.message}`));
   page.on("console", (message) => message.type() === "error" && errors.push(`${role}: ${message.text()}`));
-  if (!hints) {
-    await page.addInitScript(() => {
-      for (const name of ["pilot", "tugmaster", "instructor", "observer"]) localStorage.setItem(`hints seen ${name}`, "yes");
-    });
-  }
   const token = served.tokens[role];
   if (token === undefined) throw new Error(`there is no token for ${role}`);
   await page.goto(`${served.url}/?token=${encodeURIComponent(token)}`);
   await page.getByRole("img", { name: "Plan of ship" }).waitFor();
   await page.waitForFunction(() => (document.querySelector(".readout dd")?.textContent ?? "–") !== "–");
+  if (!hints) await page.getByRole("button", { name: "No hints" }).click();
   return page;
 }

@@ -42,7 +42,7 @@ export class App implements Page {
   private readonly connection: Connection;
   private readonly history = new History();
   private readonly hints = new Hints();
-  private readonly help = new Help(() => this.live.hello && this.hints.start(this.live.hello.role.name, true));
+  private readonly help = new Help(() => this.live.hello && this.hints.again(this.live.hello.role.name));
   private built = "";
   private plan: Plan | null = null;
   private tabs: Tab[] = [];
@@ -153,7 +153,9 @@ export class App implements Page {
     }
     for (const group of this.groups) group.claims(hello);
     for (const { view } of this.tabs) view.claims?.(hello);
-    this.hints.start(hello.role.name);
+    const briefing = hello.gallery.find((entry) => entry.file === hello.file)?.text ?? "";
+    this.help.brief(briefing);
+    this.hints.start(hello.role.name, briefing, fresh);
   }
 
   // --------------------------------------------------------------------------------------------------- building

@@ -35,6 +35,7 @@ export class Hints {
   private readonly bubble: HTMLElement;
   private steps: Hint[] = [];
   private key = "";
+  private briefing: Hint[] = [];
 
   constructor() {
     this.bubble = h("aside", { class: "hint hidden", role: "status", "aria-label": "Hint" }, this.text, h("div", { class: "row" }, button("Next hint", () => this.next()), button("No hints", () => this.stop())));
@@ -42,11 +43,18 @@ export class Hints {
     setInterval(() => this.place(), 200);
   }
 
-  start(role: Role["name"], again = false): void {
+  /** For a role, at an exercise: `fresh` where the page did not show it before. What it is about is always told. */
+  start(role: Role["name"], briefing: string, fresh: boolean): void {
     const key = `hints seen ${role}`;
-    if (this.key === key && !again) return;
+    if (this.key === key && !fresh) return;
     this.key = key;
-    this.steps = !again && localStorage.getItem(key) !== null ? [] : [...HINTS[role]];
+    this.briefing = briefing === "" ? [] : [{ until: "briefing", at: ["header h1"], text: briefing }];
+    this.steps = [...this.briefing, ...(localStorage.getItem(key) === null ? HINTS[role] : [])];
+    this.place();
+  }
+
+  again(role: Role["name"]): void {
+    this.steps = [...this.briefing, ...HINTS[role]];
     this.place();
   }
 

@@ -176,7 +176,14 @@ export interface VesselNow {
   // Distances of the ends of the flat of her side; speeds positive towards the berth, and ahead along it, as seen from
   // the berth; angle positive, bow nearer.
   berth: { bow_m: number; stern_m: number; bow_mps: number; stern_mps: number; along_mps: number; angle_rad: number } | null;
+  /** Of a tug that is a vessel: what she was told to do at the ship, and with what force. */
+  assist: AssistNow | null;
   faults: Fault[];
+}
+
+export interface AssistNow {
+  job: "follow" | "push" | "pull";
+  force_n: number;
 }
 
 export interface FenderNow {
@@ -189,6 +196,8 @@ export interface FenderNow {
   peak_of_energy: number;
   peak_of_reaction: number;
   failed: boolean;
+  /** Since the start. */
+  touched: boolean;
 }
 
 export interface ContactNow {

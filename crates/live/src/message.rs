@@ -206,6 +206,7 @@ pub struct VesselNow {
     pub under_keel_m: Option<f64>,
     pub aground: bool,
     pub berth: Option<BerthNow>,
+    pub assist: Option<AssistNow>,
     pub faults: Vec<Fault>,
 }
 
@@ -230,6 +231,12 @@ pub struct AzimuthNow {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct AssistNow {
+    pub job: &'static str,
+    pub force_n: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BerthNow {
     pub bow_m: f64,
     pub stern_m: f64,
@@ -249,6 +256,7 @@ pub struct FenderNow {
     pub peak_of_energy: f64,
     pub peak_of_reaction: f64,
     pub failed: bool,
+    pub touched: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

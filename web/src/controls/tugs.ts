@@ -3,16 +3,15 @@ import { length, minus, turned } from "../geometry";
 import type { Page } from "../page";
 import type { Action, Frame, Hello, Pair, TugInfo, VesselInfo } from "../protocol";
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
-import { TONNE_N, fixed, spoken, tonnes } from "../units";
+import { spoken, tonnes } from "../units";
 import type { Group, KeyAction } from "./group";
 import { type Lead, type Station, stations, tugDirection } from "./orders";
 
 const POWERS = [25, 50, 75, 100];
+/** What was just ordered here stands until frames can have it: so many ticks, and so long. */
+const ANSWERED = { ticks: 2, ms: 500 };
 /** A tug that stands by lies parallel to the ship, so far off her side [m]. */
 const STAND_OFF_M = 25;
-
-/** What a tug that goes by herself is doing, as far as this page told her. */
-const WORK: Record<Told | "none", string> = { push: "pushing", stop: "alongside", off: "standing off", pull: "pulling", none: "under orders" };
 
 interface Card {
   name: string;
@@ -43,7 +42,7 @@ class LeadButton {
   }
 
   private show(): void {
-    setText(this.root, { [-1]: "↙ aft", 0: "⊥", 1: "↗ fwd" }[this.value]);
+    setText(this.root, { [-1]: "aft", 0: "⊥", 1: "fwd" }[this.value]);
     const leads = `${this.tug} leads ${{ [-1]: "aft", 0: "square to the side", 1: "forward" }[this.value]}; change`;
     setAttribute(this.root, "aria-label", leads);
     setAttribute(this.root, "title", leads);
@@ -169,13 +168,13 @@ class VectorTug extends Base {
 }
 
 /** The line between a tug and the ship, and where it is on the ship. */
-interface Towline { name: string; at_m: Pair }
+interface Towline { index: number; name: string; at_m: Pair }
 
 function towline(hello: Hello, tug: VesselInfo, ship: VesselInfo): Towline | null {
-  for (const { name, ship: own, fairlead_m, end } of hello.lines) {
+  for (const [index, { name, ship: own, fairlead_m, end }] of hello.lines.entries()) {
     if (!("body" in end)) continue;
-    if (own === tug.body && end.body === ship.body) return { name, at_m: end.at_m };
-    if (own === ship.body && end.body === tug.body) return { name, at_m: fairlead_m };
+    if (own === tug.body && end.body === ship.body) return { index, name, at_m: end.at_m };
+    if (own === ship.body && end.body === tug.body) return { index, name, at_m: fairlead_m };
   }
   return null;
 }
@@ -190,6 +189,7 @@ export class VesselTug extends Base {
   private ordered: Told | null = null;
   private chosen = false;
   private readonly stations;
+  private sent = { tick: Infinity, at_ms: 0 };
   private readonly bollard_n: number;
   private readonly line: Towline | null;
   private readonly lead: LeadButton | null;
@@ -235,16 +235,27 @@ export class VesselTug extends Base {
     this.press("stop", 0);
   }
 
+  /** A second press, on the power, finds what the first one ordered, though no frame has it yet. */
+  private say(ordered: Told): void {
+    this.ordered = ordered;
+    this.sent = { tick: this.page.live.frame?.tick ?? 0, at_ms: performance.now() };
+  }
+
+  private isAnswered(tick: number): boolean {
+    const since = tick - this.sent.tick;
+    return since < 0 || (since > ANSWERED.ticks && performance.now() - this.sent.at_ms > ANSWERED.ms);
+  }
+
   private press(ordered: Told, force_n: number): void {
     const station = this.station();
     if (!station) return;
-    this.ordered = ordered;
+    this.say(ordered);
     this.send({ do: "push_ship", vessel: this.info.name, ship: this.ship.name, at_m: station.at_m, force_n });
   }
 
   away(): void {
     if (this.line && this.lead) {
-      this.ordered = "pull";
+      this.say("pull");
       const force_n = (this.bollard_n * this.percent) / 100;
       const direction_rad = tugDirection(this.line.at_m, "pull", this.lead.value, this.ship.beam_m);
       this.send({ do: "pull_ship", vessel: this.info.name, line: this.line.name, direction_rad, force_n });
@@ -252,7 +263,7 @@ export class VesselTug extends Base {
     }
     const station = this.station();
     if (!station) return;
-    this.ordered = "off";
+    this.say("off");
     const off = STAND_OFF_M + this.info.beam_m / 2;
     this.send({ do: "follow_ship", vessel: this.info.name, ship: this.ship.name, at_m: [station.at_m[0], station.at_m[1] + station.side * off], heading_rad: 0 });
   }
@@ -260,7 +271,8 @@ export class VesselTug extends Base {
   protected again(): void {
     if (this.ordered === "push") this.push();
     else if (this.ordered === "stop") this.stop();
-    else if (this.ordered !== null) this.away();
+    // On a line nobody told her to keep off from here: more power is none of that.
+    else if (this.ordered === "pull" || (this.ordered === "off" && !this.line)) this.away();
   }
 
   protected commanded(): boolean {
@@ -275,11 +287,26 @@ export class VesselTug extends Base {
     const now = frame.vessels[this.index];
     if (!now) return;
     this.chooseNearest(frame);
-    const thrust = now.azimuths.reduce((sum, unit, i) => sum + unit.power * (this.info.azimuths[i]?.bollard_n ?? 0), 0);
+    // What she was told may come from elsewhere: her master, another page, the scenario, a rewind.
+    const { assist } = now;
+    if (this.isAnswered(frame.tick)) this.ordered = assist === null ? null : assist.job === "follow" ? "off" : assist.job === "push" && assist.force_n === 0 ? "stop" : assist.job;
+    this.orders.show(this.ordered);
+    if (assist && assist.force_n > 0 && this.isAnswered(frame.tick)) this.showPower(Math.round((assist.force_n / this.bollard_n) * 100));
     const holder = this.commanded() ? null : this.heldBy();
-    this.orders.show(now.pilot === "assist" ? this.ordered : null);
-    const work = holder ? `by ${holder}` : now.pilot === "assist" ? WORK[this.ordered ?? "none"] : "by hand";
-    setText(this.state, `${fixed(thrust / TONNE_N, 0)} t, ${work}`);
+    setText(this.state, `${this.work(frame)}${holder ? `, by ${holder}` : ""}`);
+  }
+
+  /** What becomes of it at the ship: not her thrust, which may only move herself. */
+  private work(frame: Frame): string {
+    const [own, ship] = [this.info.body, this.ship.body];
+    const between = frame.contacts.filter(({ bodies: [a, b] }) => (a === own && b === ship) || (a === ship && b === own));
+    const pushes = between.reduce((sum, { force_n }) => sum + length(force_n), 0);
+    const line = frame.lines[this.line?.index ?? -1];
+    if (this.ordered === null) return "by hand";
+    if (this.ordered === "off") return "keeps off";
+    if (this.ordered === "pull") return line && line.tension_n > 1e3 ? `pulls ${tonnes(line.tension_n)}` : "takes up slack";
+    if (between.length === 0) return "comes alongside";
+    return this.ordered === "stop" ? "alongside" : `pushes ${tonnes(pushes)}`;
   }
 }
 

@@ -20,7 +20,7 @@ export class Alarms implements View {
 
   constructor(private readonly changed: (open: number, worst: Alarm["level"] | null) => void) {
     this.soundButton = button("Sound off", () => this.toggleSound(), { "aria-pressed": "false" });
-    this.root = h("div", { class: "alarms" }, h("div", { class: "alarm-tools" }, this.ackAll, this.soundButton), this.none, this.list, h("h3", {}, "Events"), this.log);
+    this.root = h("div", { class: "alarms" }, h("div", { class: "alarm-tools" }, this.ackAll, this.soundButton), this.none, this.list, h("h3", {}, "Events and past alarms"), this.log);
   }
 
   tick(frame: Frame): void {
@@ -31,10 +31,7 @@ export class Alarms implements View {
       this.standing.delete(key);
     }
     for (const alarm of frame.alarms) this.stand(alarm, frame.t_s);
-    for (const event of frame.events) {
-      this.log.prepend(h("li", {}, h("time", {}, clock(event.t_s)), ` ${event.text}`));
-      while (this.log.children.length > KEPT_EVENTS) this.log.lastChild?.remove();
-    }
+    for (const event of frame.events) this.note(event.t_s, event.text);
     setClass(this.none, "hidden", this.standing.size > 0);
     const open = [...this.standing.values()].filter((entry) => !entry.acknowledged);
     this.ackAll.disabled = open.length === 0;
@@ -43,11 +40,19 @@ export class Alarms implements View {
     this.beep(worst);
   }
 
+  private note(t_s: number, text: string, level = ""): void {
+    this.log.prepend(h("li", { class: level }, h("time", {}, clock(t_s)), ` ${text}`));
+    while (this.log.children.length > KEPT_EVENTS) this.log.lastChild?.remove();
+  }
+
   private stand(alarm: Alarm, t_s: number): void {
     const there = this.standing.get(alarm.key);
     if (there) {
       // One that grows worse wants to be acknowledged again.
-      if (there.alarm.level === "caution" && alarm.level === "alarm") this.mark(there, false);
+      if (there.alarm.level === "caution" && alarm.level === "alarm") {
+        this.mark(there, false);
+        this.note(t_s, `ALARM: ${alarm.text}`, "alarm");
+      }
       there.alarm = alarm;
       setText(there.text, alarm.text);
       setClass(there.row, "alarm", alarm.level === "alarm");
@@ -59,6 +64,7 @@ export class Alarms implements View {
     const row = h("li", { class: `open ${alarm.level}` }, h("time", {}, clock(t_s)), text, ack);
     this.standing.set(alarm.key, { row, text, ack, since: t_s, alarm, acknowledged: false });
     this.list.prepend(row);
+    this.note(t_s, `${alarm.level === "alarm" ? "ALARM" : "Caution"}: ${alarm.text}`, alarm.level);
   }
 
   private mark(entry: { row: HTMLElement; ack: HTMLButtonElement; acknowledged: boolean }, acknowledged: boolean): void {

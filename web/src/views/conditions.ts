@@ -22,7 +22,7 @@ class Flow {
   private touched = false;
   readonly root: HTMLElement;
 
-  constructor(private readonly name: "Wind" | "Current", private readonly verb: string, step_kn: number, most_kn: number, apply: (mps: number, rad: number) => Promise<boolean>) {
+  constructor(private readonly name: "Wind" | "Current", private readonly verb: string, private readonly step_kn: number, most_kn: number, apply: (mps: number, rad: number) => Promise<boolean>) {
     const show = () => setText(this.speed, `${fixed(this.kn, step_kn < 1 ? 1 : 0)} kn ${verb} ${heading(this.ring.value, 0)}`);
     this.ring = new Ring(`${name} ${verb}`, "north", () => {
       this.touched = true;
@@ -47,7 +47,7 @@ class Flow {
   tick(mps: number, rad: number): void {
     setText(this.now, `now ${fixed(toKnots(mps), 1)} kn ${this.verb} ${heading(rad, 0)}`);
     if (this.touched) return;
-    this.kn = Math.round(toKnots(mps) * 10) / 10;
+    this.kn = Math.round(toKnots(mps) / this.step_kn) * this.step_kn;
     this.ring.follow(rad);
     setText(this.speed, `${fixed(this.kn, this.name === "Wind" ? 0 : 1)} kn ${this.verb} ${heading(rad, 0)}`);
   }

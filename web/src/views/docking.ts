@@ -84,8 +84,8 @@ export class Docking implements View {
   }
 
   private showLimit(off_m: number): void {
-    const now = off_m > 10 ? `, now ${fixed(limitAt(off_m, this.limit_mps), 2)}` : "";
-    setText(this.limit, `Red above ${fixed(this.limit_mps, 2)} m/s at the fenders${now}`);
+    const here = off_m > 3 ? `; limit here ${fixed(limitAt(off_m, this.limit_mps), 2)}` : "";
+    setText(this.limit, `Limit at the fenders ${fixed(this.limit_mps, 2)} m/s${here}`);
   }
 
   tick(frame: Frame, hello: Hello): void {

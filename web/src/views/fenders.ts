@@ -52,7 +52,7 @@ class Row {
     const deep = rated ? `${fixed((now.deflection_m / rated) * 100, 0)} % of ${fixed(rated, 2)} m` : `${fixed(now.deflection_m, 2)} m`;
     setText(this.figures, `${force(now.reaction_n)} · ${energy(now.energy_j)} · ${deep}`);
     const over = Math.max(now.peak_of_energy, now.peak_of_reaction) > 1;
-    setText(this.state, now.failed ? "FAILED" : over ? "WAS OVER RATED" : now.reaction_n > 0 ? "touched" : "");
+    setText(this.state, now.failed ? "FAILED" : over ? "WAS OVER RATED" : now.reaction_n > 0 ? "in contact" : "");
     setClass(this.root, "alarm", now.failed);
     setClass(this.root, "caution", over && !now.failed);
   }
@@ -82,7 +82,8 @@ export class Fenders implements View {
       const load = Math.max(now.peak_of_energy, now.peak_of_reaction);
       if (load > most) [most, name] = [load, spoken(hello.fenders[i]?.name ?? "")];
     });
-    const touched = frame.fenders.filter((f) => f.reaction_n > 0).length;
-    setText(this.worst, most > 0 ? `${touched} of ${frame.fenders.length} touched · highest so far ${percent(most)} of rated, ${name}` : `${frame.fenders.length} fenders, none touched yet`);
+    const touched = frame.fenders.filter((f) => f.touched).length;
+    const highest = most > 0 ? ` · highest so far ${percent(most)} of rated, ${name}` : "";
+    setText(this.worst, touched > 0 ? `${touched} of ${frame.fenders.length} touched so far${highest}` : `${frame.fenders.length} fenders, none touched yet`);
   }
 }

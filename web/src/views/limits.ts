@@ -2,10 +2,8 @@
 
 /** Of the limit at the fenders: amber from here. */
 const CAUTION_SHARE = 2 / 3;
-/** Up to so far off, the limit at the fenders holds [m]; */
-const NEAR_M = 10;
-/** beyond, it grows by so much for each metre [m/s]. */
-const GROWTH_MPS_PER_M = 0.008;
+/** Further off it is what a ship may have that loses so much on her way to the fenders [m/s²]; the server's alarms do so. */
+const SLOWING_MPS2 = 0.002;
 
 export const DEFAULT_LIMIT_MPS = 0.15;
 
@@ -13,7 +11,7 @@ export type Light = "ok" | "caution" | "alarm";
 
 /** The limit at a distance, from the one at the fenders [m/s]. */
 export const limitAt = (off_m: number, at_fenders_mps: number): number =>
-  at_fenders_mps + Math.max(0, off_m - NEAR_M) * GROWTH_MPS_PER_M;
+  Math.sqrt(at_fenders_mps ** 2 + 2 * SLOWING_MPS2 * Math.max(0, off_m));
 
 /** The light for a closing speed at a distance; opening is never too fast. */
 export function light(closing_mps: number, off_m: number, at_fenders_mps: number): Light {

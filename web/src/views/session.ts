@@ -5,6 +5,9 @@ import { button, h, setClass, setText } from "../ui/dom";
 import { spoken } from "../units";
 import type { View } from "./view";
 
+/** A press that would end a run asks once more, for so long. */
+const SURE_MS = 6000;
+
 const nameOf = (control: Control): string => ("vessel" in control ? control.vessel : "tug" in control ? control.tug : "session");
 const roleOf = (role: Role): string => (role.name === "tugmaster" ? `Tugmaster of ${spoken(role.tug)}` : role.name.replace(/^./, (c) => c.toUpperCase()));
 
@@ -58,11 +61,11 @@ export class Session implements View {
       if (load.dataset.sure) void this.page.order({ do: "load", file: entry.file });
       else {
         load.dataset.sure = "yes";
-        setText(load, "Sure?");
+        setText(load, "End this run?");
         setTimeout(() => {
           delete load.dataset.sure;
           setText(load, open ? "Start anew" : "Open");
-        }, 3000);
+        }, SURE_MS);
       }
     }, { name: `Open ${entry.title}` });
     return h("li", { class: open ? "chosen" : "" }, h("div", {}, h("b", {}, entry.title), h("p", { class: "note" }, entry.text)), load);

@@ -10,13 +10,14 @@ use crate::message::{Alarm, ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 const FENDER_CAUTION: f64 = 0.8;
 /// A line at this part of its working load is a caution; at all of it an alarm.
 const LINE_CAUTION: f64 = 0.8;
-/// The fastest closing speed that is not told [m/s], at a distance from the fenders [m]:
+/// The fastest closing speed that is no alarm [m/s], at a distance from the fenders [m], as on the pages' docking board
+/// (`web/src/views/limits.ts`):
 /// √(v₀² + 2ad), what a ship has that loses 0.002 m/s² and touches with 0.15 m/s. Our choice, no port's rule and no
 /// standard's; 0.15 m/s is about what design tables give a large ship in a sheltered berth (recalled, not read).
 const TOUCH_MPS: f64 = 0.15;
 const SLOWING_MPS2: f64 = 0.002;
-/// Beyond that by this factor it is an alarm.
-const MUCH_TOO_FAST: f64 = 1.5;
+/// A caution is told from this part of it on, as on the pages' docking board.
+const APPROACH_CAUTION: f64 = 2.0 / 3.0;
 /// Approach speeds are told from here on [m].
 const NEAR_M: f64 = 100.0;
 /// Less water under the keel than this part of the draught is a caution; our choice.
@@ -63,7 +64,7 @@ fn of_level(is_alarm: bool, key: String, text: String) -> Alarm {
     if is_alarm { alarm(key, text) } else { caution(key, text) }
 }
 
-/// Closing speed that is not told at a distance [m/s].
+/// Closing speed that is no alarm at a distance [m/s].
 fn allowed_mps(off_m: f64) -> f64 {
     libm::sqrt(TOUCH_MPS * TOUCH_MPS + 2.0 * SLOWING_MPS2 * off_m.max(0.0))
 }
@@ -101,12 +102,12 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
         for (end, off_m, closing_mps) in ends {
             let allowed_mps = allowed_mps(off_m);
             // On the fenders a ship moves in them; what they take is their own alarm.
-            if off_m > 0.0 && closing_mps > allowed_mps {
+            if off_m > 0.0 && closing_mps > APPROACH_CAUTION * allowed_mps {
                 let text = format!(
                     "{name}: {end} closes at {closing_mps:.2} m/s, {off_m:.0} m off (limit {allowed_mps:.2})"
                 );
-                let much = closing_mps > MUCH_TOO_FAST * allowed_mps;
-                all.push(of_level(much, format!("approach {name} {end}"), text));
+                let too_fast = closing_mps > allowed_mps;
+                all.push(of_level(too_fast, format!("approach {name} {end}"), text));
             }
         }
     }

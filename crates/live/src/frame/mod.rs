@@ -7,7 +7,7 @@ mod vessel;
 use fenderline_contact::Vec2;
 use fenderline_sim::mooring::WinchOrder;
 use fenderline_sim::tug::TugOrder;
-use fenderline_sim::{Mooring, Simulation, TugAtWork};
+use fenderline_sim::{Mooring, MooringSetup, Simulation, TugAtWork};
 
 use crate::info::Info;
 use crate::message::{BranchNow, CurrentNow, Frame, LineNow, RunState, TugNow, WavesNow, WindNow};
@@ -24,7 +24,15 @@ impl Session {
         let simulation = &now.simulation;
         let (states, t_s) = (simulation.states(), simulation.time_s());
         let fenders = now.seen.fenders(simulation);
-        let lines: Vec<LineNow> = simulation.lines().iter().map(line_now).collect();
+        let lines: Vec<LineNow> = {
+            let setups = simulation.setup().world.lines.iter();
+            simulation
+                .lines()
+                .iter()
+                .zip(setups)
+                .map(|(line, of)| line_now(line, of, t_s))
+                .collect()
+        };
         let tugs: Vec<TugNow> = simulation.tugs().iter().map(tug_now).collect();
         let own = self.cast().own;
         let vessels: Vec<_> = (0..simulation.vessels().len())
@@ -77,9 +85,11 @@ fn branch_now((id, branch): (usize, &Branch)) -> BranchNow {
     BranchNow { id, from_tick, ends_tick, parent }
 }
 
-fn line_now(line: &Mooring) -> LineNow {
+fn line_now(line: &Mooring, setup: &MooringSetup, t_s: f64) -> LineNow {
     let state = match &line.line {
         _ if line.gone => "gone",
+        // Before the first step nothing is fast yet, though it will have been from the start.
+        None if setup.from_s <= t_s => "fast",
         None => "ashore",
         Some((_, state)) if state.parted => "parted",
         Some(_) => "fast",

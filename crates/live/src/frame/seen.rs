@@ -71,6 +71,7 @@ impl Seen {
                 peak_of_energy: touched.share_of_rated_energy.unwrap_or(0.0),
                 peak_of_reaction: touched.share_of_rated_reaction.unwrap_or(0.0),
                 failed: touched.failed,
+                touched: true,
             };
         }
         all
@@ -78,15 +79,23 @@ impl Seen {
 
     /// What happened, in words.
     pub(crate) fn events(&self, setup: &Setup) -> impl Iterator<Item = String> {
-        let contact = self.contact_events.iter().filter_map(|event| contact_text(event, setup));
+        let text = |event| contact_text(event, setup, &self.contacts);
+        let contact = self.contact_events.iter().filter_map(text);
         contact.chain(self.world_events.iter().map(|event| world_text(event, setup)))
     }
 }
 
-fn contact_text(event: &Event, setup: &Setup) -> Option<String> {
-    let [one, two] = event.bodies.map(|body| &*setup.bodies[body.0 as usize].name);
+fn contact_text(event: &Event, setup: &Setup, contacts: &[ContactNow]) -> Option<String> {
+    let bodies = event.bodies.map(|body| body.0 as usize);
+    let [one, two] = bodies.map(|body| &*setup.bodies[body].name);
+    let at_fenders = || -> String {
+        let between = contacts.iter().filter(|contact| contact.bodies == bodies);
+        let names = between.filter_map(|contact| contact.fender);
+        let names: Vec<&str> = names.map(|fender| &*setup.fenders[fender].name).collect();
+        if names.is_empty() { String::new() } else { format!(" at {}", names.join(", ")) }
+    };
     Some(match event.kind {
-        EventKind::ContactBegan => format!("{one} touches {two}"),
+        EventKind::ContactBegan => format!("{one} touches {two}{}", at_fenders()),
         EventKind::ContactEnded => format!("{one} and {two} part"),
         EventKind::PatchSplit | EventKind::PatchesMerged => return None,
         EventKind::Contained => format!("{one} lies wholly within {two}"),

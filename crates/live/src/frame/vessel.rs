@@ -1,11 +1,11 @@
 //! A vessel as she is now.
 
 use fenderline_contact::Rotation;
-use fenderline_sim::{Pilots, Simulation};
+use fenderline_sim::{Job, Pilots, Simulation};
 
 use crate::action::Fault;
 use crate::berth::Berth;
-use crate::message::{AzimuthNow, RudderNow, ShareNow, VesselNow};
+use crate::message::{AssistNow, AzimuthNow, RudderNow, ShareNow, VesselNow};
 
 /// The vessel of an index. Speeds over ground and through the water are those of midship; lateral speeds those of
 /// the foremost and aftmost point of her outline.
@@ -50,7 +50,16 @@ pub(super) fn now(simulation: &Simulation, index: usize, berth: Option<&Berth>) 
         berth: berth
             .filter(|berth| berth.body != of.body)
             .map(|berth| berth.seen_from(&simulation.states()[berth.body], &body.outline, state)),
+        assist: vessel.pilots.assist.as_ref().map(|pilot| assist_now(&pilot.order.job)),
         faults: Fault::standing(&vessel.faults),
+    }
+}
+
+fn assist_now(job: &Job) -> AssistNow {
+    match job {
+        Job::Follow { .. } => AssistNow { job: "follow", force_n: 0.0 },
+        Job::Push(push) => AssistNow { job: "push", force_n: push.force_n },
+        Job::Pull { force_n, .. } => AssistNow { job: "pull", force_n: *force_n },
     }
 }
 
