@@ -44,6 +44,9 @@ impl InverseMatrix {
     /// The same in earth-fixed axes, for a body turned by `rotation`.
     #[inline]
     pub(crate) fn turned(&self, rotation: Rotation) -> InverseMatrix {
+        if self.is_isotropic() {
+            return *self;
+        }
         let Rotation { cos, sin } = rotation;
         let (cc, ss, cs) = (cos * cos, sin * sin, cos * sin);
         InverseMatrix {
@@ -56,6 +59,12 @@ impl InverseMatrix {
         }
     }
 
+    /// The same in all axes.
+    #[inline]
+    fn is_isotropic(&self) -> bool {
+        (self.xx == self.yy) & (self.xy == 0.0) & (self.xr == 0.0) & (self.yr == 0.0)
+    }
+
     /// Change of velocity and yaw rate by an impulse and its moment.
     #[inline]
     pub(crate) fn response(&self, impulse: Vec2, moment: f64) -> (Vec2, f64) {
@@ -66,6 +75,13 @@ impl InverseMatrix {
             ),
             self.xr * impulse.x + self.yr * impulse.y + self.rr * moment,
         )
+    }
+
+    /// Inverse mass along a direction of unit length, without rotation [1/kg].
+    #[inline]
+    pub(crate) fn along(&self, direction: Vec2) -> f64 {
+        let Vec2 { x, y } = direction;
+        self.xx * x * x + 2.0 * self.xy * x * y + self.yy * y * y
     }
 
     /// The matrix that this is the inverse of; `None` for a fixed body.

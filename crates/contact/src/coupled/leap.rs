@@ -81,7 +81,7 @@ pub(crate) fn leap(
         }
     }
     for (tie, trial) in ties.iter_mut().zip(trials.iter()) {
-        let forces = tie.stiffened(trial.speeds, trial.kind, STIFFNESS, h);
+        let forces = tie.stiffened(trial.speeds, trial.kind, STIFFNESS);
         let more = forces.less(&tie.forces);
         tie.forces = forces;
         tie.push(states, more.0 * h, more.1 * h);
@@ -106,7 +106,7 @@ fn newton_step(
         }
     }
     for (tie, trial) in ties.iter().zip(trials) {
-        let line = tie.line(trial.speeds, trial.kind, STIFFNESS, h);
+        let line = tie.line(trial.speeds, trial.kind, STIFFNESS);
         for (j, force_n, slope) in [
             (bodies.row(tie, Tie::normal_row), -line.normal_n, line.normal_slope),
             (bodies.row(tie, Tie::tangential_row), line.tangential_n, line.tangential_slope),
@@ -145,7 +145,7 @@ fn share_of(
         let mut slope = at_start + share * along;
         for (tie, trial) in ties.iter().zip(trials) {
             let speeds = trial.speeds_at(share);
-            let line = tie.line(speeds, tie.kind(speeds.0, STIFFNESS), STIFFNESS, h);
+            let line = tie.line(speeds, tie.kind(speeds.0, STIFFNESS), STIFFNESS);
             slope += h * (line.normal_n * trial.along.0 - line.tangential_n * trial.along.1);
         }
         slope

@@ -11,6 +11,7 @@
 //! 3. N and T of all contacts together ([`solve`]);
 //! 4. positions with the new velocities.
 
+pub(crate) mod direct;
 pub(crate) mod island;
 pub(crate) mod leap;
 pub(crate) mod pace;

@@ -19,8 +19,7 @@ const TURN_PER_SUB_STEP: f64 = 0.1;
 const TURN_IN_CONTACT: f64 = 0.15;
 
 /// What the rate of a contact that stands counts for beside that of one that may begin.
-const STANDING: f64 =
-    (TURN_PER_SUB_STEP / TURN_IN_CONTACT) * (TURN_PER_SUB_STEP / TURN_IN_CONTACT);
+const STANDING: f64 = (TURN_PER_SUB_STEP / TURN_IN_CONTACT) * (TURN_PER_SUB_STEP / TURN_IN_CONTACT);
 
 /// Largest share of the thinner body's half-width that the two may close in a sub-step.
 const TRAVEL_PER_SUB_STEP: f64 = 0.5;
@@ -58,8 +57,8 @@ pub(crate) fn sub_steps(model: &Model, work: &Workspace, step_s: f64) -> u32 {
         let chord_m = 2.0 * a.radius_m.min(b.radius_m);
         let inverse_mass = inverse_mass(a, b, own, chord_m);
         let damping_rate = material.damping_nspm2 * chord_m * inverse_mass;
-        rate_squared += counts * material.stiffness_npm2 * chord_m * inverse_mass
-            + damping_rate * damping_rate;
+        rate_squared +=
+            counts * material.stiffness_npm2 * chord_m * inverse_mass + damping_rate * damping_rate;
         let half_width_m = a.half_width_m.min(b.half_width_m);
         travel = travel.max(closing_m / (TRAVEL_PER_SUB_STEP * half_width_m));
     }

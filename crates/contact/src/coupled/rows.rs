@@ -4,6 +4,7 @@ use crate::coupled::tie::{Forces, Tie};
 use crate::events::tell_of_patch;
 use crate::inherit::Inherited;
 use crate::law::normal::{factor, normal_force};
+use crate::mass::InverseMatrix;
 use crate::memory::{Memory, PatchMemory};
 use crate::model::{Material, Model};
 use crate::overlap::Patch;
@@ -81,9 +82,35 @@ const LET_GO: f64 = 0.8;
 /// all contacts between the same two bodies, or of one body with what is fixed, let go together. As
 /// N ≤ f still, and N < f only while the contact opens, nothing is made out of nothing.
 fn let_go(model: &Model, work: &mut Workspace) {
-    if work.rows.iter().all(|row| row.unheld_j == 0.0) {
+    let all_j: f64 = work.rows.iter().map(|row| row.unheld_j).sum();
+    if all_j == 0.0 {
         return;
     }
+    // While bodies close most of them come faster than all of it could give them.
+    let Workspace { rows, ties, next_patches, inverses, .. } = &*work;
+    let rises = |((row, tie), memory): ((&Row, &Tie), &PatchMemory)| {
+        let most_mps2 = speed_squared(all_j, row, tie, inverses);
+        most_mps2 > memory.v_normal_0_mps * memory.v_normal_0_mps
+    };
+    if rows.iter().zip(ties).zip(next_patches).any(rises) {
+        let_go_of(model, work);
+    }
+}
+
+/// Square of the speed that unheld energy would give the two bodies of a contact [m²/s²].
+#[inline]
+fn speed_squared(unheld_j: f64, row: &Row, tie: &Tie, inverses: &[InverseMatrix]) -> f64 {
+    // Without rotation: contacts at both ends of a ship do not turn her.
+    let along = row.touch.normal;
+    let inverse_mass =
+        inverses[tie.a as usize].along(along) + inverses[tie.b as usize].along(along);
+    LET_GO * LET_GO * 2.0 * unheld_j * inverse_mass
+}
+
+/// The unheld energy of all contacts that let go together, and what it makes of their v_ref.
+#[cold]
+#[inline(never)]
+fn let_go_of(model: &Model, work: &mut Workspace) {
     let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
     let Workspace { rows, ties, next_patches, unheld_j, inverses, island_bodies, .. } = work;
     for &rank in island_bodies.iter() {
@@ -109,13 +136,7 @@ fn let_go(model: &Model, work: &mut Workspace) {
         if unheld_j > 0.0 {
             let memories = &mut next_patches[own.clone()];
             for ((row, tie), memory) in rows[own.clone()].iter().zip(&mut ties[own]).zip(memories) {
-                // Without rotation: contacts at both ends of a ship do not turn her.
-                let along = row.touch.normal;
-                let inverse_mass: f64 = [a, b]
-                    .map(|rank| inverses[rank as usize].response(along, 0.0).0.dot(along))
-                    .iter()
-                    .sum();
-                let speed_mps = LET_GO * libm::sqrt(2.0 * unheld_j * inverse_mass);
+                let speed_mps = libm::sqrt(speed_squared(unheld_j, row, tie, inverses));
                 tie.rebound_mps = tie.rebound_mps.max(row.restitution * speed_mps);
                 // It goes on until the contact closes again: else the bound would come and go with N.
                 memory.v_normal_0_mps = memory.v_normal_0_mps.max(speed_mps);

@@ -9,18 +9,20 @@
 //!   Coulomb's limits: see [`super::tie::implicit_share`].
 //! - N_i gives the bodies no more energy than it has taken from them, and neither does T_i.
 //!
-//! Projected Gauss–Seidel on the bodies' velocities, warm-started with the last forces, in the fixed
+//! Where none of these bounds is reached the forces follow at once ([`super::direct`]). Else by
+//! projected Gauss–Seidel on the bodies' velocities, warm-started with the last forces, in the fixed
 //! order of the contacts. What is slow to settle is helped by leaps ([`super::leap`]). Bounded work: what has
 //! not settled after [`SWEEPS`] is reported.
 
 use alloc::vec::Vec;
 
+use crate::coupled::direct;
 use crate::coupled::leap::{Trial, leap};
-use crate::coupled::tie::Tie;
+use crate::coupled::tie::{Forces, Tie};
 use crate::events::note;
 use crate::mass::InverseMatrix;
 use crate::model::Model;
-use crate::report::EventKind;
+use crate::report::{EventKind, Friction};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
@@ -41,7 +43,12 @@ pub(crate) fn velocities(model: &Model, work: &mut Workspace, h: f64) {
     let last_change_mps = match ties.as_mut_slice() {
         [] => return,
         [only] => alone(states, only, h),
-        several => together(states, inverses, several, trials, h),
+        several => {
+            if direct::solve(states, inverses, several, h) {
+                return;
+            }
+            together(states, inverses, several, trials, h)
+        }
     };
     if last_change_mps > TOLD_MPS {
         let (a, b) = (ties[0].a, ties[0].b);
@@ -107,18 +114,21 @@ fn sweep(states: &mut [BodyState], ties: &mut [Tie], h: f64) -> f64 {
     change_mps
 }
 
-/// The same for an island of one contact: its own two speeds are all there is to follow.
+/// The same for an island of one contact: its own two speeds are all there is to follow. It begins with N = f,
+/// with which T is right at once.
 fn alone(states: &mut [BodyState], tie: &mut Tie, h: f64) -> f64 {
-    let begun = tie.forces;
-    let mut speeds = tie.speeds_after(tie.speeds(states), (begun.normal_n, begun.tangential_n), h);
+    tie.forces = Forces { normal_n: tie.law_n, tangential_n: 0.0, friction: Friction::Stick };
+    let mut speeds = tie.speeds_after(tie.speeds(states), (tie.law_n, 0.0), h);
     let mut change_mps = 0.0;
-    for _ in 0..SWEEPS {
+    for count in 0..SWEEPS {
         let forces = tie.relaxed(speeds, h);
         let more = forces.less(&tie.forces);
         tie.forces = forces;
         speeds = tie.speeds_after(speeds, more, h);
         change_mps = tie.change_mps(more, h);
-        if change_mps <= SETTLED_MPS {
+        let settled = change_mps <= SETTLED_MPS || (count == 0 && tie.is_full(speeds.0, h));
+        if settled {
+            change_mps = 0.0;
             break;
         }
     }
@@ -130,9 +140,7 @@ fn alone(states: &mut [BodyState], tie: &mut Tie, h: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::coupled::rows::Laws;
-    use crate::coupled::tie::Forces;
     use crate::model::Material;
-    use crate::report::Friction;
     use crate::touch::Touch;
     use crate::vec2::vec2;
 

@@ -29,6 +29,9 @@ pub(crate) struct Tie {
     spring_share: f64,
     /// ϑ: see [`implicit_share`].
     implicit: f64,
+    /// The shear spring's force at V_t⁺ = 0 [N], and what it loses with V_t⁺: c = ϑ² k_s h [N·s/m].
+    spring_at_rest_n: f64,
+    spring_slope: f64,
     /// Δs at the start of the sub-step [m].
     shear_m: f64,
     /// V_n and V_t there [m/s].
@@ -47,6 +50,8 @@ pub(crate) struct Tie {
     friction_dynamic: f64,
     /// The forces [N].
     pub(crate) forces: Forces,
+    /// T that is tried [N].
+    pub(crate) trial_tangential_n: f64,
 }
 
 /// N and T of a contact [N], and whether it slips.
@@ -140,7 +145,8 @@ impl Tie {
         let (normal, tangential) = (along_n.seen_along(&along_n), along_t.seen_along(&along_t));
         let material = laws.material;
         let implicit = implicit_share(material.shear_stiffness_npm * tangential, h);
-        let stiffness_npm = implicit * implicit * material.shear_stiffness_npm;
+        let spring_slope = implicit * implicit * material.shear_stiffness_npm * h;
+        let explicit_m = implicit * (1.0 - implicit) * h * touch.v_tangential_mps;
         Tie {
             a,
             b,
@@ -152,8 +158,10 @@ impl Tie {
             normal,
             tangential,
             force_per_speed: 1.0 / (h * normal),
-            spring_share: 1.0 / (1.0 + stiffness_npm * h * h * tangential),
+            spring_share: 1.0 / (1.0 + spring_slope * h * tangential),
             implicit,
+            spring_at_rest_n: -material.shear_stiffness_npm * (touch.shear_m + explicit_m),
+            spring_slope,
             shear_m: touch.shear_m,
             normal_before_mps: touch.v_normal_mps,
             tangential_before_mps: touch.v_tangential_mps,
@@ -165,6 +173,7 @@ impl Tie {
             friction_static: material.friction_static,
             friction_dynamic: material.friction_dynamic,
             forces,
+            trial_tangential_n: 0.0,
         }
     }
 
@@ -224,7 +233,7 @@ impl Tie {
         // T(1 + ϑ² k_s h² t·K t) = −k_s(Δs + ϑ h V̄ without T).
         let without_mps = tangential_mps
             - h * ((normal_n - now.normal_n) * self.cross + now.tangential_n * self.tangential);
-        let spring_n = self.spring_n(without_mps, h) * self.spring_share;
+        let spring_n = self.spring_n(without_mps) * self.spring_share;
         // Once it slips in this sub-step it holds again only below the sliding force: else, with μ_k
         // below μ_s, the sweeps would go to and fro between the two.
         let holds = match now.friction {
@@ -274,15 +283,60 @@ impl Tie {
 
     /// The shear spring's force at a V_t⁺: −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺ [N].
     #[inline]
-    fn spring_n(&self, after_mps: f64, h: f64) -> f64 {
-        let share = self.implicit;
-        let mean_mps = (1.0 - share) * self.tangential_before_mps + share * after_mps;
-        -self.shear_stiffness_npm * (self.shear_m + share * h * mean_mps)
+    pub(crate) fn spring_n(&self, after_mps: f64) -> f64 {
+        self.spring_at_rest_n - self.spring_slope * after_mps
+    }
+
+    /// What it loses with V_t⁺ [N·s/m].
+    #[inline]
+    pub(crate) fn spring_slope(&self) -> f64 {
+        self.spring_slope
+    }
+
+    /// Is N = f, and may it be so, if V_n becomes this with it?
+    #[inline]
+    pub(crate) fn is_full(&self, normal_mps: f64, h: f64) -> bool {
+        self.forces.normal_n == self.law_n && self.may_be_full(normal_mps, h)
+    }
+
+    #[inline]
+    fn may_be_full(&self, normal_mps: f64, h: f64) -> bool {
+        let gives_j = -0.5 * h * self.law_n * (self.normal_before_mps + normal_mps);
+        (normal_mps + self.rebound_mps >= 0.0) & (gives_j <= self.may_give_j)
+    }
+
+    /// Do N = f and a T of the spring that sticks keep to all bounds, if with them, and all others' forces,
+    /// the speeds become these?
+    #[inline]
+    pub(crate) fn is_within_bounds(
+        &self,
+        (normal_mps, tangential_mps): (f64, f64),
+        tangential_n: f64,
+        h: f64,
+    ) -> bool {
+        let shear_gives_j = 0.5 * h * tangential_n * (self.tangential_before_mps + tangential_mps);
+        self.may_be_full(normal_mps, h)
+            & (tangential_n.abs() <= self.friction_static * self.law_n)
+            & (shear_gives_j <= self.may_shear_j)
     }
 
     /// The ranks of its bodies that float, A's and B's.
     pub(crate) fn floating(&self) -> [Option<u32>; 2] {
         [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
+    }
+
+    /// j of the body of that rank, one of its two: V_n = j·v and what the other adds.
+    #[inline]
+    pub(crate) fn normal_row_of(&self, rank: u32) -> [f64; 3] {
+        let [of_a, of_b] = self.along_n.row();
+        if rank == self.a { of_a } else { of_b }
+    }
+
+    /// The same for V_t.
+    #[inline]
+    pub(crate) fn tangential_row_of(&self, rank: u32) -> [f64; 3] {
+        let [of_a, of_b] = self.along_t.row();
+        if rank == self.a { of_a } else { of_b }
     }
 
     /// V_n = j·v, with the velocities (north, east, yaw) of A and B.
@@ -317,7 +371,6 @@ impl Tie {
         (normal_mps, tangential_mps): (f64, f64),
         kind: Kind,
         stiffness: f64,
-        h: f64,
     ) -> Line {
         let now = &self.forces;
         let (normal_n, normal_slope) = match kind {
@@ -329,10 +382,7 @@ impl Tie {
         };
         let (tangential_n, tangential_slope) = match now.friction {
             Friction::Slip => (now.tangential_n, 0.0),
-            Friction::Stick => (
-                self.spring_n(tangential_mps, h),
-                self.implicit * self.implicit * self.shear_stiffness_npm * h,
-            ),
+            Friction::Stick => (self.spring_n(tangential_mps), self.spring_slope),
         };
         Line {
             normal_n: normal_n - now.normal_n,
@@ -343,14 +393,8 @@ impl Tie {
     }
 
     /// The forces at these speeds, by the same lines and within all bounds.
-    pub(crate) fn stiffened(
-        &self,
-        speeds: (f64, f64),
-        kind: Kind,
-        stiffness: f64,
-        h: f64,
-    ) -> Forces {
-        let line = self.line(speeds, kind, stiffness, h);
+    pub(crate) fn stiffened(&self, speeds: (f64, f64), kind: Kind, stiffness: f64) -> Forces {
+        let line = self.line(speeds, kind, stiffness);
         let now = &self.forces;
         let normal_n = (now.normal_n + line.normal_n).min(self.law_n).max(0.0);
         let most_n = match now.friction {
