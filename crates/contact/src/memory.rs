@@ -120,6 +120,15 @@ impl HintMemory {
     }
 }
 
+/// What a (sub-)step begins with: what the last one left of some candidates, each list sorted, and how long
+/// ago that began [s]; 0 before the first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Past<'m> {
+    pub(crate) patches: &'m [PatchMemory],
+    pub(crate) hints: &'m [HintMemory],
+    pub(crate) last_step_s: f64,
+}
+
 impl Memory {
     /// Memory of bodies that have never touched.
     #[must_use]

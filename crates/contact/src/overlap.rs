@@ -7,7 +7,7 @@ use crate::fender::RankedFender;
 use crate::geometry::clip::{self, Hint};
 use crate::geometry::convex::ConvexPolygon;
 use crate::geometry::lens::Lens;
-use crate::memory::{Extent, HintMemory, Memory, PatchMemory};
+use crate::memory::{Extent, HintMemory, PatchMemory};
 use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
@@ -72,16 +72,14 @@ pub(crate) struct PieceLens {
     patch: u32,
 }
 
-/// Leaves the patches of this step in `work.patches`, in the order of the candidates, and the hints
-/// for the next step in `work.next_hints`.
-pub(crate) fn overlap(model: &Model, memory: &Memory, work: &mut Workspace) {
+/// Leaves the patches of the candidates in question in `work.patches`, in their order, and adds the hints for
+/// the next step to `work.next_hints`; `hints` are those of the last one.
+pub(crate) fn overlap(model: &Model, mut hints: &[HintMemory], work: &mut Workspace) {
     work.patches.clear();
     work.places.clear();
     work.lenses.clear();
     work.outline_m.clear();
-    work.next_hints.clear();
-    let mut hints = memory.hints.as_slice();
-    for index in 0..work.candidates.len() {
+    for index in work.own_candidates.clone() {
         let candidate = work.candidates[index];
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let b_in_a = work.poses[a].to(work.poses[b]);

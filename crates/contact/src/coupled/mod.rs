@@ -24,7 +24,7 @@ use crate::admit;
 use crate::broad;
 use crate::error::StepError;
 use crate::inherit::inherit_all;
-use crate::memory::Memory;
+use crate::memory::{HintMemory, Memory, PatchMemory};
 use crate::model::Model;
 use crate::overlap::overlap;
 use crate::report::{Motion, Wrench};
@@ -59,49 +59,54 @@ pub fn advance(
     take_loads(model, work, loads, step_s);
     broad::pair(model, work);
     island::split(model, work);
-    work.all_patches.clear();
-    work.all_hints.clear();
+    work.next_patches.clear();
+    work.next_hints.clear();
+    let jumps = work.jumps;
     for index in 0..work.islands.len() {
-        island::enter(memory, work, index);
-        advance_island(model, work, step_s);
+        work.jumps = jumps;
+        island::enter(model, work, index);
+        advance_island(model, memory, work, step_s);
         island::leave(model, work);
     }
     drift_apart(model, work, step_s);
-    report(model, work, step_s);
+    report(model, work);
     remember(memory, work, step_s, model, states);
     Ok(())
 }
 
 /// All sub-steps of the island in `work`.
-fn advance_island(model: &Model, work: &mut Workspace, step_s: f64) {
-    let mut memory = core::mem::replace(&mut work.island_memory, Memory::new(model));
-    overlap(model, &memory, work);
+fn advance_island(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
+    let mut own = core::mem::take(&mut work.island_memory);
+    let part = island::part_of(memory, work, &mut own);
+    let mut past = match &part {
+        Some(part) => part.past(memory),
+        None => own.past(memory.last_step_s),
+    };
+    overlap(model, past.hints, work);
     let sub_steps = pace::sub_steps(model, work, step_s);
     let h = step_s / f64::from(sub_steps);
+    let share = 1.0 / f64::from(sub_steps);
     for sub_step in 0..sub_steps {
         if sub_step > 0 {
-            overlap(model, &memory, work);
+            own.take(work);
+            past = own.past(h);
+            overlap(model, past.hints, work);
         }
-        inherit_all(model, &memory, work);
-        rows::collect(model, work, &memory, h);
-        begin_motion(work);
+        inherit_all(model, past.patches, work);
+        rows::collect(model, work, past, h);
         solve::velocities(model, work, h);
-        end_motion(work, h);
-        rows::book(model, work, h);
+        rows::book(model, work, h, share);
         advance_positions(model, work, h);
-        core::mem::swap(&mut memory.patches, &mut work.next_patches);
-        core::mem::swap(&mut memory.hints, &mut work.next_hints);
-        memory.last_step_s = h;
     }
-    work.island_memory = memory;
+    work.island_memory = own;
 }
 
 /// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no
-/// impulse yet.
+/// push of contacts yet.
 fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
     work.loads.clear();
-    work.impulses.clear();
-    work.impulses.resize(model.ranked.len(), Wrench::default());
+    work.pushes.clear();
+    work.pushes.resize(model.ranked.len(), Wrench::default());
     work.motions_by_rank.clear();
     work.motions_by_rank.resize(model.ranked.len(), Motion::default());
     work.inverses.clear();
@@ -123,26 +128,40 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
     }
 }
 
-/// Positions with the new velocities, and inverse masses as the bodies are turned then.
+/// Positions with the new velocities, and inverse masses as the bodies are turned then; and how far the
+/// bodies went by the mean of the velocities before and after the solve: a force times it is that force's work
+/// exactly.
 fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
-    for &rank in &work.island_bodies {
+    let Workspace {
+        island_bodies,
+        before,
+        states,
+        poses,
+        headings_rad,
+        inverses,
+        motions_by_rank,
+        jumps,
+        ..
+    } = work;
+    for (&rank, &(velocity_mps, yaw_rate_radps)) in island_bodies.iter().zip(before.iter()) {
         let rank = rank as usize;
-        move_body(&mut work.states[rank], h);
-        let state = work.states[rank];
-        work.poses[rank].position_m = state.position_m;
+        let (state, motion) = (&mut states[rank], &mut motions_by_rank[rank]);
+        motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
+        motion.turn_rad += 0.5 * (yaw_rate_radps + state.yaw_rate_radps) * h;
+        move_body(state, h);
+        poses[rank].position_m = state.position_m;
         let turns = &model.ranked[rank].turns;
         if state.yaw_rate_radps != 0.0 || turns.is_some() {
             let rotation = Rotation::from_angle(state.heading_rad);
             if let Some(turns) = turns {
-                let before = work.poses[rank].rotation;
-                turns.turn(&mut work.states[rank], before, rotation, h);
+                turns.turn(state, poses[rank].rotation, rotation, h);
             }
-            work.headings_rad[rank] = state.heading_rad;
-            work.poses[rank].rotation = rotation;
-            work.inverses[rank] = model.ranked[rank].inverse.turned(rotation);
+            headings_rad[rank] = state.heading_rad;
+            poses[rank].rotation = rotation;
+            inverses[rank] = model.ranked[rank].inverse.turned(rotation);
         }
-        work.teleported[rank] = false;
     }
+    *jumps = false;
 }
 
 fn move_body(state: &mut BodyState, h: f64) {
@@ -172,51 +191,21 @@ fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
     }
 }
 
-/// Takes note of the velocities before a solve.
-fn begin_motion(work: &mut Workspace) {
-    let Workspace { island_bodies, before, states, .. } = work;
-    before.clear();
-    let velocities = |&rank: &u32| {
-        let state = &states[rank as usize];
-        (state.velocity_mps, state.yaw_rate_radps)
-    };
-    before.extend(island_bodies.iter().map(velocities));
-}
-
-/// Adds what the mean of the velocities before and after a solve makes of the way: a force times it is that
-/// force's work exactly.
-fn end_motion(work: &mut Workspace, h: f64) {
-    let Workspace { island_bodies, before, states, motions_by_rank, .. } = work;
-    for (&rank, &(velocity_mps, yaw_rate_radps)) in island_bodies.iter().zip(before.iter()) {
-        let (state, motion) = (&states[rank as usize], &mut motions_by_rank[rank as usize]);
-        motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
-        motion.turn_rad += 0.5 * (yaw_rate_radps + state.yaw_rate_radps) * h;
-    }
-}
-
-/// Mean forces and wrenches over the step, in the order of the keys.
-fn report(model: &Model, work: &mut Workspace, step_s: f64) {
-    let share = 1.0 / step_s;
+/// Contacts in the order of the keys, and what there is of each body in the order in which they were added.
+fn report(model: &Model, work: &mut Workspace) {
     let key = |c: &crate::report::Contact| {
         let [one, two] = [c.body_1, c.body_2].map(|id| model.rank_of[id.0 as usize]);
         (one.min(two), one.max(two), model.face_of(c.fender), c.patch)
     };
-    if !work.contacts.is_sorted_by_key(key) {
+    if !work.in_order {
         work.contacts.sort_unstable_by_key(key);
-    }
-    for contact in &mut work.contacts {
-        contact.normal_force_n *= share;
-        contact.tangential_force_n *= share;
-        contact.parts.scale(share);
     }
     work.wrenches.resize(model.bodies().len(), Wrench::default());
     work.states_after.resize(model.bodies().len(), BodyState::default());
     work.motions.resize(model.bodies().len(), Motion::default());
     for (rank, body) in model.ranked.iter().enumerate() {
-        let impulse = work.impulses[rank];
         let id = body.id.0 as usize;
-        work.wrenches[id] =
-            Wrench { force_n: impulse.force_n * share, moment_nm: impulse.moment_nm * share };
+        work.wrenches[id] = work.pushes[rank];
         work.states_after[id] = work.states[rank];
         work.motions[id] = work.motions_by_rank[rank];
     }
@@ -230,12 +219,12 @@ fn remember(
     model: &Model,
     states: &[BodyState],
 ) {
-    if !work.all_patches.is_sorted_by_key(crate::memory::PatchMemory::key) {
-        work.all_patches.sort_unstable_by_key(crate::memory::PatchMemory::key);
-        work.all_hints.sort_unstable_by_key(crate::memory::HintMemory::key);
+    if !work.in_order {
+        work.next_patches.sort_unstable_by_key(PatchMemory::key);
+        work.next_hints.sort_unstable_by_key(HintMemory::key);
     }
-    core::mem::swap(&mut memory.patches, &mut work.all_patches);
-    core::mem::swap(&mut memory.hints, &mut work.all_hints);
+    core::mem::swap(&mut memory.patches, &mut work.next_patches);
+    core::mem::swap(&mut memory.hints, &mut work.next_hints);
     memory.last_states.clear();
     memory.last_states.extend(model.ranked.iter().map(|body| states[body.id.0 as usize]));
     memory.last_step_s = step_s;

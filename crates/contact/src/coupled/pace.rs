@@ -33,7 +33,7 @@ pub(crate) fn sub_steps(model: &Model, work: &Workspace, step_s: f64) -> u32 {
     let mut travel = 0.0_f64;
     // In the order of the candidates.
     let mut patches = work.patches.as_slice();
-    for candidate in &work.candidates {
+    for candidate in &work.candidates[work.own_candidates.clone()] {
         let count = patches.iter().take_while(|p| p.candidate.key() == candidate.key()).count();
         let (own, rest) = patches.split_at(count);
         patches = rest;
@@ -128,8 +128,9 @@ fn may_touch(model: &Model, work: &Workspace, candidate: &Candidate, step_s: f64
     (0u32..).zip(pieces_a).any(|(piece_a, shape_a)| {
         (0u32..).zip(pieces_b).any(|(piece_b, shape_b)| {
             let key = (candidate.a, candidate.b, candidate.face, piece_a, piece_b);
-            let hint = match work.next_hints.binary_search_by_key(&key, HintMemory::key) {
-                Ok(index) => work.next_hints[index].hint,
+            let hints = &work.next_hints[work.first_hint..];
+            let hint = match hints.binary_search_by_key(&key, HintMemory::key) {
+                Ok(index) => hints[index].hint,
                 Err(_) => Hint::None,
             };
             gap_m(shape_a, shape_b, b_in_a, hint) <= reach_m

@@ -5,7 +5,7 @@ use crate::events::tell_of_patch;
 use crate::inherit::Inherited;
 use crate::law::normal::{factor, normal_force};
 use crate::mass::InverseMatrix;
-use crate::memory::{Memory, PatchMemory};
+use crate::memory::{Past, PatchMemory};
 use crate::model::{Material, Model};
 use crate::overlap::Patch;
 use crate::report::{Contact, ForceParts, Friction};
@@ -40,20 +40,16 @@ pub(crate) struct Laws<'m> {
 }
 
 /// Laws and effective masses of every patch in `work`, in `work.rows` and `work.ties`.
-pub(crate) fn collect(model: &Model, work: &mut Workspace, memory: &Memory, h: f64) {
+pub(crate) fn collect(model: &Model, work: &mut Workspace, past: Past<'_>, h: f64) {
     work.rows.clear();
     work.ties.clear();
-    work.next_patches.clear();
-    let elapsed_s = if memory.last_step_s > 0.0 { memory.last_step_s } else { h };
+    let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
     let patches = core::mem::take(&mut work.patches);
     let shares = core::mem::take(&mut work.shares);
     for (index, patch) in patches.iter().enumerate() {
         let inherited = work.inherited[index];
-        let old = inherited.of(memory, &shares);
-        let placed = memory.last_step_s == 0.0
-            || [patch.candidate.a, patch.candidate.b]
-                .iter()
-                .any(|&rank| work.teleported[rank as usize]);
+        let old = inherited.of(past.patches, &shares);
+        let placed = past.last_step_s == 0.0 || work.jumped(patch.candidate.a, patch.candidate.b);
         collect_one(model, work, patch, inherited, old, Time { elapsed_s, h, placed });
     }
     (work.patches, work.shares) = (patches, shares);
@@ -87,12 +83,12 @@ fn let_go(model: &Model, work: &mut Workspace) {
         return;
     }
     // While bodies close most of them come faster than all of it could give them.
-    let Workspace { rows, ties, next_patches, inverses, .. } = &*work;
+    let Workspace { rows, ties, next_patches, first_patch, inverses, .. } = &*work;
     let rises = |((row, tie), memory): ((&Row, &Tie), &PatchMemory)| {
         let most_mps2 = speed_squared(all_j, row, tie, inverses);
         most_mps2 > memory.v_normal_0_mps * memory.v_normal_0_mps
     };
-    if rows.iter().zip(ties).zip(next_patches).any(rises) {
+    if rows.iter().zip(ties).zip(&next_patches[*first_patch..]).any(rises) {
         let_go_of(model, work);
     }
 }
@@ -112,7 +108,10 @@ fn speed_squared(unheld_j: f64, row: &Row, tie: &Tie, inverses: &[InverseMatrix]
 #[inline(never)]
 fn let_go_of(model: &Model, work: &mut Workspace) {
     let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
-    let Workspace { rows, ties, next_patches, unheld_j, inverses, island_bodies, .. } = work;
+    let Workspace {
+        rows, ties, next_patches, first_patch, unheld_j, inverses, island_bodies, ..
+    } = work;
+    let next_patches = &mut next_patches[*first_patch..];
     for &rank in island_bodies.iter() {
         unheld_j[rank as usize] = 0.0;
     }
@@ -239,30 +238,36 @@ fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) 
 /// Beyond this a memory would not be restored [J].
 const MOST_TAKEN_J: f64 = 1e29;
 
-/// Books impulses, work and peaks of a solved sub-step, and completes its memory.
-pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
+/// Books forces, work and peaks of a solved sub-step, which has this `share` of the step, and completes its
+/// memory.
+pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
     let Workspace {
         rows,
         ties,
         patches,
         next_patches,
+        first_patch,
         states,
         poses,
-        impulses,
+        pushes,
         contacts,
         first_contact,
+        in_order,
         ..
     } = work;
+    let next_patches = &mut next_patches[*first_patch..];
+    let first_sub_step = contacts.len() == *first_contact;
     for (index, (row, tie)) in rows.iter().zip(ties.iter()).enumerate() {
         let touch = &row.touch;
         let Forces { normal_n, tangential_n, friction } = tie.forces;
-        let impulse = (touch.normal * -normal_n + touch.normal.quarter_turn() * tangential_n) * h;
-        let on_a = &mut impulses[tie.a as usize];
-        on_a.force_n += impulse;
-        on_a.moment_nm += touch.arm_a_m.cross(impulse);
-        let on_b = &mut impulses[tie.b as usize];
-        on_b.force_n -= impulse;
-        on_b.moment_nm -= touch.arm_b_m.cross(impulse);
+        let force_n =
+            (touch.normal * -normal_n + touch.normal.quarter_turn() * tangential_n) * share;
+        let on_a = &mut pushes[tie.a as usize];
+        on_a.force_n += force_n;
+        on_a.moment_nm += touch.arm_a_m.cross(force_n);
+        let on_b = &mut pushes[tie.b as usize];
+        on_b.force_n -= force_n;
+        on_b.moment_nm -= touch.arm_b_m.cross(force_n);
 
         // By the mean velocity within the sub-step.
         let (v_normal_mps, v_tangential_mps) = tie.speeds(states);
@@ -280,10 +285,15 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
             (tie.may_shear_j - tangential_n * slip_m).clamp(0.0, shear_stored_j.min(MOST_TAKEN_J));
         memory.taken_j = (tie.may_give_j + normal_n * closing_m).clamp(0.0, MOST_TAKEN_J);
         let position_m = poses[tie.a as usize].position_m;
-        let own = &mut contacts[*first_contact..];
-        let place = match place_of(model, own, &patches[index], index) {
+        let known = if first_sub_step {
+            None
+        } else {
+            place_of(model, &contacts[*first_contact..], &patches[index], index)
+        };
+        let place = match known {
             Some(place) => *first_contact + place,
             None => {
+                *in_order &= first_sub_step;
                 let face = patches[index].candidate.fender(model);
                 contacts.push(Contact {
                     factor: row.factor,
@@ -294,8 +304,8 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
             }
         };
         let contact = &mut contacts[place];
-        contact.normal_force_n += normal_n * h;
-        contact.tangential_force_n += tangential_n * h;
+        contact.normal_force_n += normal_n * share;
+        contact.tangential_force_n += tangential_n * share;
         contact.peak_normal_force_n = contact.peak_normal_force_n.max(normal_n);
         contact.peak_depth_m = contact.peak_depth_m.max(touch.depth_m);
         let limiter_n = tie.law_n - normal_n;
@@ -303,7 +313,7 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         contact.work.tangential_j += tangential_n * slip_m;
         contact.work.damper_j -= row.parts.damper_n * closing_m;
         contact.work.limiter_j -= limiter_n * closing_m;
-        contact.parts.add(&ForceParts { limiter_n, ..row.parts }, h);
+        contact.parts.add(&ForceParts { limiter_n, ..row.parts }, share);
         contact.peak_stored_j = contact.peak_stored_j.max(touch.stored_j * row.factor);
         contact.shear_stored_j = shear_stored_j;
         contact.shear_m = shear_m;

@@ -56,10 +56,13 @@ pub(crate) fn velocities(model: &Model, work: &mut Workspace, h: f64) {
     }
 }
 
-/// v_free = v + h M⁻¹ W.
+/// v_free = v + h M⁻¹ W. Takes note of v.
 fn free_velocities(work: &mut Workspace, h: f64) {
+    work.before.clear();
     for &rank in &work.island_bodies {
         let rank = rank as usize;
+        let state = &work.states[rank];
+        work.before.push((state.velocity_mps, state.yaw_rate_radps));
         let load = work.loads[rank];
         let (dv, dr) = work.inverses[rank].response(load.force_n * h, load.moment_nm * h);
         work.states[rank].velocity_mps += dv;
