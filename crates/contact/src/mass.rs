@@ -65,6 +65,12 @@ impl InverseMatrix {
         (self.xx == self.yy) & (self.xy == 0.0) & (self.xr == 0.0) & (self.yr == 0.0)
     }
 
+    /// Is there a finite mass?
+    #[inline]
+    pub(crate) fn floats(&self) -> bool {
+        self.rr != 0.0
+    }
+
     /// Change of velocity and yaw rate by an impulse and its moment.
     #[inline]
     pub(crate) fn response(&self, impulse: Vec2, moment: f64) -> (Vec2, f64) {

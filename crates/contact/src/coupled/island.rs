@@ -172,13 +172,14 @@ fn run_of<T>(
     key: (u32, u32, u32),
     key_of: fn(&T) -> (u32, u32, u32),
 ) -> Range<usize> {
-    let before = |at: usize| at.checked_sub(1).is_none_or(|last| key_of(&sorted[last]) < key);
-    let after = |at: usize| sorted.get(at).is_none_or(|item| key_of(item) >= key);
-    let from = match *read {
-        at if at <= sorted.len() && before(at) && after(at) => at,
+    let is_own = |item: &T| key_of(item) == key;
+    let at = (*read).min(sorted.len());
+    let after_another = at == 0 || !is_own(&sorted[at - 1]);
+    let from = match sorted.get(at) {
+        Some(item) if is_own(item) && after_another => at,
         _ => sorted.partition_point(|item| key_of(item) < key),
     };
-    let count = sorted[from..].iter().take_while(|item| key_of(item) == key).count();
+    let count = sorted[from..].iter().take_while(|item| is_own(item)).count();
     *read = from + count;
     from..from + count
 }

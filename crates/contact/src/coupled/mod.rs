@@ -113,6 +113,12 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
     work.room_mps.clear();
     for (rank, body) in model.ranked.iter().enumerate() {
         let state = &work.states[rank];
+        if body.is_fixed() && state.is_at_rest() {
+            work.loads.push(Wrench::default());
+            work.inverses.push(body.inverse);
+            work.room_mps.push(0.0);
+            continue;
+        }
         let (mut load, mut inverse) = (Wrench::default(), body.inverse);
         let mut room_mps = state.yaw_rate_radps.abs() * body.reach_m;
         if !body.is_fixed() {

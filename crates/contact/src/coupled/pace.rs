@@ -62,7 +62,11 @@ pub(crate) fn sub_steps(model: &Model, work: &Workspace, step_s: f64) -> u32 {
         let half_width_m = a.half_width_m.min(b.half_width_m);
         travel = travel.max(closing_m / (TRAVEL_PER_SUB_STEP * half_width_m));
     }
-    let needed = (libm::sqrt(rate_squared) * step_s / TURN_PER_SUB_STEP).max(travel);
+    let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
+    if rate_squared * turn * turn <= 1.0 && travel <= 1.0 {
+        return 1;
+    }
+    let needed = (libm::sqrt(rate_squared) * turn).max(travel);
     libm::ceil(needed.clamp(1.0, f64::from(MOST_SUB_STEPS))) as u32
 }
 

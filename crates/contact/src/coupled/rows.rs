@@ -7,8 +7,9 @@ use crate::law::normal::{factor, normal_force};
 use crate::mass::InverseMatrix;
 use crate::memory::{Past, PatchMemory};
 use crate::model::{Material, Model};
+use crate::number::{greater, lesser};
 use crate::overlap::Patch;
-use crate::report::{Contact, ForceParts, Friction};
+use crate::report::{Contact, ContactWork, ForceParts, Friction};
 use crate::touch::{Lasting, Touch, touch};
 use crate::workspace::Workspace;
 
@@ -20,8 +21,6 @@ pub(crate) struct Row {
     parts: ForceParts,
     /// Factor on spring and stop.
     factor: f64,
-    /// γ.
-    restitution: f64,
     /// Stored energy that nothing holds: see [`let_go`] [J].
     unheld_j: f64,
 }
@@ -136,7 +135,7 @@ fn let_go_of(model: &Model, work: &mut Workspace) {
             let memories = &mut next_patches[own.clone()];
             for ((row, tie), memory) in rows[own.clone()].iter().zip(&mut ties[own]).zip(memories) {
                 let speed_mps = libm::sqrt(speed_squared(unheld_j, row, tie, inverses));
-                tie.rebound_mps = tie.rebound_mps.max(row.restitution * speed_mps);
+                tie.rebound_mps = tie.rebound_mps.max(tie.restitution * speed_mps);
                 // It goes on until the contact closes again: else the bound would come and go with N.
                 memory.v_normal_0_mps = memory.v_normal_0_mps.max(speed_mps);
             }
@@ -217,7 +216,7 @@ fn collect_one(
     let lasting = Lasting { flags, factor, v_normal_0_mps: v_ref_mps, ..Lasting::default() };
     touch.remember(patch, &work.places, lasting, &mut work.next_patches);
     let unheld_j = unheld_j(&touch, factor, law_n, old);
-    work.rows.push(Row { touch, parts, factor, restitution: material.restitution, unheld_j });
+    work.rows.push(Row { touch, parts, factor, unheld_j });
 }
 
 /// v_ref: the largest speed of approach since V_n last changed sign, and whether it approaches. The
@@ -274,7 +273,7 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
         let closing_m = 0.5 * (touch.v_normal_mps + v_normal_mps) * h;
         let slip_m = 0.5 * (touch.v_tangential_mps + v_tangential_mps) * h;
 
-        let shear_m = tie.shear_after_m(v_tangential_mps, h);
+        let shear_m = tie.shear_after_m(touch.shear_m, v_tangential_mps, h);
         let memory = &mut next_patches[index];
         // What the bodies move in this sub-step is found again in the next one's kinematics.
         memory.shear_m = shear_m - h * v_tangential_mps;
@@ -282,43 +281,82 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
         memory.tangential_force_n = tangential_n;
         let shear_stored_j = tie.shear_stored_j(shear_m);
         memory.sheared_j =
-            (tie.may_shear_j - tangential_n * slip_m).clamp(0.0, shear_stored_j.min(MOST_TAKEN_J));
-        memory.taken_j = (tie.may_give_j + normal_n * closing_m).clamp(0.0, MOST_TAKEN_J);
-        let position_m = poses[tie.a as usize].position_m;
+            within(tie.may_shear_j - tangential_n * slip_m, lesser(shear_stored_j, MOST_TAKEN_J));
+        memory.taken_j = within(tie.may_give_j + normal_n * closing_m, MOST_TAKEN_J);
+        let limiter_n = tie.law_n - normal_n;
+        let booked = Booked {
+            normal_n,
+            tangential_n,
+            friction,
+            depth_m: touch.depth_m,
+            stored_j: touch.stored_j * row.factor,
+            work: ContactWork {
+                normal_j: -normal_n * closing_m,
+                tangential_j: tangential_n * slip_m,
+                damper_j: -row.parts.damper_n * closing_m,
+                limiter_j: -limiter_n * closing_m,
+            },
+            parts: ForceParts { limiter_n, ..row.parts },
+            shear_m,
+            shear_stored_j,
+        };
         let known = if first_sub_step {
             None
         } else {
             place_of(model, &contacts[*first_contact..], &patches[index], index)
         };
-        let place = match known {
-            Some(place) => *first_contact + place,
-            None => {
-                *in_order &= first_sub_step;
-                let face = patches[index].candidate.fender(model);
-                contacts.push(Contact {
-                    factor: row.factor,
-                    stored_j: touch.stored_j * row.factor,
-                    ..touch.contact(model, position_m, &patches[index], face)
-                });
-                contacts.len() - 1
-            }
-        };
-        let contact = &mut contacts[place];
-        contact.normal_force_n += normal_n * share;
-        contact.tangential_force_n += tangential_n * share;
-        contact.peak_normal_force_n = contact.peak_normal_force_n.max(normal_n);
-        contact.peak_depth_m = contact.peak_depth_m.max(touch.depth_m);
-        let limiter_n = tie.law_n - normal_n;
-        contact.work.normal_j -= normal_n * closing_m;
-        contact.work.tangential_j += tangential_n * slip_m;
-        contact.work.damper_j -= row.parts.damper_n * closing_m;
-        contact.work.limiter_j -= limiter_n * closing_m;
-        contact.parts.add(&ForceParts { limiter_n, ..row.parts }, share);
-        contact.peak_stored_j = contact.peak_stored_j.max(touch.stored_j * row.factor);
-        contact.shear_stored_j = shear_stored_j;
-        contact.shear_m = shear_m;
-        contact.limited |= normal_n < tie.law_n;
-        if friction == Friction::Slip {
+        if let Some(place) = known {
+            booked.add_to(&mut contacts[*first_contact + place], share);
+            continue;
+        }
+        *in_order &= first_sub_step;
+        let face = patches[index].candidate.fender(model);
+        let position_m = poses[tie.a as usize].position_m;
+        let mut contact = touch.contact(model, position_m, &patches[index], face);
+        contact.factor = row.factor;
+        contact.stored_j = booked.stored_j;
+        booked.add_to(&mut contact, share);
+        contacts.push(contact);
+    }
+}
+
+/// What a contact may give back: neither less than nothing nor more than this [J].
+#[inline]
+fn within(taken_j: f64, most_j: f64) -> f64 {
+    lesser(greater(taken_j, 0.0), most_j)
+}
+
+/// What a sub-step adds to the report of a contact.
+struct Booked {
+    normal_n: f64,
+    tangential_n: f64,
+    friction: Friction,
+    depth_m: f64,
+    stored_j: f64,
+    work: ContactWork,
+    parts: ForceParts,
+    shear_m: f64,
+    shear_stored_j: f64,
+}
+
+impl Booked {
+    /// As a sub-step of this `share` of the step.
+    #[inline(always)]
+    fn add_to(&self, contact: &mut Contact, share: f64) {
+        contact.normal_force_n += self.normal_n * share;
+        contact.tangential_force_n += self.tangential_n * share;
+        contact.peak_normal_force_n = greater(contact.peak_normal_force_n, self.normal_n);
+        contact.peak_depth_m = greater(contact.peak_depth_m, self.depth_m);
+        contact.peak_stored_j = greater(contact.peak_stored_j, self.stored_j);
+        contact.work.normal_j += self.work.normal_j;
+        contact.work.tangential_j += self.work.tangential_j;
+        contact.work.damper_j += self.work.damper_j;
+        contact.work.limiter_j += self.work.limiter_j;
+        contact.parts.add(&self.parts, share);
+        contact.shear_stored_j = self.shear_stored_j;
+        contact.shear_m = self.shear_m;
+        contact.limited |= self.parts.limiter_n > 0.0;
+        if self.friction == Friction::Slip {
             contact.friction = Friction::Slip;
         }
     }

@@ -42,7 +42,7 @@ pub(crate) fn velocities(model: &Model, work: &mut Workspace, h: f64) {
     let Workspace { states, ties, inverses, trials, .. } = &mut *work;
     let last_change_mps = match ties.as_mut_slice() {
         [] => return,
-        [only] => alone(states, only, h),
+        [only] => alone(states, inverses, only, h),
         several => {
             if direct::solve(states, inverses, several, h) {
                 return;
@@ -79,11 +79,11 @@ fn together(
     trials: &mut Vec<Trial>,
     h: f64,
 ) -> f64 {
-    push_all(states, ties, h);
+    push_all(states, inverses, ties, h);
     let mut change_mps = 0.0;
     let mut leaps = 0;
     for count in 1..=SWEEPS {
-        change_mps = sweep(states, ties, h);
+        change_mps = sweep(states, inverses, ties, h);
         if change_mps <= SETTLED_MPS {
             break;
         }
@@ -96,21 +96,21 @@ fn together(
 }
 
 /// The impulses of the forces that all contacts begin with.
-fn push_all(states: &mut [BodyState], ties: &[Tie], h: f64) {
+fn push_all(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &[Tie], h: f64) {
     for tie in ties {
-        tie.push(states, tie.forces.normal_n * h, tie.forces.tangential_n * h);
+        tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
     }
 }
 
 /// Each contact's forces in turn, given all others'. Returns the largest change of velocity [m/s].
-fn sweep(states: &mut [BodyState], ties: &mut [Tie], h: f64) -> f64 {
+fn sweep(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie], h: f64) -> f64 {
     let mut change_mps = 0.0;
     for tie in ties {
         let forces = tie.relaxed(tie.speeds(states), h);
         let more = forces.less(&tie.forces);
         tie.forces = forces;
         if more != (0.0, 0.0) {
-            tie.push(states, more.0 * h, more.1 * h);
+            tie.push(states, inverses, more.0 * h, more.1 * h);
             change_mps = f64::max(change_mps, tie.change_mps(more, h));
         }
     }
@@ -119,7 +119,7 @@ fn sweep(states: &mut [BodyState], ties: &mut [Tie], h: f64) -> f64 {
 
 /// The same for an island of one contact: its own two speeds are all there is to follow. It begins with N = f,
 /// with which T is right at once.
-fn alone(states: &mut [BodyState], tie: &mut Tie, h: f64) -> f64 {
+fn alone(states: &mut [BodyState], inverses: &[InverseMatrix], tie: &mut Tie, h: f64) -> f64 {
     tie.forces = Forces { normal_n: tie.law_n, tangential_n: 0.0, friction: Friction::Stick };
     let mut speeds = tie.speeds_after(tie.speeds(states), (tie.law_n, 0.0), h);
     let mut change_mps = 0.0;
@@ -135,7 +135,7 @@ fn alone(states: &mut [BodyState], tie: &mut Tie, h: f64) -> f64 {
             break;
         }
     }
-    tie.push(states, tie.forces.normal_n * h, tie.forces.tangential_n * h);
+    tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
     change_mps
 }
 
@@ -187,9 +187,9 @@ mod tests {
         assert!(last_mps <= SETTLED_MPS, "{last_mps}");
 
         let (mut swept, _, mut swept_ties) = ship_on_fenders();
-        push_all(&mut swept, &swept_ties, H);
+        push_all(&mut swept, &inverses, &swept_ties, H);
         let mut count = 0;
-        while sweep(&mut swept, &mut swept_ties, H) > SETTLED_MPS {
+        while sweep(&mut swept, &inverses, &mut swept_ties, H) > SETTLED_MPS {
             count += 1;
             assert!(count < 1_000_000);
         }
@@ -236,13 +236,13 @@ mod tests {
             let (before_mps, before_j) = (state.velocity_mps.x, kinetic_j(&state) + stored_j);
             let mut states = [state, BodyState::default()];
             states[0].velocity_mps.x += pushed_mps;
-            let last_mps = alone(&mut states, &mut tie, 0.5);
+            let last_mps = alone(&mut states, &inverses, &mut tie, 0.5);
             assert!(last_mps <= SETTLED_MPS, "{last_mps}");
             state = states[0];
             let put_in_j = 9e5 * pushed_mps * 0.5 * (before_mps + state.velocity_mps.x);
             let after_mps = tie.speeds(&states).1;
             let slip_m = 0.25 * (touch.v_tangential_mps + after_mps);
-            shear_m = tie.shear_after_m(after_mps, 0.5);
+            shear_m = tie.shear_after_m(shear_m, after_mps, 0.5);
             stored_j = (stored_j - tie.forces.tangential_n * slip_m)
                 .clamp(0.0, tie.shear_stored_j(shear_m));
             let gain_j = kinetic_j(&state) + stored_j - before_j - put_in_j;

@@ -17,24 +17,20 @@ pub(crate) struct Tie {
     /// What does not move is not pushed.
     a_floats: bool,
     b_floats: bool,
-    along_n: Direction,
-    along_t: Direction,
+    /// n, and the levers of n and t about each body's centre of gravity [m].
+    along_n: Vec2,
+    levers_n_m: Levers,
+    levers_t_m: Levers,
     /// n·K n, t·K n and t·K t [1/kg].
     pub(crate) normal: f64,
     cross: f64,
     tangential: f64,
-    /// 1/(h n·K n) [kg/s].
-    force_per_speed: f64,
-    /// 1/(1 + ϑ² k_s h² t·K t).
-    spring_share: f64,
     /// ϑ: see [`implicit_share`].
     implicit: f64,
     /// The shear spring's force at V_t⁺ = 0 [N], and what it loses with V_t⁺: c = ϑ² k_s h [N·s/m].
     spring_at_rest_n: f64,
     spring_slope: f64,
-    /// Δs at the start of the sub-step [m].
-    shear_m: f64,
-    /// V_n and V_t there [m/s].
+    /// V_n and V_t at the start of the sub-step [m/s].
     normal_before_mps: f64,
     tangential_before_mps: f64,
     /// f, the normal law's force: N lies between 0 and it [N].
@@ -45,6 +41,8 @@ pub(crate) struct Tie {
     pub(crate) may_give_j: f64,
     /// And T [J].
     pub(crate) may_shear_j: f64,
+    /// γ.
+    pub(crate) restitution: f64,
     shear_stiffness_npm: f64,
     friction_static: f64,
     friction_dynamic: f64,
@@ -83,49 +81,45 @@ pub(crate) struct Line {
     pub(crate) tangential_slope: f64,
 }
 
-/// A direction at a contact: the lever about each body's centre of gravity, and how each body answers a
-/// unit impulse along it.
+/// Of a direction about A's and B's centres of gravity [m].
 #[derive(Clone, Copy, Debug)]
-struct Direction {
-    along: Vec2,
-    lever_a_m: f64,
-    lever_b_m: f64,
-    of_a: Answer,
-    of_b: Answer,
+struct Levers {
+    a: f64,
+    b: f64,
 }
 
-/// Change of a body's velocity and yaw rate by a unit impulse.
-#[derive(Clone, Copy, Debug)]
-struct Answer {
-    velocity: Vec2,
-    yaw_rate: f64,
+impl Levers {
+    #[inline]
+    fn new(along: Vec2, touch: &Touch) -> Levers {
+        Levers { a: touch.arm_a_m.cross(along), b: touch.arm_b_m.cross(along) }
+    }
+
+    /// j of A and B: the speed along the direction is j·v.
+    #[inline]
+    fn rows(&self, along: Vec2) -> [[f64; 3]; 2] {
+        let Vec2 { x, y } = along;
+        [[x, y, self.a], [-x, -y, -self.b]]
+    }
 }
 
-impl Direction {
-    #[inline]
-    fn new(along: Vec2, touch: &Touch, a: &InverseMatrix, b: &InverseMatrix) -> Direction {
-        let (lever_a_m, lever_b_m) = (touch.arm_a_m.cross(along), touch.arm_b_m.cross(along));
-        let answer = |inverse: &InverseMatrix, lever_m: f64| {
-            let (velocity, yaw_rate) = inverse.response(along, lever_m);
-            Answer { velocity, yaw_rate }
-        };
-        let (of_a, of_b) = (answer(a, lever_a_m), answer(b, lever_b_m));
-        Direction { along, lever_a_m, lever_b_m, of_a, of_b }
-    }
+/// n·K n, t·K n and t·K t of both bodies [1/kg].
+#[derive(Clone, Copy, Default)]
+struct Seen {
+    normal: f64,
+    cross: f64,
+    tangential: f64,
+}
 
-    /// j of A and B: the speed along this direction is j·v.
-    fn row(&self) -> [[f64; 3]; 2] {
-        let Vec2 { x, y } = self.along;
-        [[x, y, self.lever_a_m], [-x, -y, -self.lever_b_m]]
-    }
-
-    /// What a unit impulse along this direction changes of the relative velocity along `other` [1/kg].
+impl Seen {
+    /// Adds what unit impulses along n and t, with these levers, change of a body's speeds along both.
     #[inline]
-    fn seen_along(&self, other: &Direction) -> f64 {
-        let of = |answer: &Answer, lever_m: f64| {
-            answer.velocity.dot(other.along) + answer.yaw_rate * lever_m
-        };
-        of(&self.of_a, other.lever_a_m) + of(&self.of_b, other.lever_b_m)
+    fn add(&mut self, inverse: &InverseMatrix, along_n: Vec2, lever_n_m: f64, lever_t_m: f64) {
+        let along_t = along_n.quarter_turn();
+        let (of_n, turn_n) = inverse.response(along_n, lever_n_m);
+        let (of_t, turn_t) = inverse.response(along_t, lever_t_m);
+        self.normal += of_n.dot(along_n) + turn_n * lever_n_m;
+        self.cross += of_n.dot(along_t) + turn_n * lever_t_m;
+        self.tangential += of_t.dot(along_t) + turn_t * lever_t_m;
     }
 }
 
@@ -140,9 +134,18 @@ impl Tie {
         forces: Forces,
         h: f64,
     ) -> Tie {
-        let along_n = Direction::new(touch.normal, touch, inverse_a, inverse_b);
-        let along_t = Direction::new(touch.normal.quarter_turn(), touch, inverse_a, inverse_b);
-        let (normal, tangential) = (along_n.seen_along(&along_n), along_t.seen_along(&along_t));
+        let along_n = touch.normal;
+        let levers_n_m = Levers::new(along_n, touch);
+        let levers_t_m = Levers::new(along_n.quarter_turn(), touch);
+        let (a_floats, b_floats) = (inverse_a.floats(), inverse_b.floats());
+        let mut seen = Seen::default();
+        if a_floats {
+            seen.add(inverse_a, along_n, levers_n_m.a, levers_t_m.a);
+        }
+        if b_floats {
+            seen.add(inverse_b, along_n, levers_n_m.b, levers_t_m.b);
+        }
+        let Seen { normal, cross, tangential } = seen;
         let material = laws.material;
         let implicit = implicit_share(material.shear_stiffness_npm * tangential, h);
         let spring_slope = implicit * implicit * material.shear_stiffness_npm * h;
@@ -150,25 +153,24 @@ impl Tie {
         Tie {
             a,
             b,
-            a_floats: *inverse_a != InverseMatrix::default(),
-            b_floats: *inverse_b != InverseMatrix::default(),
-            cross: along_n.seen_along(&along_t),
+            a_floats,
+            b_floats,
             along_n,
-            along_t,
+            levers_n_m,
+            levers_t_m,
             normal,
+            cross,
             tangential,
-            force_per_speed: 1.0 / (h * normal),
-            spring_share: 1.0 / (1.0 + spring_slope * h * tangential),
             implicit,
             spring_at_rest_n: -material.shear_stiffness_npm * (touch.shear_m + explicit_m),
             spring_slope,
-            shear_m: touch.shear_m,
             normal_before_mps: touch.v_normal_mps,
             tangential_before_mps: touch.v_tangential_mps,
             law_n: laws.law_n,
             rebound_mps: laws.rebound_mps,
             may_give_j: laws.may_give_j,
             may_shear_j: laws.may_shear_j,
+            restitution: material.restitution,
             shear_stiffness_npm: material.shear_stiffness_npm,
             friction_static: material.friction_static,
             friction_dynamic: material.friction_dynamic,
@@ -182,25 +184,38 @@ impl Tie {
     pub(crate) fn speeds(&self, states: &[BodyState]) -> (f64, f64) {
         let (a, b) = (&states[self.a as usize], &states[self.b as usize]);
         let apart = a.velocity_mps - b.velocity_mps;
-        let along = |d: &Direction| {
-            apart.dot(d.along) + (a.yaw_rate_radps * d.lever_a_m - b.yaw_rate_radps * d.lever_b_m)
-        };
-        (along(&self.along_n), along(&self.along_t))
+        let turning =
+            |levers_m: &Levers| a.yaw_rate_radps * levers_m.a - b.yaw_rate_radps * levers_m.b;
+        (
+            apart.dot(self.along_n) + turning(&self.levers_n_m),
+            apart.dot(self.along_n.quarter_turn()) + turning(&self.levers_t_m),
+        )
     }
 
     /// Gives the two bodies an impulse of N and T and its opposite [N·s]: on A it is −N n + T t.
     #[inline]
-    pub(crate) fn push(&self, states: &mut [BodyState], normal_ns: f64, tangential_ns: f64) {
-        let change = |state: &mut BodyState, n: &Answer, t: &Answer, sign: f64| {
-            let (n_ns, t_ns) = (-sign * normal_ns, sign * tangential_ns);
-            state.velocity_mps += n.velocity * n_ns + t.velocity * t_ns;
-            state.yaw_rate_radps += n.yaw_rate * n_ns + t.yaw_rate * t_ns;
-        };
+    pub(crate) fn push(
+        &self,
+        states: &mut [BodyState],
+        inverses: &[InverseMatrix],
+        normal_ns: f64,
+        tangential_ns: f64,
+    ) {
+        let along = self.along_n.quarter_turn() * tangential_ns - self.along_n * normal_ns;
+        let moment = |n_m: f64, t_m: f64| t_m * tangential_ns - n_m * normal_ns;
         if self.a_floats {
-            change(&mut states[self.a as usize], &self.along_n.of_a, &self.along_t.of_a, 1.0);
+            let moment_nms = moment(self.levers_n_m.a, self.levers_t_m.a);
+            let (dv, dr) = inverses[self.a as usize].response(along, moment_nms);
+            let state = &mut states[self.a as usize];
+            state.velocity_mps += dv;
+            state.yaw_rate_radps += dr;
         }
         if self.b_floats {
-            change(&mut states[self.b as usize], &self.along_n.of_b, &self.along_t.of_b, -1.0);
+            let moment_nms = moment(self.levers_n_m.b, self.levers_t_m.b);
+            let (dv, dr) = inverses[self.b as usize].response(along, moment_nms);
+            let state = &mut states[self.b as usize];
+            state.velocity_mps -= dv;
+            state.yaw_rate_radps -= dr;
         }
     }
 
@@ -224,7 +239,7 @@ impl Tie {
     #[inline]
     pub(crate) fn relaxed(&self, (normal_mps, tangential_mps): (f64, f64), h: f64) -> Forces {
         let now = &self.forces;
-        let tight_n = now.normal_n + (normal_mps + self.rebound_mps) * self.force_per_speed;
+        let tight_n = now.normal_n + (normal_mps + self.rebound_mps) * self.force_per_speed(h);
         let normal_n = self.passive(normal_mps, tight_n.min(self.law_n).max(0.0), h);
         if self.shear_stiffness_npm == 0.0 {
             return Forces { normal_n, tangential_n: 0.0, friction: Friction::Stick };
@@ -233,7 +248,7 @@ impl Tie {
         // T(1 + ϑ² k_s h² t·K t) = −k_s(Δs + ϑ h V̄ without T).
         let without_mps = tangential_mps
             - h * ((normal_n - now.normal_n) * self.cross + now.tangential_n * self.tangential);
-        let spring_n = self.spring_n(without_mps) * self.spring_share;
+        let spring_n = self.spring_n(without_mps) / (1.0 + self.spring_slope * h * self.tangential);
         // Once it slips in this sub-step it holds again only below the sliding force: else, with μ_k
         // below μ_s, the sweeps would go to and fro between the two.
         let holds = match now.friction {
@@ -249,6 +264,12 @@ impl Tie {
         Forces { normal_n, tangential_n, friction }
     }
 
+    /// 1/(h n·K n) [kg/s].
+    #[inline]
+    fn force_per_speed(&self, h: f64) -> f64 {
+        1.0 / (h * self.normal)
+    }
+
     /// `normal_n`, or less where it would give the bodies more than the contact may.
     ///
     /// The work of N on the bodies is N h (½ N h n·K n − s), with s the mean of V_n before the sub-step and
@@ -262,7 +283,7 @@ impl Tie {
             return normal_n;
         }
         let root = libm::sqrt(mean_mps * mean_mps + 2.0 * self.normal * self.may_give_j);
-        ((mean_mps + root) * self.force_per_speed).max(0.0)
+        ((mean_mps + root) * self.force_per_speed(h)).max(0.0)
     }
 
     /// `tangential_n`, or less where it would give the bodies more than the shear spring may.
@@ -328,36 +349,36 @@ impl Tie {
     /// j of the body of that rank, one of its two: V_n = j·v and what the other adds.
     #[inline]
     pub(crate) fn normal_row_of(&self, rank: u32) -> [f64; 3] {
-        let [of_a, of_b] = self.along_n.row();
+        let [of_a, of_b] = self.levers_n_m.rows(self.along_n);
         if rank == self.a { of_a } else { of_b }
     }
 
     /// The same for V_t.
     #[inline]
     pub(crate) fn tangential_row_of(&self, rank: u32) -> [f64; 3] {
-        let [of_a, of_b] = self.along_t.row();
+        let [of_a, of_b] = self.levers_t_m.rows(self.along_n.quarter_turn());
         if rank == self.a { of_a } else { of_b }
     }
 
     /// V_n = j·v, with the velocities (north, east, yaw) of A and B.
     pub(crate) fn normal_row(&self) -> [[f64; 3]; 2] {
-        self.along_n.row()
+        self.levers_n_m.rows(self.along_n)
     }
 
     /// V_t = j·v, in the same way.
     pub(crate) fn tangential_row(&self) -> [[f64; 3]; 2] {
-        self.along_t.row()
+        self.levers_t_m.rows(self.along_n.quarter_turn())
     }
 
     /// N where a tight contact is a stiff line through its present force, of slope κ = stiffness/(h n·K n).
-    fn on_stiff_line_n(&self, normal_mps: f64, stiffness: f64) -> f64 {
-        let slope = stiffness * self.force_per_speed;
+    fn on_stiff_line_n(&self, normal_mps: f64, stiffness: f64, h: f64) -> f64 {
+        let slope = stiffness * self.force_per_speed(h);
         self.forces.normal_n + slope * (normal_mps + self.rebound_mps)
     }
 
     /// Where N stands between its bounds at a V_n.
-    pub(crate) fn kind(&self, normal_mps: f64, stiffness: f64) -> Kind {
-        match self.on_stiff_line_n(normal_mps, stiffness) {
+    pub(crate) fn kind(&self, normal_mps: f64, stiffness: f64, h: f64) -> Kind {
+        match self.on_stiff_line_n(normal_mps, stiffness, h) {
             n if n >= self.law_n => Kind::Full,
             n if n <= 0.0 => Kind::Open,
             _ => Kind::Tight,
@@ -371,13 +392,15 @@ impl Tie {
         (normal_mps, tangential_mps): (f64, f64),
         kind: Kind,
         stiffness: f64,
+        h: f64,
     ) -> Line {
         let now = &self.forces;
         let (normal_n, normal_slope) = match kind {
             Kind::Full => (self.law_n, 0.0),
             Kind::Open => (0.0, 0.0),
             Kind::Tight => {
-                (self.on_stiff_line_n(normal_mps, stiffness), stiffness * self.force_per_speed)
+                let slope = stiffness * self.force_per_speed(h);
+                (self.on_stiff_line_n(normal_mps, stiffness, h), slope)
             }
         };
         let (tangential_n, tangential_slope) = match now.friction {
@@ -393,8 +416,14 @@ impl Tie {
     }
 
     /// The forces at these speeds, by the same lines and within all bounds.
-    pub(crate) fn stiffened(&self, speeds: (f64, f64), kind: Kind, stiffness: f64) -> Forces {
-        let line = self.line(speeds, kind, stiffness);
+    pub(crate) fn stiffened(
+        &self,
+        speeds: (f64, f64),
+        kind: Kind,
+        stiffness: f64,
+        h: f64,
+    ) -> Forces {
+        let line = self.line(speeds, kind, stiffness, h);
         let now = &self.forces;
         let normal_n = (now.normal_n + line.normal_n).min(self.law_n).max(0.0);
         let most_n = match now.friction {
@@ -411,13 +440,13 @@ impl Tie {
         (more_n * self.normal).abs().max((more_t * self.tangential).abs()) * h
     }
 
-    /// Δs at the end of the sub-step: grown by h V̄, while it slips at most what the sliding force shears
+    /// Δs at the end of the sub-step from that at its start: grown by h V̄, while it slips at most what the sliding force shears
     /// [m].
     #[inline]
-    pub(crate) fn shear_after_m(&self, after_mps: f64, h: f64) -> f64 {
+    pub(crate) fn shear_after_m(&self, shear_m: f64, after_mps: f64, h: f64) -> f64 {
         let share = self.implicit;
         let mean_mps = (1.0 - share) * self.tangential_before_mps + share * after_mps;
-        let grown_m = self.shear_m + h * mean_mps;
+        let grown_m = shear_m + h * mean_mps;
         match self.forces.friction {
             Friction::Stick => grown_m,
             Friction::Slip => {
