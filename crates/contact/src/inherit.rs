@@ -2,6 +2,7 @@
 //! the pair of bodies and its patch, and outlives the walk from edge to edge and piece to piece.
 
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use crate::events::{note, tell_ends_and_splits};
 use crate::memory::PatchMemory;
@@ -47,8 +48,8 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
     work.inherited.clear();
     work.shares.clear();
     let mut old = last;
-    let mut from = 0;
-    while from < work.patches.len() {
+    let Range { start: mut from, end } = work.own_patches;
+    while from < end {
         let Candidate { a, b, .. } = work.patches[from].candidate;
         let key = work.patches[from].candidate.key();
         let jumped = work.jumped(a, b);
@@ -56,7 +57,7 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
         if let [first, rest @ ..] = old
             && first.candidate() == key
             && rest.first().is_none_or(|m| m.candidate() != key)
-            && work.patches.get(from + 1).is_none_or(|p| p.candidate.key() != key)
+            && (from + 1 == end || work.patches[from + 1].candidate.key() != key)
             && !jumped
         {
             work.inherited.push(Inherited::One((last.len() - old.len()) as u32));
@@ -65,7 +66,7 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
             continue;
         }
         let of_pair = |p: &&Patch| p.candidate.key() == key;
-        let to = from + work.patches[from..].iter().take_while(of_pair).count();
+        let to = from + work.patches[from..end].iter().take_while(of_pair).count();
         let (ended, mut own) = patches_of(&mut old, key);
         ended.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
         if jumped {

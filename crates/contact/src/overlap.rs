@@ -72,9 +72,33 @@ pub(crate) struct PieceLens {
     patch: u32,
 }
 
+/// What an overlap leaves in the workspace, to be put aside.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Overlap {
+    patches: Vec<Patch>,
+    places: Vec<Place>,
+    lenses: Vec<PieceLens>,
+    outline_m: Vec<Vec2>,
+}
+
+impl Overlap {
+    /// Changes places with what is in the workspace.
+    pub(crate) fn swap(&mut self, work: &mut Workspace) {
+        core::mem::swap(&mut self.patches, &mut work.patches);
+        core::mem::swap(&mut self.places, &mut work.places);
+        core::mem::swap(&mut self.lenses, &mut work.lenses);
+        core::mem::swap(&mut self.outline_m, &mut work.outline_m);
+    }
+}
+
 /// Leaves the patches of the candidates in question in `work.patches`, in their order, and adds the hints for
-/// the next step to `work.next_hints`; `hints` are those of the last one.
-pub(crate) fn overlap(model: &Model, mut hints: &[HintMemory], work: &mut Workspace) {
+/// the next step to `next_hints`; `hints` are those of the last one.
+pub(crate) fn overlap(
+    model: &Model,
+    mut hints: &[HintMemory],
+    work: &mut Workspace,
+    next_hints: &mut Vec<HintMemory>,
+) {
     work.patches.clear();
     work.places.clear();
     work.lenses.clear();
@@ -85,18 +109,22 @@ pub(crate) fn overlap(model: &Model, mut hints: &[HintMemory], work: &mut Worksp
         let b_in_a = work.poses[a].to(work.poses[b]);
         let (pieces_a, pieces_b) = pieces_of(model, &candidate);
         if let ([piece_a], [piece_b]) = (pieces_a, pieces_b) {
-            clip_convex(piece_a, piece_b, candidate, b_in_a, &mut hints, work);
+            clip_convex(piece_a, piece_b, candidate, b_in_a, (&mut hints, next_hints), work);
             continue;
         }
         let first = work.lenses.len();
-        clip_pieces(pieces_a, pieces_b, candidate, b_in_a, &mut hints, work);
+        clip_pieces(pieces_a, pieces_b, candidate, b_in_a, (&mut hints, next_hints), work);
         match work.lenses.len() - first {
             0 => {}
             1 => new_patch(candidate, b_in_a, 0, first, first + 1, work),
             _ => connect(candidate, b_in_a, first, work),
         }
     }
+    work.own_patches = 0..work.patches.len();
 }
+
+/// The last step's hints that are still to be read, and the next one's.
+type Hints<'h, 'm> = (&'h mut &'m [HintMemory], &'h mut Vec<HintMemory>);
 
 /// Clips one convex piece against another: they have one patch at most, and which it was in the last
 /// step needs no asking.
@@ -106,10 +134,10 @@ fn clip_convex(
     b: &ConvexPolygon,
     candidate: Candidate,
     b_in_a: Pose,
-    hints: &mut &[HintMemory],
+    (hints, next_hints): Hints<'_, '_>,
     work: &mut Workspace,
 ) {
-    let Workspace { patches, outline_m, clip: buffers, next_hints, .. } = work;
+    let Workspace { patches, outline_m, clip: buffers, .. } = work;
     let from = outline_m.len();
     let hint = next_hint(hints, next_hints, &candidate, (0, 0));
     let found = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
@@ -152,13 +180,13 @@ fn clip_pieces(
     pieces_b: &[ConvexPolygon],
     candidate: Candidate,
     b_in_a: Pose,
-    hints: &mut &[HintMemory],
+    (hints, next_hints): Hints<'_, '_>,
     work: &mut Workspace,
 ) {
     for (piece_a, a) in pieces_a.iter().enumerate() {
         for (piece_b, b) in pieces_b.iter().enumerate() {
             let pieces = (piece_a as u32, piece_b as u32);
-            let Workspace { outline_m, clip: buffers, next_hints, .. } = work;
+            let Workspace { outline_m, clip: buffers, .. } = work;
             let start = outline_m.len();
             let hint = next_hint(hints, next_hints, &candidate, pieces);
             let found = clip::clip(a, b, b_in_a, hint, buffers, outline_m);

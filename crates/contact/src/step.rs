@@ -41,8 +41,10 @@ pub fn step(
     admit::place(model, memory, work, states);
     broad::pair(model, work);
     work.own_candidates = 0..work.candidates.len();
-    work.next_hints.clear();
-    overlap(model, &memory.hints, work);
+    let mut hints = core::mem::take(&mut work.next_hints);
+    hints.clear();
+    overlap(model, &memory.hints, work, &mut hints);
+    work.next_hints = hints;
     inherit_all(model, &memory.patches, work);
     forces(model, memory, work, step_s);
     remember(memory, work, step_s);

@@ -15,7 +15,7 @@ use crate::mass::InverseMatrix;
 use crate::memory::{HintMemory, PatchMemory};
 use crate::model::{MaterialId, Model};
 use crate::near::NearList;
-use crate::overlap::{Patch, PieceLens, Place};
+use crate::overlap::{Overlap, Patch, PieceLens, Place};
 use crate::report::{Contact, Event, Motion, Wrench};
 use crate::state::BodyState;
 use crate::vec2::{Pose, Vec2};
@@ -39,8 +39,9 @@ pub struct Workspace {
     /// How far from its centre of gravity each body may reach in this step, by rank [m].
     pub(crate) reach_m: Vec<f64>,
     pub(crate) candidates: Vec<Candidate>,
-    /// Those that the stages work on: all, or an island's.
+    /// Those that the stages work on, and their patches: all, or those of some islands.
     pub(crate) own_candidates: Range<usize>,
+    pub(crate) own_patches: Range<usize>,
     /// Pairs that were near each other a while ago.
     pub(crate) near: NearList,
     pub(crate) patches: Vec<Patch>,
@@ -71,12 +72,14 @@ pub struct Workspace {
     /// Bodies of islands but for what is fixed and at rest.
     pub(crate) in_island: Vec<bool>,
     pub(crate) island_bodies: Vec<u32>,
-    /// What the island's last sub-step left.
+    /// What the islands' last sub-step left.
     pub(crate) island_memory: IslandMemory,
-    /// Where the last island's part of the memory's lists ended.
-    pub(crate) read_patches: usize,
-    pub(crate) read_hints: usize,
-    /// First of the island's patches, hints and contacts in `next_patches`, `next_hints` and `contacts`.
+    /// What the last step left of an island, where that does not stand together in the memory.
+    pub(crate) gathered_memory: IslandMemory,
+    /// What the first overlap of the step leaves, while later ones are found.
+    pub(crate) first_overlap: Overlap,
+    pub(crate) first_hints: Vec<HintMemory>,
+    /// First of the islands' patches, hints and contacts in `next_patches`, `next_hints` and `contacts`.
     pub(crate) first_patch: usize,
     pub(crate) first_hint: usize,
     pub(crate) first_contact: usize,
@@ -102,6 +105,8 @@ pub(crate) struct Candidate {
     /// against the other's outline.
     pub(crate) face: u32,
     pub(crate) material: MaterialId,
+    /// Its island's place in `Workspace::islands`, by the coupled method.
+    pub(crate) island: u32,
 }
 
 impl Candidate {
@@ -133,6 +138,7 @@ impl Workspace {
             jumps: false,
             candidates: Vec::new(),
             own_candidates: 0..0,
+            own_patches: 0..0,
             near: NearList::default(),
             patches: Vec::new(),
             places: Vec::new(),
@@ -155,8 +161,9 @@ impl Workspace {
             in_island: Vec::new(),
             island_bodies: Vec::new(),
             island_memory: IslandMemory::default(),
-            read_patches: 0,
-            read_hints: 0,
+            gathered_memory: IslandMemory::default(),
+            first_overlap: Overlap::default(),
+            first_hints: Vec::new(),
             first_patch: 0,
             first_hint: 0,
             first_contact: 0,

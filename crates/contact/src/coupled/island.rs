@@ -4,23 +4,27 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
+use crate::coupled::pace;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
+use crate::overlap::Patch;
 use crate::workspace::{Candidate, Workspace};
 
-/// A range of `Workspace::candidates`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Bodies that may touch each other: a range of `Workspace::candidates`.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Island {
-    pub(crate) from: u32,
-    pub(crate) to: u32,
+    pub(crate) candidates: Range<usize>,
+    /// Its patches in the first overlap of the step.
+    pub(crate) patches: Range<usize>,
+    /// How many sub-steps it needs.
+    pub(crate) sub_steps: u32,
 }
 
-/// What an island's last sub-step left, or what the last step did where that does not stand together in
-/// the memory.
+/// What islands left of the last (sub-)step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct IslandMemory {
     patches: Vec<PatchMemory>,
-    hints: Vec<HintMemory>,
+    pub(crate) hints: Vec<HintMemory>,
 }
 
 impl IslandMemory {
@@ -28,19 +32,48 @@ impl IslandMemory {
         Past { patches: &self.patches, hints: &self.hints, last_step_s }
     }
 
-    /// Takes what the island's last sub-step left off what goes on to the next step.
+    /// Takes what the islands' first sub-step left off what goes on to the next step; `hints` are those of its
+    /// overlap.
+    pub(crate) fn take_first(&mut self, work: &mut Workspace, hints: &[HintMemory]) {
+        self.patches.clear();
+        self.patches.extend(work.next_patches.drain(work.first_patch..));
+        self.hints.clear();
+        self.hints.extend_from_slice(hints);
+    }
+
+    /// The same of a later sub-step, which left its hints there too.
     pub(crate) fn take(&mut self, work: &mut Workspace) {
         self.patches.clear();
         self.patches.extend(work.next_patches.drain(work.first_patch..));
         self.hints.clear();
         self.hints.extend(work.next_hints.drain(work.first_hint..));
     }
+
+    /// Gathers what the last step left of an island.
+    pub(crate) fn gather(&mut self, memory: &Memory, candidates: &[Candidate]) {
+        self.patches.clear();
+        self.hints.clear();
+        for candidate in candidates {
+            let key = candidate.key();
+            self.patches.extend(run_of(&memory.patches, key, PatchMemory::candidate));
+            self.hints.extend(run_of(&memory.hints, key, HintMemory::candidate));
+        }
+    }
+}
+
+/// The items of one candidate in a sorted list.
+fn run_of<T: Copy>(
+    sorted: &[T],
+    key: (u32, u32, u32),
+    key_of: fn(&T) -> (u32, u32, u32),
+) -> impl Iterator<Item = T> {
+    let from = sorted.partition_point(|item| key_of(item) < key);
+    sorted[from..].iter().copied().take_while(move |item| key_of(item) == key)
 }
 
 /// Splits the candidates into islands, in the order of their first candidates.
 pub(crate) fn split(model: &Model, work: &mut Workspace) {
     work.islands.clear();
-    (work.read_patches, work.read_hints) = (0, 0);
     work.in_island.clear();
     work.in_island.resize(model.ranked.len(), false);
     work.in_order = true;
@@ -75,15 +108,23 @@ pub(crate) fn split(model: &Model, work: &mut Workspace) {
         work.in_order = false;
     }
     let mut from = 0;
-    let mut island = island_of(&work.candidates[0], root);
-    for to in 1..work.candidates.len() {
-        let next = island_of(&work.candidates[to], root);
-        if next != island {
-            work.islands.push(Island { from: from as u32, to: to as u32 });
-            (from, island) = (to, next);
+    let mut last = None;
+    for (index, candidate) in work.candidates.iter_mut().enumerate() {
+        let this = island_of(candidate, root);
+        if last.is_some_and(|last| last != this) {
+            work.islands.push(Island::of(from..index));
+            from = index;
         }
+        last = Some(this);
+        candidate.island = work.islands.len() as u32;
     }
-    work.islands.push(Island { from: from as u32, to: work.candidates.len() as u32 });
+    work.islands.push(Island::of(from..work.candidates.len()));
+}
+
+impl Island {
+    fn of(candidates: Range<usize>) -> Island {
+        Island { candidates, patches: 0..0, sub_steps: 0 }
+    }
 }
 
 fn find(root: &mut [u32], mut i: u32) -> u32 {
@@ -94,16 +135,38 @@ fn find(root: &mut [u32], mut i: u32) -> u32 {
     i
 }
 
-/// Makes island `index` the one that the stages work on.
-pub(crate) fn enter(model: &Model, work: &mut Workspace, index: usize) {
-    let Island { from, to } = work.islands[index];
-    work.own_candidates = from as usize..to as usize;
+/// Each island's patches of the first overlap, which left `hints`, and how many sub-steps it needs.
+pub(crate) fn set_paces(
+    model: &Model,
+    work: &Workspace,
+    islands: &mut [Island],
+    hints: &[HintMemory],
+    step_s: f64,
+) {
+    let mut from = 0;
+    for island in islands {
+        let candidates = &work.candidates[island.candidates.clone()];
+        let number = candidates[0].island;
+        let own = |patch: &&Patch| patch.candidate.island == number;
+        let to = from + work.patches[from..].iter().take_while(own).count();
+        island.patches = from..to;
+        let patches = &work.patches[from..to];
+        island.sub_steps = pace::sub_steps(model, work, candidates, patches, hints, step_s);
+        from = to;
+    }
+}
+
+/// Makes these islands the ones that the stages work on.
+pub(crate) fn enter(model: &Model, work: &mut Workspace, islands: &[Island]) {
+    let ([first, ..], [.., last]) = (islands, islands) else { return };
+    work.own_candidates = first.candidates.start..last.candidates.end;
+    work.own_patches = first.patches.start..last.patches.end;
     work.first_patch = work.next_patches.len();
     work.first_hint = work.next_hints.len();
     work.first_contact = work.contacts.len();
-    let Workspace { candidates, states, in_island, island_bodies, .. } = work;
+    let Workspace { candidates, own_candidates, states, in_island, island_bodies, .. } = work;
     island_bodies.clear();
-    for candidate in &candidates[from as usize..to as usize] {
+    for candidate in &candidates[own_candidates.clone()] {
         for rank in [candidate.a, candidate.b] {
             let place = rank as usize;
             if !in_island[place] && !(model.ranked[place].is_fixed() && states[place].is_at_rest())
@@ -116,72 +179,6 @@ pub(crate) fn enter(model: &Model, work: &mut Workspace, index: usize) {
     if island_bodies.len() > 1 {
         island_bodies.sort_unstable();
     }
-}
-
-/// Where an island's part of the memory begins and ends.
-#[derive(Clone, Debug)]
-pub(crate) struct Part {
-    patches: Range<usize>,
-    hints: Range<usize>,
-}
-
-impl Part {
-    pub(crate) fn past<'m>(&self, memory: &'m Memory) -> Past<'m> {
-        Past {
-            patches: &memory.patches[self.patches.clone()],
-            hints: &memory.hints[self.hints.clone()],
-            last_step_s: memory.last_step_s,
-        }
-    }
-}
-
-/// The island's part of the memory, where it stands together there; else `None`, and it is copied to `own`.
-pub(crate) fn part_of(
-    memory: &Memory,
-    work: &mut Workspace,
-    own: &mut IslandMemory,
-) -> Option<Part> {
-    let Workspace { candidates, own_candidates, islands, read_patches, read_hints, .. } = work;
-    if islands.len() == 1 {
-        return Some(Part { patches: 0..memory.patches.len(), hints: 0..memory.hints.len() });
-    }
-    if own_candidates.len() == 1 {
-        let key = candidates[own_candidates.start].key();
-        return Some(Part {
-            patches: run_of(&memory.patches, read_patches, key, PatchMemory::candidate),
-            hints: run_of(&memory.hints, read_hints, key, HintMemory::candidate),
-        });
-    }
-    own.patches.clear();
-    own.hints.clear();
-    for candidate in &candidates[own_candidates.clone()] {
-        let key = candidate.key();
-        let run = run_of(&memory.patches, read_patches, key, PatchMemory::candidate);
-        own.patches.extend_from_slice(&memory.patches[run]);
-        let run = run_of(&memory.hints, read_hints, key, HintMemory::candidate);
-        own.hints.extend_from_slice(&memory.hints[run]);
-    }
-    None
-}
-
-/// The items of one candidate in a sorted list. `read` is where the last run ended and mostly where the
-/// next one begins.
-fn run_of<T>(
-    sorted: &[T],
-    read: &mut usize,
-    key: (u32, u32, u32),
-    key_of: fn(&T) -> (u32, u32, u32),
-) -> Range<usize> {
-    let is_own = |item: &T| key_of(item) == key;
-    let at = (*read).min(sorted.len());
-    let after_another = at == 0 || !is_own(&sorted[at - 1]);
-    let from = match sorted.get(at) {
-        Some(item) if is_own(item) && after_another => at,
-        _ => sorted.partition_point(|item| key_of(item) < key),
-    };
-    let count = sorted[from..].iter().take_while(|item| is_own(item)).count();
-    *read = from + count;
-    from..from + count
 }
 
 /// What is fixed and moves may stand in several islands.

@@ -22,11 +22,12 @@ pub(crate) mod turning;
 
 use crate::admit;
 use crate::broad;
+use crate::coupled::island::Island;
 use crate::error::StepError;
 use crate::inherit::inherit_all;
-use crate::memory::{HintMemory, Memory, PatchMemory};
+use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
-use crate::overlap::overlap;
+use crate::overlap::{Patch, overlap};
 use crate::report::{Motion, Wrench};
 use crate::state::BodyState;
 use crate::vec2::Rotation;
@@ -61,44 +62,112 @@ pub fn advance(
     island::split(model, work);
     work.next_patches.clear();
     work.next_hints.clear();
-    let jumps = work.jumps;
-    for index in 0..work.islands.len() {
-        work.jumps = jumps;
-        island::enter(model, work, index);
-        advance_island(model, memory, work, step_s);
-        island::leave(model, work);
-    }
+    advance_islands(model, memory, work, step_s);
     drift_apart(model, work, step_s);
     report(model, work);
     remember(memory, work, step_s, model, states);
     Ok(())
 }
 
-/// All sub-steps of the island in `work`.
-fn advance_island(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
-    let mut own = core::mem::take(&mut work.island_memory);
-    let part = island::part_of(memory, work, &mut own);
-    let mut past = match &part {
-        Some(part) => part.past(memory),
-        None => own.past(memory.last_step_s),
-    };
-    overlap(model, past.hints, work);
-    let sub_steps = pace::sub_steps(model, work, step_s);
-    let h = step_s / f64::from(sub_steps);
-    let share = 1.0 / f64::from(sub_steps);
-    for sub_step in 0..sub_steps {
-        if sub_step > 0 {
-            own.take(work);
-            past = own.past(h);
-            overlap(model, past.hints, work);
+/// All islands: together as far as they are in the order of the memory.
+fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
+    let mut islands = core::mem::take(&mut work.islands);
+    if work.in_order {
+        advance_in_order(model, memory.past(), work, &mut islands, step_s);
+    } else {
+        let mut gathered = core::mem::take(&mut work.gathered_memory);
+        for island in &mut islands {
+            gathered.gather(memory, &work.candidates[island.candidates.clone()]);
+            let past = gathered.past(memory.last_step_s);
+            advance_in_order(model, past, work, core::slice::from_mut(island), step_s);
         }
-        inherit_all(model, past.patches, work);
-        rows::collect(model, work, past, h);
-        solve::velocities(model, work, h);
-        rows::book(model, work, h, share);
-        advance_positions(model, work, h);
+        work.gathered_memory = gathered;
     }
+    work.islands = islands;
+}
+
+/// Islands that are in the order of what the last step left of them: the first overlap of all of them, and
+/// then their sub-steps, stage by stage for neighbours that need as many.
+fn advance_in_order(
+    model: &Model,
+    past: Past<'_>,
+    work: &mut Workspace,
+    islands: &mut [Island],
+    step_s: f64,
+) {
+    let ([first, ..], [.., last]) = (&*islands, &*islands) else { return };
+    work.own_candidates = first.candidates.start..last.candidates.end;
+    let mut hints = core::mem::take(&mut work.first_hints);
+    hints.clear();
+    overlap(model, past.hints, work, &mut hints);
+    island::set_paces(model, work, islands, &hints, step_s);
+
+    let mut rest = Past { hints: &hints, ..past };
+    let jumps = work.jumps;
+    let mut from = 0;
+    while from < islands.len() {
+        let alike = |island: &&Island| island.sub_steps == islands[from].sub_steps;
+        let to = from + islands[from..].iter().take_while(alike).count();
+        let next = islands.get(to).map(|island| work.candidates[island.candidates.start].key());
+        work.jumps = jumps;
+        island::enter(model, work, &islands[from..to]);
+        advance_group(model, rest.before(next), work, islands[from].sub_steps, step_s);
+        island::leave(model, work);
+        from = to;
+    }
+    work.first_hints = hints;
+}
+
+/// All sub-steps of the islands in `work`, after the first overlap: `begun` has the patches of the last step and
+/// the hints of that overlap.
+fn advance_group(
+    model: &Model,
+    begun: Past<'_>,
+    work: &mut Workspace,
+    sub_steps: u32,
+    step_s: f64,
+) {
+    let h = step_s / f64::from(sub_steps);
+    sub_step(model, begun, work, h, sub_steps);
+    if sub_steps == 1 {
+        work.next_hints.extend_from_slice(begun.hints);
+        return;
+    }
+    let mut own = core::mem::take(&mut work.island_memory);
+    let mut first_overlap = core::mem::take(&mut work.first_overlap);
+    first_overlap.swap(work);
+    own.take_first(work, begun.hints);
+    for later in 1..sub_steps {
+        if later > 1 {
+            own.take(work);
+        }
+        let mut hints = core::mem::take(&mut work.next_hints);
+        overlap(model, &own.hints, work, &mut hints);
+        work.next_hints = hints;
+        sub_step(model, own.past(h), work, h, sub_steps);
+    }
+    first_overlap.swap(work);
+    work.first_overlap = first_overlap;
     work.island_memory = own;
+}
+
+/// One of the sub-steps, of `h` seconds, after its overlap.
+fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64, sub_steps: u32) {
+    inherit_all(model, past.patches, work);
+    rows::collect(model, work, past, h);
+    solve::free_velocities(work, h);
+    let mut from = 0;
+    while let Some(patch) = work.patches[work.own_patches.clone()].get(from) {
+        let island = patch.candidate.island;
+        let own = |patch: &&Patch| patch.candidate.island == island;
+        let rest = &work.patches[work.own_patches.start + from..work.own_patches.end];
+        let to = from + rest.iter().take_while(own).count();
+        rows::let_go(model, work, from..to);
+        solve::velocities(model, work, from..to, h);
+        from = to;
+    }
+    rows::book(model, work, h, 1.0 / f64::from(sub_steps));
+    advance_positions(model, work, h);
 }
 
 /// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no

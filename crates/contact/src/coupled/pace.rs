@@ -27,17 +27,23 @@ const TRAVEL_PER_SUB_STEP: f64 = 0.5;
 /// Most sub-steps of a step: bounded work, whatever the host asks for.
 pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 
-/// Number of sub-steps for the island in `work`, after the overlap of its first.
-pub(crate) fn sub_steps(model: &Model, work: &Workspace, step_s: f64) -> u32 {
+/// Number of sub-steps for an island, after the first overlap, which found `patches` of it and left `hints`.
+pub(crate) fn sub_steps(
+    model: &Model,
+    work: &Workspace,
+    candidates: &[Candidate],
+    mut patches: &[Patch],
+    hints: &[HintMemory],
+    step_s: f64,
+) -> u32 {
     let mut rate_squared = 0.0;
     let mut travel = 0.0_f64;
     // In the order of the candidates.
-    let mut patches = work.patches.as_slice();
-    for candidate in &work.candidates[work.own_candidates.clone()] {
+    for candidate in candidates {
         let count = patches.iter().take_while(|p| p.candidate.key() == candidate.key()).count();
         let (own, rest) = patches.split_at(count);
         patches = rest;
-        if own.is_empty() && !may_touch(model, work, candidate, step_s) {
+        if own.is_empty() && !may_touch(model, work, candidate, hints, step_s) {
             continue;
         }
         let closing_m = closing_mps(work, candidate) * step_s;
@@ -124,7 +130,13 @@ fn rates_squared_of_face(
 }
 
 /// Could the pair touch in this step? By the gaps between its pieces.
-fn may_touch(model: &Model, work: &Workspace, candidate: &Candidate, step_s: f64) -> bool {
+fn may_touch(
+    model: &Model,
+    work: &Workspace,
+    candidate: &Candidate,
+    hints: &[HintMemory],
+    step_s: f64,
+) -> bool {
     let (a, b) = (candidate.a as usize, candidate.b as usize);
     let b_in_a = work.poses[a].to(work.poses[b]);
     let reach_m = closing_mps(work, candidate) * step_s;
@@ -132,7 +144,6 @@ fn may_touch(model: &Model, work: &Workspace, candidate: &Candidate, step_s: f64
     (0u32..).zip(pieces_a).any(|(piece_a, shape_a)| {
         (0u32..).zip(pieces_b).any(|(piece_b, shape_b)| {
             let key = (candidate.a, candidate.b, candidate.face, piece_a, piece_b);
-            let hints = &work.next_hints[work.first_hint..];
             let hint = match hints.binary_search_by_key(&key, HintMemory::key) {
                 Ok(index) => hints[index].hint,
                 Err(_) => Hint::None,

@@ -1,5 +1,7 @@
 //! The contacts of one sub-step: what the solve needs of each, and what is booked afterwards.
 
+use core::ops::Range;
+
 use crate::coupled::tie::{Forces, Tie};
 use crate::events::tell_of_patch;
 use crate::inherit::Inherited;
@@ -45,14 +47,13 @@ pub(crate) fn collect(model: &Model, work: &mut Workspace, past: Past<'_>, h: f6
     let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
     let patches = core::mem::take(&mut work.patches);
     let shares = core::mem::take(&mut work.shares);
-    for (index, patch) in patches.iter().enumerate() {
+    for (index, patch) in patches[work.own_patches.clone()].iter().enumerate() {
         let inherited = work.inherited[index];
         let old = inherited.of(past.patches, &shares);
         let placed = past.last_step_s == 0.0 || work.jumped(patch.candidate.a, patch.candidate.b);
         collect_one(model, work, patch, inherited, old, Time { elapsed_s, h, placed });
     }
     (work.patches, work.shares) = (patches, shares);
-    let_go(model, work);
 }
 
 /// Time since the last (sub-)step began and length of this one [s]; and whether bodies were put where they
@@ -68,7 +69,8 @@ struct Time {
 /// time step's error in the stored energy is a few per cent.
 const LET_GO: f64 = 0.8;
 
-/// Raises each v_ref to the speed that the stored energy which no load holds would give.
+/// Raises each v_ref of an island's contacts to the speed that the stored energy which no load holds would
+/// give.
 ///
 /// v_ref alone forgets: where the relative velocity changes sign by a trifle, as it does when a ship on
 /// several fenders yaws a little while she comes back, it starts again from next to nothing, and she
@@ -76,19 +78,21 @@ const LET_GO: f64 = 0.8;
 /// at δ that is held by N < f has about U (1 − N/f)² more than it needs (exactly, where it is linear);
 /// all contacts between the same two bodies, or of one body with what is fixed, let go together. As
 /// N ≤ f still, and N < f only while the contact opens, nothing is made out of nothing.
-fn let_go(model: &Model, work: &mut Workspace) {
-    let all_j: f64 = work.rows.iter().map(|row| row.unheld_j).sum();
+pub(crate) fn let_go(model: &Model, work: &mut Workspace, island: Range<usize>) {
+    let Workspace { rows, ties, next_patches, first_patch, inverses, .. } = &*work;
+    let (rows, ties) = (&rows[island.clone()], &ties[island.clone()]);
+    let all_j: f64 = rows.iter().map(|row| row.unheld_j).sum();
     if all_j == 0.0 {
         return;
     }
     // While bodies close most of them come faster than all of it could give them.
-    let Workspace { rows, ties, next_patches, first_patch, inverses, .. } = &*work;
     let rises = |((row, tie), memory): ((&Row, &Tie), &PatchMemory)| {
         let most_mps2 = speed_squared(all_j, row, tie, inverses);
         most_mps2 > memory.v_normal_0_mps * memory.v_normal_0_mps
     };
-    if rows.iter().zip(ties).zip(&next_patches[*first_patch..]).any(rises) {
-        let_go_of(model, work);
+    let memories = &next_patches[first_patch + island.start..];
+    if rows.iter().zip(ties).zip(memories).any(rises) {
+        let_go_of(model, work, island);
     }
 }
 
@@ -105,14 +109,14 @@ fn speed_squared(unheld_j: f64, row: &Row, tie: &Tie, inverses: &[InverseMatrix]
 /// The unheld energy of all contacts that let go together, and what it makes of their v_ref.
 #[cold]
 #[inline(never)]
-fn let_go_of(model: &Model, work: &mut Workspace) {
+fn let_go_of(model: &Model, work: &mut Workspace, island: Range<usize>) {
     let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
-    let Workspace {
-        rows, ties, next_patches, first_patch, unheld_j, inverses, island_bodies, ..
-    } = work;
-    let next_patches = &mut next_patches[*first_patch..];
-    for &rank in island_bodies.iter() {
-        unheld_j[rank as usize] = 0.0;
+    let Workspace { rows, ties, next_patches, first_patch, unheld_j, inverses, .. } = work;
+    let next_patches = &mut next_patches[*first_patch + island.start..];
+    let (rows, ties) = (&rows[island.clone()], &mut ties[island]);
+    for tie in ties.iter() {
+        unheld_j[tie.a as usize] = 0.0;
+        unheld_j[tie.b as usize] = 0.0;
     }
     for (row, tie) in rows.iter().zip(ties.iter()) {
         match (fixed(tie.a), fixed(tie.b)) {
@@ -244,6 +248,7 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
         rows,
         ties,
         patches,
+        own_patches,
         next_patches,
         first_patch,
         states,
@@ -255,6 +260,7 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
         ..
     } = work;
     let next_patches = &mut next_patches[*first_patch..];
+    let patches = &patches[own_patches.clone()];
     let first_sub_step = contacts.len() == *first_contact;
     for (index, (row, tie)) in rows.iter().zip(ties.iter()).enumerate() {
         let touch = &row.touch;

@@ -15,6 +15,7 @@
 //! not settled after [`SWEEPS`] is reported.
 
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use crate::coupled::direct;
 use crate::coupled::leap::{Trial, leap};
@@ -36,11 +37,11 @@ const SETTLED_MPS: f64 = 1e-13;
 /// A change larger than this in the last sweep is told to the user [m/s].
 const TOLD_MPS: f64 = 1e-6;
 
-/// New velocities of the island's bodies in `work.states`, and forces in `work.ties`.
-pub(crate) fn velocities(model: &Model, work: &mut Workspace, h: f64) {
-    free_velocities(work, h);
+/// New velocities of an island's bodies in `work.states`, from those that they have without contact, and forces
+/// in its `work.ties`.
+pub(crate) fn velocities(model: &Model, work: &mut Workspace, island: Range<usize>, h: f64) {
     let Workspace { states, ties, inverses, trials, .. } = &mut *work;
-    let last_change_mps = match ties.as_mut_slice() {
+    let last_change_mps = match &mut ties[island.clone()] {
         [] => return,
         [only] => alone(states, inverses, only, h),
         several => {
@@ -51,13 +52,13 @@ pub(crate) fn velocities(model: &Model, work: &mut Workspace, h: f64) {
         }
     };
     if last_change_mps > TOLD_MPS {
-        let (a, b) = (ties[0].a, ties[0].b);
+        let Tie { a, b, .. } = ties[island.start];
         note(model, work, a, b, EventKind::NotConverged);
     }
 }
 
 /// v_free = v + h M⁻¹ W. Takes note of v.
-fn free_velocities(work: &mut Workspace, h: f64) {
+pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
     work.before.clear();
     for &rank in &work.island_bodies {
         let rank = rank as usize;
