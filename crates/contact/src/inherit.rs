@@ -50,14 +50,15 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
     let mut old = last;
     let Range { start: mut from, end } = work.own_patches;
     while from < end {
-        let Candidate { a, b, .. } = work.patches[from].candidate;
-        let key = work.patches[from].candidate.key();
+        let Patch { candidate, of, .. } = work.patches[from];
+        let Candidate { a, b, .. } = candidate;
+        let key = candidate.key();
         let jumped = work.jumped(a, b);
         // The most of them: one patch that goes on, as its pair's only one.
         if let [first, rest @ ..] = old
             && first.candidate() == key
             && rest.first().is_none_or(|m| m.candidate() != key)
-            && (from + 1 == end || work.patches[from + 1].candidate.key() != key)
+            && (from + 1 == end || work.patches[from + 1].of != of)
             && !jumped
         {
             work.inherited.push(Inherited::One((last.len() - old.len()) as u32));
@@ -65,7 +66,7 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
             from += 1;
             continue;
         }
-        let of_pair = |p: &&Patch| p.candidate.key() == key;
+        let of_pair = |p: &&Patch| p.of == of;
         let to = from + work.patches[from..end].iter().take_while(of_pair).count();
         let (ended, mut own) = patches_of(&mut old, key);
         ended.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));

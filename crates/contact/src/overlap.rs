@@ -21,6 +21,8 @@ const SAME_CORNER_M: f64 = 1e-7;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch {
     pub(crate) candidate: Candidate,
+    /// Its candidate's place in `Workspace::candidates`.
+    pub(crate) of: u32,
     /// Number within the pair.
     pub(crate) number: u32,
     /// Pose of B in A's frame.
@@ -109,16 +111,18 @@ pub(crate) fn overlap(
         let b_in_a = work.poses[a].to(work.poses[b]);
         let (pieces_a, pieces_b) = pieces_of(model, &candidate);
         if let ([piece_a], [piece_b]) = (pieces_a, pieces_b) {
-            clip_convex(piece_a, piece_b, candidate, b_in_a, (&mut hints, next_hints), work);
+            let of = index as u32;
+            clip_convex(piece_a, piece_b, (candidate, of), b_in_a, (&mut hints, next_hints), work);
             continue;
         }
-        let first = work.lenses.len();
+        let (first, first_patch) = (work.lenses.len(), work.patches.len());
         clip_pieces(pieces_a, pieces_b, candidate, b_in_a, (&mut hints, next_hints), work);
         match work.lenses.len() - first {
             0 => {}
             1 => new_patch(candidate, b_in_a, 0, first, first + 1, work),
             _ => connect(candidate, b_in_a, first, work),
         }
+        work.patches[first_patch..].iter_mut().for_each(|patch| patch.of = index as u32);
     }
     work.own_patches = 0..work.patches.len();
 }
@@ -132,7 +136,7 @@ type Hints<'h, 'm> = (&'h mut &'m [HintMemory], &'h mut Vec<HintMemory>);
 fn clip_convex(
     a: &ConvexPolygon,
     b: &ConvexPolygon,
-    candidate: Candidate,
+    (candidate, of): (Candidate, u32),
     b_in_a: Pose,
     (hints, next_hints): Hints<'_, '_>,
     work: &mut Workspace,
@@ -145,6 +149,7 @@ fn clip_convex(
     match found {
         Some(clip) => patches.push(Patch {
             candidate,
+            of,
             number: 0,
             b_in_a,
             area_m2: clip.lens.area_m2,
@@ -342,6 +347,7 @@ fn sum(
     let lenses = &work.lenses[start..stop];
     let mut patch = Patch {
         candidate,
+        of: 0,
         number,
         b_in_a,
         area_m2: lenses[0].lens.area_m2,

@@ -105,7 +105,7 @@ pub(crate) struct Candidate {
     /// against the other's outline.
     pub(crate) face: u32,
     pub(crate) material: MaterialId,
-    /// Its island's place in `Workspace::islands`, by the coupled method.
+    /// A body of its island, the same for all of it, by the coupled method.
     pub(crate) island: u32,
 }
 

@@ -90,33 +90,23 @@ pub(crate) fn split(model: &Model, work: &mut Workspace) {
             root[one.max(two) as usize] = one.min(two);
         }
     }
-    let island_of = |candidate: &Candidate, root: &mut [u32]| {
-        let free =
-            if model.ranked[candidate.a as usize].is_fixed() { candidate.b } else { candidate.a };
-        find(root, free)
-    };
     // By island; the candidates' own order within.
     let mut last = 0;
-    let together = work.candidates.iter().all(|c| {
-        let this = island_of(c, root);
-        let in_order = last <= this;
-        last = this;
-        in_order
-    });
-    if !together {
-        work.candidates.sort_unstable_by_key(|c| (island_of(c, root), c.key()));
-        work.in_order = false;
+    for candidate in &mut work.candidates {
+        let fixed = model.ranked[candidate.a as usize].is_fixed();
+        candidate.island = find(root, if fixed { candidate.b } else { candidate.a });
+        work.in_order &= last <= candidate.island;
+        last = candidate.island;
+    }
+    if !work.in_order {
+        work.candidates.sort_unstable_by_key(|c| (c.island, c.key()));
     }
     let mut from = 0;
-    let mut last = None;
-    for (index, candidate) in work.candidates.iter_mut().enumerate() {
-        let this = island_of(candidate, root);
-        if last.is_some_and(|last| last != this) {
-            work.islands.push(Island::of(from..index));
-            from = index;
+    for (index, two) in work.candidates.windows(2).enumerate() {
+        if two[0].island != two[1].island {
+            work.islands.push(Island::of(from..index + 1));
+            from = index + 1;
         }
-        last = Some(this);
-        candidate.island = work.islands.len() as u32;
     }
     work.islands.push(Island::of(from..work.candidates.len()));
 }
@@ -145,9 +135,8 @@ pub(crate) fn set_paces(
 ) {
     let mut from = 0;
     for island in islands {
-        let candidates = &work.candidates[island.candidates.clone()];
-        let number = candidates[0].island;
-        let own = |patch: &&Patch| patch.candidate.island == number;
+        let candidates = island.candidates.clone();
+        let own = |patch: &&Patch| (patch.of as usize) < candidates.end;
         let to = from + work.patches[from..].iter().take_while(own).count();
         island.patches = from..to;
         let patches = &work.patches[from..to];

@@ -25,6 +25,7 @@ use crate::broad;
 use crate::coupled::island::Island;
 use crate::error::StepError;
 use crate::inherit::inherit_all;
+use crate::mass::InverseMatrix;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
 use crate::overlap::{Patch, overlap};
@@ -111,7 +112,7 @@ fn advance_in_order(
         let next = islands.get(to).map(|island| work.candidates[island.candidates.start].key());
         work.jumps = jumps;
         island::enter(model, work, &islands[from..to]);
-        advance_group(model, rest.before(next), work, islands[from].sub_steps, step_s);
+        advance_group(model, rest.before(next), work, &islands[from..to], step_s);
         island::leave(model, work);
         from = to;
     }
@@ -124,11 +125,11 @@ fn advance_group(
     model: &Model,
     begun: Past<'_>,
     work: &mut Workspace,
-    sub_steps: u32,
+    islands: &[Island],
     step_s: f64,
 ) {
-    let h = step_s / f64::from(sub_steps);
-    sub_step(model, begun, work, h, sub_steps);
+    let sub_steps = islands[0].sub_steps;
+    sub_step(model, begun, work, islands, step_s);
     if sub_steps == 1 {
         work.next_hints.extend_from_slice(begun.hints);
         return;
@@ -144,7 +145,8 @@ fn advance_group(
         let mut hints = core::mem::take(&mut work.next_hints);
         overlap(model, &own.hints, work, &mut hints);
         work.next_hints = hints;
-        sub_step(model, own.past(h), work, h, sub_steps);
+        let last_step_s = step_s / f64::from(sub_steps);
+        sub_step(model, own.past(last_step_s), work, islands, step_s);
     }
     first_overlap.swap(work);
     work.first_overlap = first_overlap;
@@ -152,54 +154,56 @@ fn advance_group(
 }
 
 /// One of the sub-steps, of `h` seconds, after its overlap.
-fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64, sub_steps: u32) {
+fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Island], step_s: f64) {
+    let sub_steps = f64::from(islands[0].sub_steps);
+    let h = step_s / sub_steps;
     inherit_all(model, past.patches, work);
     rows::collect(model, work, past, h);
     solve::free_velocities(work, h);
     let mut from = 0;
-    while let Some(patch) = work.patches[work.own_patches.clone()].get(from) {
-        let island = patch.candidate.island;
-        let own = |patch: &&Patch| patch.candidate.island == island;
-        let rest = &work.patches[work.own_patches.start + from..work.own_patches.end];
-        let to = from + rest.iter().take_while(own).count();
+    for island in islands {
+        let patches = &work.patches[work.own_patches.clone()][from..];
+        let own = |patch: &&Patch| (patch.of as usize) < island.candidates.end;
+        let to = from + patches.iter().take_while(own).count();
         rows::let_go(model, work, from..to);
         solve::velocities(model, work, from..to, h);
         from = to;
     }
-    rows::book(model, work, h, 1.0 / f64::from(sub_steps));
+    rows::book(model, work, h, 1.0 / sub_steps);
     advance_positions(model, work, h);
 }
 
 /// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no
 /// push of contacts yet.
 fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
-    work.loads.clear();
-    work.pushes.clear();
-    work.pushes.resize(model.ranked.len(), Wrench::default());
-    work.motions_by_rank.clear();
-    work.motions_by_rank.resize(model.ranked.len(), Motion::default());
-    work.inverses.clear();
-    work.room_mps.clear();
+    let count = model.ranked.len();
+    let Workspace { loads: own, pushes, motions_by_rank, inverses, room_mps, .. } = work;
+    own.clear();
+    own.resize(count, Wrench::default());
+    pushes.clear();
+    pushes.resize(count, Wrench::default());
+    motions_by_rank.clear();
+    motions_by_rank.resize(count, Motion::default());
+    room_mps.clear();
+    room_mps.resize(count, 0.0);
+    inverses.clear();
+    inverses.resize(count, InverseMatrix::default());
     for (rank, body) in model.ranked.iter().enumerate() {
         let state = &work.states[rank];
         if body.is_fixed() && state.is_at_rest() {
-            work.loads.push(Wrench::default());
-            work.inverses.push(body.inverse);
-            work.room_mps.push(0.0);
             continue;
         }
-        let (mut load, mut inverse) = (Wrench::default(), body.inverse);
-        let mut room_mps = state.yaw_rate_radps.abs() * body.reach_m;
+        let mut room = state.yaw_rate_radps.abs() * body.reach_m;
         if !body.is_fixed() {
-            load = loads[body.id.0 as usize];
-            inverse = inverse.turned(work.poses[rank].rotation);
+            let load = loads[body.id.0 as usize];
+            let inverse = body.inverse.turned(work.poses[rank].rotation);
             let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-            room_mps += dv.length() + dr.abs() * body.reach_m;
+            room += dv.length() + dr.abs() * body.reach_m;
+            own[rank] = load;
+            inverses[rank] = inverse;
         }
-        work.loads.push(load);
-        work.inverses.push(inverse);
-        work.room_mps.push(room_mps);
-        work.reach_m[rank] += (state.velocity_mps.length() + room_mps) * step_s;
+        room_mps[rank] = room;
+        work.reach_m[rank] += (state.velocity_mps.length() + room) * step_s;
     }
 }
 

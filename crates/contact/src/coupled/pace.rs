@@ -1,10 +1,13 @@
 //! How many sub-steps an island needs in a step.
 
+use core::ops::Range;
+
 use crate::fender::{FenderLaw, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::memory::HintMemory;
 use crate::model::{Model, RankedBody};
+use crate::number::lesser;
 use crate::overlap::{Patch, pieces_of};
 use crate::vec2::Vec2;
 use crate::workspace::{Candidate, Workspace};
@@ -31,7 +34,7 @@ pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 pub(crate) fn sub_steps(
     model: &Model,
     work: &Workspace,
-    candidates: &[Candidate],
+    candidates: Range<usize>,
     mut patches: &[Patch],
     hints: &[HintMemory],
     step_s: f64,
@@ -39,8 +42,9 @@ pub(crate) fn sub_steps(
     let mut rate_squared = 0.0;
     let mut travel = 0.0_f64;
     // In the order of the candidates.
-    for candidate in candidates {
-        let count = patches.iter().take_while(|p| p.candidate.key() == candidate.key()).count();
+    for index in candidates {
+        let candidate = &work.candidates[index];
+        let count = patches.iter().take_while(|patch| patch.of as usize == index).count();
         let (own, rest) = patches.split_at(count);
         patches = rest;
         if own.is_empty() && !may_touch(model, work, candidate, hints, step_s) {
@@ -60,13 +64,15 @@ pub(crate) fn sub_steps(
         let b = &model.ranked[candidate.b as usize];
         let material = &model.materials()[candidate.material.0 as usize];
         // The chord is at most as long as the smaller body.
-        let chord_m = 2.0 * a.radius_m.min(b.radius_m);
+        let chord_m = 2.0 * lesser(a.radius_m, b.radius_m);
         let inverse_mass = inverse_mass(a, b, own, chord_m);
         let damping_rate = material.damping_nspm2 * chord_m * inverse_mass;
         rate_squared +=
             counts * material.stiffness_npm2 * chord_m * inverse_mass + damping_rate * damping_rate;
-        let half_width_m = a.half_width_m.min(b.half_width_m);
-        travel = travel.max(closing_m / (TRAVEL_PER_SUB_STEP * half_width_m));
+        let most_m = TRAVEL_PER_SUB_STEP * lesser(a.half_width_m, b.half_width_m);
+        if closing_m > most_m {
+            travel = travel.max(closing_m / most_m);
+        }
     }
     let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
     if rate_squared * turn * turn <= 1.0 && travel <= 1.0 {
@@ -82,7 +88,7 @@ pub(crate) fn sub_steps(
 fn inverse_mass(a: &RankedBody, b: &RankedBody, own: &[Patch], chord_m: f64) -> f64 {
     let of_body = |body: &RankedBody, lever_m: f64| {
         let by_turning = body.inverse.of_turning() * lever_m * lever_m;
-        body.lightest_inverse_mass + by_turning.min(body.lightest_inverse_mass)
+        body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
     };
     let normal = match own {
         [only] if only.per_chord_m > 0.0 => only.chord_m.quarter_turn_back() * only.per_chord_m,

@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use crate::coupled::tie::{Forces, Tie};
 use crate::events::tell_of_patch;
+use crate::fender::RankedFender;
 use crate::inherit::Inherited;
 use crate::law::normal::{factor, normal_force};
 use crate::mass::InverseMatrix;
@@ -51,7 +52,12 @@ pub(crate) fn collect(model: &Model, work: &mut Workspace, past: Past<'_>, h: f6
         let inherited = work.inherited[index];
         let old = inherited.of(past.patches, &shares);
         let placed = past.last_step_s == 0.0 || work.jumped(patch.candidate.a, patch.candidate.b);
-        collect_one(model, work, patch, inherited, old, Time { elapsed_s, h, placed });
+        let time = Time { elapsed_s, h, placed };
+        // Twice the same: without a fender most of it is nought, which the compiler then knows.
+        match patch.candidate.fender(model) {
+            None => collect_one(model, work, patch, None, inherited, old, time),
+            Some(face) => collect_at_face(model, work, patch, face, inherited, old, time),
+        }
     }
     (work.patches, work.shares) = (patches, shares);
 }
@@ -182,16 +188,31 @@ fn may_give_j(
     }
 }
 
+/// As [`collect_one`], on a fender.
+#[inline(never)]
+fn collect_at_face(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    face: &RankedFender,
+    inherited: Inherited,
+    old: Option<&PatchMemory>,
+    time: Time,
+) {
+    collect_one(model, work, patch, Some(face), inherited, old, time);
+}
+
+#[inline(always)]
 fn collect_one(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
+    face: Option<&RankedFender>,
     inherited: Inherited,
     old: Option<&PatchMemory>,
     time: Time,
 ) {
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
-    let face = patch.candidate.fender(model);
     let touch = touch(model, work, patch, face, old);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, face, &touch, old);
@@ -207,7 +228,7 @@ fn collect_one(
         may_shear_j: old.map_or(0.0, |m| m.sheared_j),
     };
     let begins_with = Forces {
-        normal_n: old.map_or(law_n, |m| m.normal_force_n).min(law_n),
+        normal_n: old.map_or(law_n, |m| lesser(m.normal_force_n, law_n)),
         tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
         friction: Friction::Stick,
     };
@@ -231,7 +252,7 @@ fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) 
     let before = old.map_or(0.0, |m| m.v_normal_0_mps);
     let went_on = old.is_some_and(|m| m.flags & PatchMemory::APPROACHING != 0);
     let v_ref_mps = match (approaching, went_on) {
-        (true, true) => before.max(v_normal_mps),
+        (true, true) => greater(before, v_normal_mps),
         (true, false) => v_normal_mps,
         (false, _) => before,
     };

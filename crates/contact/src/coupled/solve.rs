@@ -118,25 +118,37 @@ fn sweep(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie],
     change_mps
 }
 
-/// The same for an island of one contact: its own two speeds are all there is to follow. It begins with N = f,
-/// with which T is right at once.
+/// The same for an island of one contact: its own two speeds are all there is to follow. Where no bound is
+/// reached its forces follow at once.
+#[inline(always)]
 fn alone(states: &mut [BodyState], inverses: &[InverseMatrix], tie: &mut Tie, h: f64) -> f64 {
-    tie.forces = Forces { normal_n: tie.law_n, tangential_n: 0.0, friction: Friction::Stick };
-    let mut speeds = tie.speeds_after(tie.speeds(states), (tie.law_n, 0.0), h);
+    let free = tie.speeds(states);
+    let (tangential_n, speeds) = tie.sticking(free, h);
     let mut change_mps = 0.0;
-    for count in 0..SWEEPS {
+    if tie.is_within_bounds(speeds, tangential_n, h) {
+        tie.forces = Forces { normal_n: tie.law_n, tangential_n, friction: Friction::Stick };
+    } else {
+        change_mps = alone_within_bounds(tie, free, h);
+    }
+    tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
+    change_mps
+}
+
+/// Sweeps over the one contact, from the speeds without it.
+#[inline(never)]
+fn alone_within_bounds(tie: &mut Tie, free: (f64, f64), h: f64) -> f64 {
+    let mut speeds = tie.speeds_after(free, (tie.forces.normal_n, tie.forces.tangential_n), h);
+    let mut change_mps = 0.0;
+    for _ in 0..SWEEPS {
         let forces = tie.relaxed(speeds, h);
         let more = forces.less(&tie.forces);
         tie.forces = forces;
         speeds = tie.speeds_after(speeds, more, h);
         change_mps = tie.change_mps(more, h);
-        let settled = change_mps <= SETTLED_MPS || (count == 0 && tie.is_full(speeds.0, h));
-        if settled {
-            change_mps = 0.0;
+        if change_mps <= SETTLED_MPS {
             break;
         }
     }
-    tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
     change_mps
 }
 

@@ -125,7 +125,8 @@ impl Seen {
 
 impl Tie {
     /// A contact between two bodies of these ranks and inverse masses, with the forces that it begins with.
-    #[inline]
+    // Always inlined: it is written where it is to stay.
+    #[inline(always)]
     pub(crate) fn new(
         (a, inverse_a): (u32, &InverseMatrix),
         (b, inverse_b): (u32, &InverseMatrix),
@@ -314,16 +315,14 @@ impl Tie {
         self.spring_slope
     }
 
-    /// Is N = f, and may it be so, if V_n becomes this with it?
+    /// T of the spring that sticks and the speeds with it, where N = f and no other force acts, from the speeds
+    /// without either.
     #[inline]
-    pub(crate) fn is_full(&self, normal_mps: f64, h: f64) -> bool {
-        self.forces.normal_n == self.law_n && self.may_be_full(normal_mps, h)
-    }
-
-    #[inline]
-    fn may_be_full(&self, normal_mps: f64, h: f64) -> bool {
-        let gives_j = -0.5 * h * self.law_n * (self.normal_before_mps + normal_mps);
-        (normal_mps + self.rebound_mps >= 0.0) & (gives_j <= self.may_give_j)
+    pub(crate) fn sticking(&self, free: (f64, f64), h: f64) -> (f64, (f64, f64)) {
+        let (_, without_mps) = self.speeds_after(free, (self.law_n, 0.0), h);
+        let share = 1.0 / (1.0 + self.spring_slope * h * self.tangential);
+        let tangential_n = self.spring_n(without_mps) * share;
+        (tangential_n, self.speeds_after(free, (self.law_n, tangential_n), h))
     }
 
     /// Do N = f and a T of the spring that sticks keep to all bounds, if with them, and all others' forces,
@@ -335,8 +334,10 @@ impl Tie {
         tangential_n: f64,
         h: f64,
     ) -> bool {
+        let gives_j = -0.5 * h * self.law_n * (self.normal_before_mps + normal_mps);
         let shear_gives_j = 0.5 * h * tangential_n * (self.tangential_before_mps + tangential_mps);
-        self.may_be_full(normal_mps, h)
+        (normal_mps + self.rebound_mps >= 0.0)
+            & (gives_j <= self.may_give_j)
             & (tangential_n.abs() <= self.friction_static * self.law_n)
             & (shear_gives_j <= self.may_shear_j)
     }
@@ -471,8 +472,15 @@ impl Tie {
 /// Any ϑ ≥ ½ is stable. That it makes no energy holds at ½ alone: see [`Tie::passive_shear`].
 #[inline]
 pub(crate) fn implicit_share(rate_squared: f64, h: f64) -> f64 {
-    let turn = libm::sqrt(rate_squared) * h;
-    if turn <= 1.0 { 0.5 } else { 1.0 - 0.5 / turn }
+    let turn_squared = rate_squared * h * h;
+    if turn_squared <= 1.0 { 0.5 } else { more_implicit_share(turn_squared) }
+}
+
+// Apart, so that nobody waits for the root and the quotient where they are not needed.
+#[cold]
+#[inline(never)]
+fn more_implicit_share(turn_squared: f64) -> f64 {
+    1.0 - 0.5 / libm::sqrt(turn_squared)
 }
 
 impl Forces {
