@@ -9,7 +9,6 @@ use crate::memory::HintMemory;
 use crate::model::{Model, RankedBody};
 use crate::number::lesser;
 use crate::overlap::{Patch, pieces_of};
-use crate::vec2::Vec2;
 use crate::workspace::{Candidate, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
@@ -84,19 +83,27 @@ pub(crate) fn sub_steps(
 
 /// A bound on the inverse mass that two bodies oppose to a contact [1/kg]. Twice that without rotation
 /// allows for a contact off the centre; where the two touch already in one place, its lever may tell that
-/// rotation adds less. The patch lies on the chord, so that it moves by half of that at most.
+/// rotation adds less. The patch lies on the chord, so that it moves by half of that at most; and within the
+/// smaller body, so that it comes no further from that one's centre of gravity.
 fn inverse_mass(a: &RankedBody, b: &RankedBody, own: &[Patch], chord_m: f64) -> f64 {
     let of_body = |body: &RankedBody, lever_m: f64| {
         let by_turning = body.inverse.of_turning() * lever_m * lever_m;
         body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
     };
-    let normal = match own {
-        [only] if only.per_chord_m > 0.0 => only.chord_m.quarter_turn_back() * only.per_chord_m,
+    let (patch, normal) = match own {
+        [only] if only.per_chord_m > 0.0 => {
+            (only, only.chord_m.quarter_turn_back() * only.per_chord_m)
+        }
         _ => return of_body(a, f64::INFINITY) + of_body(b, f64::INFINITY),
     };
-    let lever_m = |arm_m: Vec2| arm_m.cross(normal).abs() + 0.5 * chord_m;
-    let arm_a_m = own[0].centroid_m;
-    of_body(a, lever_m(arm_a_m)) + of_body(b, lever_m(arm_a_m - own[0].b_in_a.position_m))
+    let (from_a_m, from_b_m) =
+        (patch.centroid_m.cross(normal), patch.b_in_a.position_m.cross(normal));
+    let of_smaller_m = if a.radius_m <= b.radius_m { 0.0 } else { from_b_m };
+    let lever_m = |center_m: f64| {
+        let (patch_m, smaller_m) = (from_a_m - center_m, of_smaller_m - center_m);
+        lesser(patch_m.abs(), smaller_m.abs()) + 0.5 * chord_m
+    };
+    of_body(a, lever_m(0.0)) + of_body(b, lever_m(from_b_m))
 }
 
 /// Bounds on the squares of the rates of a fender and its hull by spring and stop, for all deflections that
