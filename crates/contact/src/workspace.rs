@@ -69,7 +69,8 @@ pub struct Workspace {
     pub(crate) room_mps: Vec<f64>,
     pub(crate) islands: Vec<Island>,
     pub(crate) island_root: Vec<u32>,
-    /// Bodies of islands but for what is fixed and at rest.
+    /// By rank: all but what is fixed and at rest; and those of them that are in islands.
+    pub(crate) moves: Vec<bool>,
     pub(crate) in_island: Vec<bool>,
     pub(crate) island_bodies: Vec<u32>,
     /// What the islands' last sub-step left.
@@ -158,6 +159,7 @@ impl Workspace {
             room_mps: Vec::with_capacity(count),
             islands: Vec::new(),
             island_root: Vec::new(),
+            moves: Vec::new(),
             in_island: Vec::new(),
             island_bodies: Vec::new(),
             island_memory: IslandMemory::default(),

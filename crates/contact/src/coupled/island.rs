@@ -83,9 +83,11 @@ pub(crate) fn split(model: &Model, work: &mut Workspace) {
     let root = &mut work.island_root;
     root.clear();
     root.extend(0..model.ranked.len() as u32);
-    for candidate in &work.candidates {
+    for candidate in &mut work.candidates {
         let [a, b] = [candidate.a, candidate.b];
-        if !model.ranked[a as usize].is_fixed() && !model.ranked[b as usize].is_fixed() {
+        let fixed = [a, b].map(|rank| model.ranked[rank as usize].is_fixed());
+        candidate.island = if fixed[0] { b } else { a };
+        if !fixed[0] && !fixed[1] {
             let (one, two) = (find(root, a), find(root, b));
             root[one.max(two) as usize] = one.min(two);
         }
@@ -93,8 +95,7 @@ pub(crate) fn split(model: &Model, work: &mut Workspace) {
     // By island; the candidates' own order within.
     let mut last = 0;
     for candidate in &mut work.candidates {
-        let fixed = model.ranked[candidate.a as usize].is_fixed();
-        candidate.island = find(root, if fixed { candidate.b } else { candidate.a });
+        candidate.island = find(root, candidate.island);
         work.in_order &= last <= candidate.island;
         last = candidate.island;
     }
@@ -102,10 +103,11 @@ pub(crate) fn split(model: &Model, work: &mut Workspace) {
         work.candidates.sort_unstable_by_key(|c| (c.island, c.key()));
     }
     let mut from = 0;
-    for (index, two) in work.candidates.windows(2).enumerate() {
-        if two[0].island != two[1].island {
-            work.islands.push(Island::of(from..index + 1));
-            from = index + 1;
+    let mut last = work.candidates[0].island;
+    for (index, candidate) in work.candidates.iter().enumerate() {
+        if candidate.island != last {
+            work.islands.push(Island::of(from..index));
+            (from, last) = (index, candidate.island);
         }
     }
     work.islands.push(Island::of(from..work.candidates.len()));
@@ -146,20 +148,19 @@ pub(crate) fn set_paces(
 }
 
 /// Makes these islands the ones that the stages work on.
-pub(crate) fn enter(model: &Model, work: &mut Workspace, islands: &[Island]) {
+pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
     let ([first, ..], [.., last]) = (islands, islands) else { return };
     work.own_candidates = first.candidates.start..last.candidates.end;
     work.own_patches = first.patches.start..last.patches.end;
     work.first_patch = work.next_patches.len();
     work.first_hint = work.next_hints.len();
     work.first_contact = work.contacts.len();
-    let Workspace { candidates, own_candidates, states, in_island, island_bodies, .. } = work;
+    let Workspace { candidates, own_candidates, moves, in_island, island_bodies, .. } = work;
     island_bodies.clear();
     for candidate in &candidates[own_candidates.clone()] {
         for rank in [candidate.a, candidate.b] {
             let place = rank as usize;
-            if !in_island[place] && !(model.ranked[place].is_fixed() && states[place].is_at_rest())
-            {
+            if moves[place] && !in_island[place] {
                 in_island[place] = true;
                 island_bodies.push(rank);
             }

@@ -111,7 +111,7 @@ fn advance_in_order(
         let to = from + islands[from..].iter().take_while(alike).count();
         let next = islands.get(to).map(|island| work.candidates[island.candidates.start].key());
         work.jumps = jumps;
-        island::enter(model, work, &islands[from..to]);
+        island::enter(work, &islands[from..to]);
         advance_group(model, rest.before(next), work, &islands[from..to], step_s);
         island::leave(model, work);
         from = to;
@@ -177,33 +177,35 @@ fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Isla
 /// push of contacts yet.
 fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
     let count = model.ranked.len();
-    let Workspace { loads: own, pushes, motions_by_rank, inverses, room_mps, .. } = work;
-    own.clear();
-    own.resize(count, Wrench::default());
-    pushes.clear();
-    pushes.resize(count, Wrench::default());
-    motions_by_rank.clear();
-    motions_by_rank.resize(count, Motion::default());
-    room_mps.clear();
-    room_mps.resize(count, 0.0);
-    inverses.clear();
-    inverses.resize(count, InverseMatrix::default());
+    work.loads.resize(count, Wrench::default());
+    work.pushes.resize(count, Wrench::default());
+    work.motions_by_rank.resize(count, Motion::default());
+    work.inverses.resize(count, InverseMatrix::default());
+    work.room_mps.resize(count, 0.0);
+    work.moves.resize(count, false);
     for (rank, body) in model.ranked.iter().enumerate() {
         let state = &work.states[rank];
-        if body.is_fixed() && state.is_at_rest() {
+        work.pushes[rank] = Wrench::default();
+        work.motions_by_rank[rank] = Motion::default();
+        let moves = !(body.is_fixed() && state.is_at_rest());
+        work.moves[rank] = moves;
+        if !moves {
+            work.inverses[rank] = InverseMatrix::default();
+            work.room_mps[rank] = 0.0;
             continue;
         }
-        let mut room = state.yaw_rate_radps.abs() * body.reach_m;
+        let (mut load, mut inverse) = (Wrench::default(), InverseMatrix::default());
+        let mut room_mps = state.yaw_rate_radps.abs() * body.reach_m;
         if !body.is_fixed() {
-            let load = loads[body.id.0 as usize];
-            let inverse = body.inverse.turned(work.poses[rank].rotation);
+            load = loads[body.id.0 as usize];
+            inverse = body.inverse.turned(work.poses[rank].rotation);
             let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-            room += dv.length() + dr.abs() * body.reach_m;
-            own[rank] = load;
-            inverses[rank] = inverse;
+            room_mps += dv.length() + dr.abs() * body.reach_m;
         }
-        room_mps[rank] = room;
-        work.reach_m[rank] += (state.velocity_mps.length() + room) * step_s;
+        work.loads[rank] = load;
+        work.inverses[rank] = inverse;
+        work.room_mps[rank] = room_mps;
+        work.reach_m[rank] += (state.velocity_mps.length() + room_mps) * step_s;
     }
 }
 

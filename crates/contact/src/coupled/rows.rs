@@ -87,28 +87,34 @@ const LET_GO: f64 = 0.8;
 pub(crate) fn let_go(model: &Model, work: &mut Workspace, island: Range<usize>) {
     let Workspace { rows, ties, next_patches, first_patch, inverses, .. } = &*work;
     let (rows, ties) = (&rows[island.clone()], &ties[island.clone()]);
-    let all_j: f64 = rows.iter().map(|row| row.unheld_j).sum();
+    let mut all_j = 0.0;
+    for row in rows {
+        all_j += row.unheld_j;
+    }
     if all_j == 0.0 {
         return;
     }
     // While bodies close most of them come faster than all of it could give them.
-    let rises = |((row, tie), memory): ((&Row, &Tie), &PatchMemory)| {
+    let mut rises = false;
+    for ((row, tie), memory) in
+        rows.iter().zip(ties).zip(&next_patches[first_patch + island.start..])
+    {
         let most_mps2 = speed_squared(all_j, row, tie, inverses);
-        most_mps2 > memory.v_normal_0_mps * memory.v_normal_0_mps
-    };
-    let memories = &next_patches[first_patch + island.start..];
-    if rows.iter().zip(ties).zip(memories).any(rises) {
+        rises |= most_mps2 > memory.v_normal_0_mps * memory.v_normal_0_mps;
+    }
+    if rises {
         let_go_of(model, work, island);
     }
 }
 
 /// Square of the speed that unheld energy would give the two bodies of a contact [m²/s²].
-#[inline]
+#[inline(always)]
 fn speed_squared(unheld_j: f64, row: &Row, tie: &Tie, inverses: &[InverseMatrix]) -> f64 {
     // Without rotation: contacts at both ends of a ship do not turn her.
     let along = row.touch.normal;
-    let inverse_mass =
-        inverses[tie.a as usize].along(along) + inverses[tie.b as usize].along(along);
+    let of = |rank: Option<u32>| rank.map_or(0.0, |rank| inverses[rank as usize].along(along));
+    let [a, b] = tie.floating();
+    let inverse_mass = of(a) + of(b);
     LET_GO * LET_GO * 2.0 * unheld_j * inverse_mass
 }
 

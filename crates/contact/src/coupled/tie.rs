@@ -343,6 +343,7 @@ impl Tie {
     }
 
     /// The ranks of its bodies that float, A's and B's.
+    #[inline(always)]
     pub(crate) fn floating(&self) -> [Option<u32>; 2] {
         [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
     }
