@@ -46,17 +46,17 @@ pub(crate) fn solve(
     for tie in ties.iter_mut() {
         let speeds = tie.speeds(states);
         let tangential_n = tie.spring_n(speeds.1);
+        tie.after_mps = speeds;
         if !tie.is_within_bounds(speeds, tangential_n, h) {
             states[body as usize] = free;
             return false;
         }
         tangential.add(tie.tangential_row_of(body), tangential_n);
-        tie.trial_tangential_n = tangential_n;
     }
     for tie in ties {
         tie.forces = Forces {
             normal_n: tie.law_n,
-            tangential_n: tie.trial_tangential_n,
+            tangential_n: tie.spring_n(tie.after_mps.1),
             friction: Friction::Stick,
         };
     }
@@ -167,4 +167,83 @@ fn dot(p: [f64; 3], q: [f64; 3]) -> f64 {
 #[inline]
 fn cross(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
     [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coupled::rows::Laws;
+    use crate::model::Material;
+    use crate::touch::Touch;
+    use alloc::vec::Vec;
+
+    const RUBBER: Material = Material {
+        stiffness_npm2: 0.0,
+        damping_nspm2: 0.0,
+        shear_stiffness_npm: 3e6,
+        friction_static: 0.5,
+        friction_dynamic: 0.4,
+        restitution: 0.1,
+    };
+    const H: f64 = 0.1;
+
+    /// A ship that closes on four fenders and slides along them, as body B: her inverse masses are coupled.
+    fn ship_on_fenders(friction_static: f64) -> (Vec<BodyState>, Vec<InverseMatrix>, Vec<Tie>) {
+        let ship = BodyState {
+            velocity_mps: vec2(2e-3, -0.05),
+            yaw_rate_radps: 1e-5,
+            ..BodyState::default()
+        };
+        let mass = [[9e7, 2e6, 1e8], [2e6, 1.4e8, -4e8], [1e8, -4e8, 5e11]];
+        let inverse = InverseMatrix::of(&mass).expect("positive definite");
+        let inverses = [InverseMatrix::default(), inverse].to_vec();
+        let material = Material { friction_static, ..RUBBER };
+        let ties = (0..4).map(|k| {
+            let touch = Touch {
+                normal: vec2(0.0, 1.0),
+                arm_b_m: vec2(-90.0 + 60.0 * f64::from(k), -23.0),
+                shear_m: 1e-3 * f64::from(k - 1),
+                v_normal_mps: 0.05,
+                v_tangential_mps: 2e-3,
+                ..Touch::default()
+            };
+            let laws = Laws {
+                material: &material,
+                law_n: 3e5 + 1e4 * f64::from(k),
+                rebound_mps: 5e-3,
+                may_give_j: 1e3,
+                may_shear_j: 1e6,
+            };
+            let forces = Forces { normal_n: 0.0, tangential_n: 0.0, friction: Friction::Stick };
+            Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, H)
+        });
+        let ties = ties.collect();
+        ([BodyState::default(), ship].to_vec(), inverses, ties)
+    }
+
+    /// To rounding: each contact's forces are those that it would have with all others' as they are.
+    #[test]
+    fn the_direct_solve_is_where_a_sweep_changes_nothing() {
+        let (mut states, inverses, mut ties) = ship_on_fenders(0.5);
+        let before = states[1];
+        assert!(solve(&mut states, &inverses, &mut ties, H));
+        assert!(states[1].velocity_mps.y > before.velocity_mps.y, "the fenders push");
+        for tie in &ties {
+            let relaxed = tie.relaxed(tie.speeds(&states), H);
+            assert_eq!(relaxed.friction, Friction::Stick);
+            assert_eq!(relaxed.normal_n, tie.law_n);
+            assert!((relaxed.tangential_n - tie.forces.tangential_n).abs() < 1e-6, "{tie:?}");
+        }
+    }
+
+    #[test]
+    fn where_a_bound_would_be_passed_nothing_changes() {
+        let (states, inverses, ties) = ship_on_fenders(1e-3);
+        let (mut tried, mut tried_ties) = (states.clone(), ties.clone());
+        assert!(!solve(&mut tried, &inverses, &mut tried_ties, H), "friction cannot hold");
+        assert_eq!(tried, states);
+        for (one, other) in tried_ties.iter().zip(&ties) {
+            assert_eq!(one.forces, other.forces);
+        }
+    }
 }

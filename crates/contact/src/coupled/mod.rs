@@ -10,6 +10,9 @@
 //! 2. v_free = v + h M⁻¹ W, with M the full mass matrix and W all but the contact forces;
 //! 3. N and T of all contacts together ([`solve`]);
 //! 4. positions with the new velocities.
+//!
+//! Islands know nothing of each other; neighbours that need as many sub-steps go through these stages
+//! together, so that no contact waits for what another's island does.
 
 pub(crate) mod direct;
 pub(crate) mod island;

@@ -278,7 +278,6 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
         own_patches,
         next_patches,
         first_patch,
-        states,
         poses,
         pushes,
         contacts,
@@ -302,7 +301,7 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
         on_b.moment_nm -= touch.arm_b_m.cross(force_n);
 
         // By the mean velocity within the sub-step.
-        let (v_normal_mps, v_tangential_mps) = tie.speeds(states);
+        let (v_normal_mps, v_tangential_mps) = tie.after_mps;
         let closing_m = 0.5 * (touch.v_normal_mps + v_normal_mps) * h;
         let slip_m = 0.5 * (touch.v_tangential_mps + v_tangential_mps) * h;
 

@@ -48,7 +48,11 @@ pub(crate) fn velocities(model: &Model, work: &mut Workspace, island: Range<usiz
             if direct::solve(states, inverses, several, h) {
                 return;
             }
-            together(states, inverses, several, trials, h)
+            let change_mps = together(states, inverses, several, trials, h);
+            for tie in several {
+                tie.after_mps = tie.speeds(states);
+            }
+            change_mps
         }
     };
     if last_change_mps > TOLD_MPS {
@@ -127,6 +131,7 @@ fn alone(states: &mut [BodyState], inverses: &[InverseMatrix], tie: &mut Tie, h:
     let mut change_mps = 0.0;
     if tie.is_within_bounds(speeds, tangential_n, h) {
         tie.forces = Forces { normal_n: tie.law_n, tangential_n, friction: Friction::Stick };
+        tie.after_mps = speeds;
     } else {
         change_mps = alone_within_bounds(tie, free, h);
     }
@@ -149,6 +154,7 @@ fn alone_within_bounds(tie: &mut Tie, free: (f64, f64), h: f64) -> f64 {
             break;
         }
     }
+    tie.after_mps = speeds;
     change_mps
 }
 

@@ -48,8 +48,8 @@ pub(crate) struct Tie {
     friction_dynamic: f64,
     /// The forces [N].
     pub(crate) forces: Forces,
-    /// T that is tried [N].
-    pub(crate) trial_tangential_n: f64,
+    /// V_n⁺ and V_t⁺ with them, when they are found [m/s].
+    pub(crate) after_mps: (f64, f64),
 }
 
 /// N and T of a contact [N], and whether it slips.
@@ -176,7 +176,7 @@ impl Tie {
             friction_static: material.friction_static,
             friction_dynamic: material.friction_dynamic,
             forces,
-            trial_tangential_n: 0.0,
+            after_mps: (0.0, 0.0),
         }
     }
 
