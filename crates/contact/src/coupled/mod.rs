@@ -180,35 +180,50 @@ fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Isla
 /// push of contacts yet.
 fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
     let count = model.ranked.len();
-    work.loads.resize(count, Wrench::default());
-    work.pushes.resize(count, Wrench::default());
-    work.motions_by_rank.resize(count, Motion::default());
-    work.inverses.resize(count, InverseMatrix::default());
-    work.room_mps.resize(count, 0.0);
-    work.moves.resize(count, false);
+    let Workspace {
+        states,
+        poses,
+        reach_m,
+        pushes,
+        motions_by_rank,
+        loads: own,
+        inverses,
+        room_mps,
+        moves,
+        ..
+    } = work;
+    own.resize(count, Wrench::default());
+    inverses.resize(count, InverseMatrix::default());
+    room_mps.resize(count, 0.0);
+    moves.resize(count, false);
+    pushes.clear();
+    pushes.resize(count, Wrench::default());
+    motions_by_rank.clear();
+    motions_by_rank.resize(count, Motion::default());
+    // Of one length, so that it is asked for once.
+    let (states, poses, reach_m) = (&states[..count], &poses[..count], &mut reach_m[..count]);
+    let (own, inverses) = (&mut own[..count], &mut inverses[..count]);
+    let (room_mps, moves) = (&mut room_mps[..count], &mut moves[..count]);
     for (rank, body) in model.ranked.iter().enumerate() {
-        let state = &work.states[rank];
-        work.pushes[rank] = Wrench::default();
-        work.motions_by_rank[rank] = Motion::default();
-        let moves = !(body.is_fixed() && state.is_at_rest());
-        work.moves[rank] = moves;
-        if !moves {
-            work.inverses[rank] = InverseMatrix::default();
-            work.room_mps[rank] = 0.0;
+        let (state, fixed) = (&states[rank], body.is_fixed());
+        moves[rank] = !(fixed && state.is_at_rest());
+        if !moves[rank] {
+            inverses[rank] = InverseMatrix::default();
+            room_mps[rank] = 0.0;
             continue;
         }
         let (mut load, mut inverse) = (Wrench::default(), InverseMatrix::default());
-        let mut room_mps = state.yaw_rate_radps.abs() * body.reach_m;
-        if !body.is_fixed() {
+        let mut room = state.yaw_rate_radps.abs() * body.reach_m;
+        if !fixed {
             load = loads[body.id.0 as usize];
-            inverse = body.inverse.turned(work.poses[rank].rotation);
+            inverse = body.inverse.turned(poses[rank].rotation);
             let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-            room_mps += dv.length() + dr.abs() * body.reach_m;
+            room += dv.length() + dr.abs() * body.reach_m;
         }
-        work.loads[rank] = load;
-        work.inverses[rank] = inverse;
-        work.room_mps[rank] = room_mps;
-        work.reach_m[rank] += (state.velocity_mps.length() + room_mps) * step_s;
+        own[rank] = load;
+        inverses[rank] = inverse;
+        room_mps[rank] = room;
+        reach_m[rank] += (state.velocity_mps.length() + room) * step_s;
     }
 }
 
@@ -256,7 +271,7 @@ fn move_body(state: &mut BodyState, h: f64) {
 /// Bodies that nothing is near: one step by their loads.
 fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
     for (rank, body) in model.ranked.iter().enumerate() {
-        if body.is_fixed() || work.in_island[rank] {
+        if work.in_island[rank] || body.is_fixed() {
             continue;
         }
         let load = work.loads[rank];
@@ -284,14 +299,17 @@ fn report(model: &Model, work: &mut Workspace) {
     if !work.in_order {
         work.contacts.sort_unstable_by_key(key);
     }
-    work.wrenches.resize(model.bodies().len(), Wrench::default());
-    work.states_after.resize(model.bodies().len(), BodyState::default());
-    work.motions.resize(model.bodies().len(), Motion::default());
-    for (rank, body) in model.ranked.iter().enumerate() {
+    let count = model.ranked.len();
+    let Workspace { wrenches, states_after, motions, pushes, states, motions_by_rank, .. } = work;
+    wrenches.resize(count, Wrench::default());
+    states_after.resize(count, BodyState::default());
+    motions.resize(count, Motion::default());
+    let by_rank = pushes.iter().zip(states.iter()).zip(motions_by_rank.iter());
+    for (body, ((push, state), motion)) in model.ranked.iter().zip(by_rank) {
         let id = body.id.0 as usize;
-        work.wrenches[id] = work.pushes[rank];
-        work.states_after[id] = work.states[rank];
-        work.motions[id] = work.motions_by_rank[rank];
+        wrenches[id] = *push;
+        states_after[id] = *state;
+        motions[id] = *motion;
     }
 }
 

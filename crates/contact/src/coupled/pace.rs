@@ -87,6 +87,9 @@ pub(crate) fn sub_steps(
 /// smaller body, so that it comes no further from that one's centre of gravity.
 fn inverse_mass(a: &RankedBody, b: &RankedBody, own: &[Patch], chord_m: f64) -> f64 {
     let of_body = |body: &RankedBody, lever_m: f64| {
+        if body.is_fixed() {
+            return 0.0;
+        }
         let by_turning = body.inverse.of_turning() * lever_m * lever_m;
         body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
     };

@@ -7,7 +7,6 @@ use crate::events::tell_of_patch;
 use crate::fender::RankedFender;
 use crate::inherit::Inherited;
 use crate::law::normal::{factor, normal_force};
-use crate::mass::InverseMatrix;
 use crate::memory::{Past, PatchMemory};
 use crate::model::{Material, Model};
 use crate::number::{greater, lesser};
@@ -85,37 +84,30 @@ const LET_GO: f64 = 0.8;
 /// all contacts between the same two bodies, or of one body with what is fixed, let go together. As
 /// N ≤ f still, and N < f only while the contact opens, nothing is made out of nothing.
 pub(crate) fn let_go(model: &Model, work: &mut Workspace, island: Range<usize>) {
-    let Workspace { rows, ties, next_patches, first_patch, inverses, .. } = &*work;
+    let Workspace { rows, ties, next_patches, first_patch, .. } = &*work;
+    let memories = &next_patches[first_patch + island.start..first_patch + island.end];
     let (rows, ties) = (&rows[island.clone()], &ties[island.clone()]);
-    let mut all_j = 0.0;
-    for row in rows {
-        all_j += row.unheld_j;
-    }
-    if all_j == 0.0 {
-        return;
-    }
+    let rises = |all_j: f64, tie: &Tie, memory: &PatchMemory| {
+        speed_squared(all_j, tie) > memory.v_normal_0_mps * memory.v_normal_0_mps
+    };
     // While bodies close most of them come faster than all of it could give them.
-    let mut rises = false;
-    for ((row, tie), memory) in
-        rows.iter().zip(ties).zip(&next_patches[first_patch + island.start..])
-    {
-        let most_mps2 = speed_squared(all_j, row, tie, inverses);
-        rises |= most_mps2 > memory.v_normal_0_mps * memory.v_normal_0_mps;
-    }
-    if rises {
+    let any_rises = match (rows, ties, memories) {
+        ([row], [tie], [memory]) => rises(row.unheld_j, tie, memory),
+        _ => {
+            let all_j = rows.iter().map(|row| row.unheld_j).sum();
+            ties.iter().zip(memories).any(|(tie, memory)| rises(all_j, tie, memory))
+        }
+    };
+    if any_rises {
         let_go_of(model, work, island);
     }
 }
 
-/// Square of the speed that unheld energy would give the two bodies of a contact [m²/s²].
+/// Square of the speed that unheld energy would give the two bodies of a contact, without rotation [m²/s²]:
+/// contacts at both ends of a ship do not turn her.
 #[inline(always)]
-fn speed_squared(unheld_j: f64, row: &Row, tie: &Tie, inverses: &[InverseMatrix]) -> f64 {
-    // Without rotation: contacts at both ends of a ship do not turn her.
-    let along = row.touch.normal;
-    let of = |rank: Option<u32>| rank.map_or(0.0, |rank| inverses[rank as usize].along(along));
-    let [a, b] = tie.floating();
-    let inverse_mass = of(a) + of(b);
-    LET_GO * LET_GO * 2.0 * unheld_j * inverse_mass
+fn speed_squared(unheld_j: f64, tie: &Tie) -> f64 {
+    LET_GO * LET_GO * 2.0 * unheld_j * tie.linear
 }
 
 /// The unheld energy of all contacts that let go together, and what it makes of their v_ref.
@@ -123,7 +115,7 @@ fn speed_squared(unheld_j: f64, row: &Row, tie: &Tie, inverses: &[InverseMatrix]
 #[inline(never)]
 fn let_go_of(model: &Model, work: &mut Workspace, island: Range<usize>) {
     let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
-    let Workspace { rows, ties, next_patches, first_patch, unheld_j, inverses, .. } = work;
+    let Workspace { rows, ties, next_patches, first_patch, unheld_j, .. } = work;
     let next_patches = &mut next_patches[*first_patch + island.start..];
     let (rows, ties) = (&rows[island.clone()], &mut ties[island]);
     for tie in ties.iter() {
@@ -149,8 +141,8 @@ fn let_go_of(model: &Model, work: &mut Workspace, island: Range<usize>) {
         };
         if unheld_j > 0.0 {
             let memories = &mut next_patches[own.clone()];
-            for ((row, tie), memory) in rows[own.clone()].iter().zip(&mut ties[own]).zip(memories) {
-                let speed_mps = libm::sqrt(speed_squared(unheld_j, row, tie, inverses));
+            for (tie, memory) in ties[own].iter_mut().zip(memories) {
+                let speed_mps = libm::sqrt(speed_squared(unheld_j, tie));
                 tie.rebound_mps = tie.rebound_mps.max(tie.restitution * speed_mps);
                 // It goes on until the contact closes again: else the bound would come and go with N.
                 memory.v_normal_0_mps = memory.v_normal_0_mps.max(speed_mps);

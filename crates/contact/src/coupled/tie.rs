@@ -25,6 +25,8 @@ pub(crate) struct Tie {
     pub(crate) normal: f64,
     cross: f64,
     tangential: f64,
+    /// n·K n without rotation [1/kg].
+    pub(crate) linear: f64,
     /// ϑ: see [`implicit_share`].
     implicit: f64,
     /// The shear spring's force at V_t⁺ = 0 [N], and what it loses with V_t⁺: c = ϑ² k_s h [N·s/m].
@@ -108,6 +110,8 @@ struct Seen {
     normal: f64,
     cross: f64,
     tangential: f64,
+    /// n·K n without rotation.
+    linear: f64,
 }
 
 impl Seen {
@@ -117,6 +121,7 @@ impl Seen {
         let along_t = along_n.quarter_turn();
         let (of_n, turn_n) = inverse.response(along_n, lever_n_m);
         let (of_t, turn_t) = inverse.response(along_t, lever_t_m);
+        self.linear += inverse.along(along_n);
         self.normal += of_n.dot(along_n) + turn_n * lever_n_m;
         self.cross += of_n.dot(along_t) + turn_n * lever_t_m;
         self.tangential += of_t.dot(along_t) + turn_t * lever_t_m;
@@ -146,7 +151,7 @@ impl Tie {
         if b_floats {
             seen.add(inverse_b, along_n, levers_n_m.b, levers_t_m.b);
         }
-        let Seen { normal, cross, tangential } = seen;
+        let Seen { normal, cross, tangential, linear } = seen;
         let material = laws.material;
         let implicit = implicit_share(material.shear_stiffness_npm * tangential, h);
         let spring_slope = implicit * implicit * material.shear_stiffness_npm * h;
@@ -162,6 +167,7 @@ impl Tie {
             normal,
             cross,
             tangential,
+            linear,
             implicit,
             spring_at_rest_n: -material.shear_stiffness_npm * (touch.shear_m + explicit_m),
             spring_slope,
