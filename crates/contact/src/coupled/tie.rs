@@ -1,7 +1,7 @@
 //! One contact as the solve sees it: how it moves its two bodies, and what bounds its forces.
 
 use crate::coupled::rows::Laws;
-use crate::mass::InverseMatrix;
+use crate::mass::{InverseMatrix, Seen};
 use crate::report::Friction;
 use crate::state::BodyState;
 use crate::touch::Touch;
@@ -101,30 +101,6 @@ impl Levers {
     fn rows(&self, along: Vec2) -> [[f64; 3]; 2] {
         let Vec2 { x, y } = along;
         [[x, y, self.a], [-x, -y, -self.b]]
-    }
-}
-
-/// n·K n, t·K n and t·K t of both bodies [1/kg].
-#[derive(Clone, Copy, Default)]
-struct Seen {
-    normal: f64,
-    cross: f64,
-    tangential: f64,
-    /// n·K n without rotation.
-    linear: f64,
-}
-
-impl Seen {
-    /// Adds what unit impulses along n and t, with these levers, change of a body's speeds along both.
-    #[inline]
-    fn add(&mut self, inverse: &InverseMatrix, along_n: Vec2, lever_n_m: f64, lever_t_m: f64) {
-        let along_t = along_n.quarter_turn();
-        let (of_n, turn_n) = inverse.response(along_n, lever_n_m);
-        let (of_t, turn_t) = inverse.response(along_t, lever_t_m);
-        self.linear += inverse.along(along_n);
-        self.normal += of_n.dot(along_n) + turn_n * lever_n_m;
-        self.cross += of_n.dot(along_t) + turn_n * lever_t_m;
-        self.tangential += of_t.dot(along_t) + turn_t * lever_t_m;
     }
 }
 
