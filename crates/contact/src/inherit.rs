@@ -162,7 +162,7 @@ fn share_of(
 /// Does the patch lie where the old one lay, as one of the two bodies sees it? A contact that slides
 /// stays in place on at least one of them. Of two convex bodies there is one patch, which is the same.
 pub(crate) fn continues(old: &PatchMemory, patch: &Patch, places: &[Place]) -> bool {
-    patch.place.is_none_or(|place| {
+    patch.place().is_none_or(|place| {
         let Place { in_a, in_b } = places[place as usize];
         old.extent_in_a.overlaps(&in_a) || old.extent_in_b.overlaps(&in_b)
     })

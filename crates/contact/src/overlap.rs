@@ -41,8 +41,19 @@ pub(crate) struct Patch {
     /// Extent along the chord's normal times the chord's length [m²], where the patch is one lens.
     spread_m2: f64,
     parts: Parts,
+    /// Its place in `Workspace::places`; [`NOWHERE`] where both bodies are convex.
+    // A number rather than an option, half of which would be copied apart from its neighbour and waited for.
+    place: u32,
+}
+
+const NOWHERE: u32 = u32::MAX;
+
+impl Patch {
     /// Its place in `Workspace::places`; nothing there where both bodies are convex.
-    pub(crate) place: Option<u32>,
+    #[inline]
+    pub(crate) fn place(&self) -> Option<u32> {
+        (self.place != NOWHERE).then_some(self.place)
+    }
 }
 
 /// What a patch consists of.
@@ -159,7 +170,7 @@ fn clip_convex(
             contained: clip.contained,
             spread_m2: clip.lens.spread_m2,
             parts: Parts::One { from: from as u32, to: outline_m.len() as u32 },
-            place: None,
+            place: NOWHERE,
         }),
         None => outline_m.truncate(from),
     }
@@ -330,7 +341,7 @@ fn new_patch(
         in_a.low_m = vec2(in_a.low_m.x.min(more.low_m.x), in_a.low_m.y.min(more.low_m.y));
         in_a.high_m = vec2(in_a.high_m.x.max(more.high_m.x), in_a.high_m.y.max(more.high_m.y));
     }
-    patch.place = Some(work.places.len() as u32);
+    patch.place = work.places.len() as u32;
     work.places.push(Place { in_a, in_b: seen_from_b(&in_a, b_in_a) });
     work.patches.push(patch);
 }
@@ -357,7 +368,7 @@ fn sum(
         contained: lenses.len() == 1 && lenses[0].contained,
         spread_m2: lenses[0].lens.spread_m2,
         parts: Parts::Lenses { from: start as u32, to: stop as u32 },
-        place: None,
+        place: NOWHERE,
     };
     let mut collinear = lenses[0].lens.collinear;
     if lenses.len() > 1 {
