@@ -27,12 +27,13 @@ use crate::admit;
 use crate::broad;
 use crate::coupled::island::Island;
 use crate::error::StepError;
+use crate::events::note;
 use crate::inherit::inherit_all;
 use crate::mass::InverseMatrix;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
 use crate::overlap::{Patch, overlap};
-use crate::report::{Motion, Wrench};
+use crate::report::{EventKind, Motion, Wrench};
 use crate::state::BodyState;
 use crate::vec2::Rotation;
 use crate::workspace::Workspace;
@@ -76,6 +77,10 @@ pub fn advance(
 /// All islands: together as far as they are in the order of the memory.
 fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     let mut islands = core::mem::take(&mut work.islands);
+    if islands.is_empty() || !work.in_order {
+        end_what_left(model, memory, work);
+    }
+    let jumps = work.jumps;
     if work.in_order {
         advance_in_order(model, memory.past(), work, &mut islands, step_s);
     } else {
@@ -83,11 +88,25 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
         for island in &mut islands {
             gathered.gather(memory, &work.candidates[island.candidates.clone()]);
             let past = gathered.past(memory.last_step_s);
+            work.jumps = jumps;
             advance_in_order(model, past, work, core::slice::from_mut(island), step_s);
         }
         work.gathered_memory = gathered;
     }
     work.islands = islands;
+}
+
+/// Tells of contacts whose pairs are no candidates any more, as they are only where a body jumped, where
+/// [`inherit_all`] does not come upon them.
+fn end_what_left(model: &Model, memory: &Memory, work: &mut Workspace) {
+    if !work.jumps {
+        return;
+    }
+    for patch in &memory.patches {
+        if !work.candidates.iter().any(|candidate| candidate.key() == patch.candidate()) {
+            note(model, work, patch.a, patch.b, EventKind::ContactEnded);
+        }
+    }
 }
 
 /// Islands that are in the order of what the last step left of them: the first overlap of all of them, and

@@ -424,8 +424,8 @@ impl Tie {
         (more_n * self.normal).abs().max((more_t * self.tangential).abs()) * h
     }
 
-    /// Δs at the end of the sub-step from that at its start: grown by h V̄, while it slips at most what the sliding force shears
-    /// [m].
+    /// Δs at the end of the sub-step from that at its start [m]: grown by h V̄, while it slips at most what the
+    /// sliding force shears.
     #[inline]
     pub(crate) fn shear_after_m(&self, shear_m: f64, after_mps: f64, h: f64) -> f64 {
         let share = self.implicit;
