@@ -129,7 +129,8 @@ fn unsound_load(model: &Model, index: usize, load: &Wrench) -> StepError {
 /// Puts states and poses in the order of the ranks, and finds bodies that jumped.
 pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
     let count = model.ranked.len();
-    let Workspace { states: own, poses, headings_rad, teleported, reach_m, events, .. } = work;
+    let Workspace { states: own, poses, headings_rad, teleported, jumps, reach_m, events, .. } =
+        work;
     if headings_rad.len() != count {
         headings_rad.clear();
         headings_rad.resize(count, 0.0);
@@ -139,6 +140,7 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
     own.resize(count, BodyState::default());
     teleported.resize(count, false);
     reach_m.resize(count, 0.0);
+    *jumps = false;
     // In one pass: the bodies of a large model are far from the processor.
     let of_body = own.iter_mut().zip(poses).zip(headings_rad).zip(teleported).zip(reach_m);
     for (rank, (body, ((((own, pose), heading_rad), teleported), reach_m))) in
@@ -158,6 +160,7 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
             .get(rank)
             .is_some_and(|last| jumped(last, &state, memory.last_step_s, body.radius_m));
         if *teleported {
+            *jumps = true;
             let bodies = [body.id, body.id];
             events.push(Event { bodies, kind: EventKind::Teleported });
         }

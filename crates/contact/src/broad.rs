@@ -32,7 +32,7 @@ pub(crate) fn pair(model: &Model, work: &mut Workspace) {
 /// near against the other's outline (faces are numbered by the rank of their bodies).
 #[inline]
 fn push(model: &Model, work: &mut Workspace, a: u32, b: u32, material: MaterialId) {
-    work.candidates.push(Candidate { a, b, face: 0, material });
+    work.candidates.push(Candidate { a, b, face: 0, material, island: 0 });
     if !model.faces.is_empty() {
         push_faces(model, work, a, b);
     }
@@ -45,7 +45,8 @@ fn push_faces(model: &Model, work: &mut Workspace, a: u32, b: u32) {
         for index in from..to {
             let face = &model.faces[index as usize];
             if face_near(model, work, face, other) {
-                work.candidates.push(Candidate { a, b, face: index + 1, material: face.material });
+                let material = face.material;
+                work.candidates.push(Candidate { a, b, face: index + 1, material, island: 0 });
             }
         }
     }

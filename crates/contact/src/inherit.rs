@@ -2,9 +2,10 @@
 //! the pair of bodies and its patch, and outlives the walk from edge to edge and piece to piece.
 
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use crate::events::{note, tell_ends_and_splits};
-use crate::memory::{Memory, PatchMemory};
+use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::overlap::{Patch, Place};
 use crate::report::EventKind;
@@ -15,7 +16,7 @@ use crate::workspace::{Candidate, Workspace};
 pub(crate) enum Inherited {
     /// A new contact.
     Nothing,
-    /// One patch, as it was: its place in `Memory::patches`.
+    /// One patch, as it was: its place in the last step's patches.
     One(u32),
     /// One patch's part that falls to this one, others having the rest: its place in `Workspace::shares`.
     Part(u32),
@@ -26,46 +27,47 @@ pub(crate) enum Inherited {
 }
 
 impl Inherited {
-    /// The memory itself; `shares` are those of the workspace.
+    /// The memory itself; `old` is what was asked for it, `shares` are those of the workspace.
     #[inline]
     pub(crate) fn of<'m>(
         self,
-        memory: &'m Memory,
+        old: &'m [PatchMemory],
         shares: &'m [PatchMemory],
     ) -> Option<&'m PatchMemory> {
         match self {
             Inherited::Nothing => None,
-            Inherited::One(place) => Some(&memory.patches[place as usize]),
+            Inherited::One(place) => Some(&old[place as usize]),
             Inherited::Part(place) | Inherited::Merged(place) => Some(&shares[place as usize]),
         }
     }
 }
 
-/// For every patch of this step what it inherits, in `work.inherited`; and the events of contacts that
+/// For every patch of this step what it inherits of those of the `last`, in `work.inherited`; and the events of contacts that
 /// ended and patches that split.
-pub(crate) fn inherit_all(model: &Model, memory: &Memory, work: &mut Workspace) {
+pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Workspace) {
     work.inherited.clear();
     work.shares.clear();
-    let mut old = memory.patches.as_slice();
-    let mut from = 0;
-    while from < work.patches.len() {
-        let Candidate { a, b, .. } = work.patches[from].candidate;
-        let key = work.patches[from].candidate.key();
-        let jumped = work.teleported[a as usize] || work.teleported[b as usize];
+    let mut old = last;
+    let Range { start: mut from, end } = work.own_patches;
+    while from < end {
+        let Patch { candidate, of, .. } = work.patches[from];
+        let Candidate { a, b, .. } = candidate;
+        let key = candidate.key();
+        let jumped = work.jumped(a, b);
         // The most of them: one patch that goes on, as its pair's only one.
         if let [first, rest @ ..] = old
             && first.candidate() == key
             && rest.first().is_none_or(|m| m.candidate() != key)
-            && work.patches.get(from + 1).is_none_or(|p| p.candidate.key() != key)
+            && (from + 1 == end || work.patches[from + 1].of != of)
             && !jumped
         {
-            work.inherited.push(Inherited::One((memory.patches.len() - old.len()) as u32));
+            work.inherited.push(Inherited::One((last.len() - old.len()) as u32));
             old = rest;
             from += 1;
             continue;
         }
-        let of_pair = |p: &&Patch| p.candidate.key() == key;
-        let to = from + work.patches[from..].iter().take_while(of_pair).count();
+        let of_pair = |p: &&Patch| p.of == of;
+        let to = from + work.patches[from..end].iter().take_while(of_pair).count();
         let (ended, mut own) = patches_of(&mut old, key);
         ended.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
         if jumped {
@@ -78,9 +80,7 @@ pub(crate) fn inherit_all(model: &Model, memory: &Memory, work: &mut Workspace) 
         inherited.extend(patches.iter().map(|patch| match own {
             [] => Inherited::Nothing,
             // The patches that are left come after this one, and nothing else does.
-            [_] if patches.len() == 1 => {
-                Inherited::One((memory.patches.len() - old.len() - 1) as u32)
-            }
+            [_] if patches.len() == 1 => Inherited::One((last.len() - old.len() - 1) as u32),
             _ => inherit_of_several(own, patches, patch, places, shares),
         }));
         from = to;
@@ -162,7 +162,7 @@ fn share_of(
 /// Does the patch lie where the old one lay, as one of the two bodies sees it? A contact that slides
 /// stays in place on at least one of them. Of two convex bodies there is one patch, which is the same.
 pub(crate) fn continues(old: &PatchMemory, patch: &Patch, places: &[Place]) -> bool {
-    patch.place.is_none_or(|place| {
+    patch.place().is_none_or(|place| {
         let Place { in_a, in_b } = places[place as usize];
         old.extent_in_a.overlaps(&in_a) || old.extent_in_b.overlaps(&in_b)
     })

@@ -44,6 +44,9 @@ impl InverseMatrix {
     /// The same in earth-fixed axes, for a body turned by `rotation`.
     #[inline]
     pub(crate) fn turned(&self, rotation: Rotation) -> InverseMatrix {
+        if self.is_isotropic() {
+            return *self;
+        }
         let Rotation { cos, sin } = rotation;
         let (cc, ss, cs) = (cos * cos, sin * sin, cos * sin);
         InverseMatrix {
@@ -54,6 +57,18 @@ impl InverseMatrix {
             yr: sin * self.xr + cos * self.yr,
             rr: self.rr,
         }
+    }
+
+    /// The same in all axes.
+    #[inline]
+    fn is_isotropic(&self) -> bool {
+        (self.xx == self.yy) & (self.xy == 0.0) & (self.xr == 0.0) & (self.yr == 0.0)
+    }
+
+    /// Is there a finite mass?
+    #[inline]
+    pub(crate) fn floats(&self) -> bool {
+        self.rr != 0.0
     }
 
     /// Change of velocity and yaw rate by an impulse and its moment.
@@ -89,6 +104,36 @@ impl InverseMatrix {
     }
 }
 
+/// How bodies answer impulses along n and t (n turned by +90°) at a contact [1/kg].
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Seen {
+    /// n·K n, t·K n and t·K t.
+    pub(crate) normal: f64,
+    pub(crate) cross: f64,
+    pub(crate) tangential: f64,
+    /// n·K n without rotation.
+    pub(crate) linear: f64,
+}
+
+impl Seen {
+    /// Adds a body about whose centre of gravity n and t have these levers [m].
+    #[inline(always)]
+    pub(crate) fn add(&mut self, of: &InverseMatrix, n: Vec2, lever_n_m: f64, lever_t_m: f64) {
+        // The quadratic form of (n, lever of n) and (t, lever of t), with t = (−n_y, n_x).
+        let (x_x, y_y, x_y) = (n.x * n.x, n.y * n.y, n.x * n.y);
+        let mixed = 2.0 * of.xy * x_y;
+        let linear = of.xx * x_x + of.yy * y_y + mixed;
+        let linear_t = of.xx * y_y + of.yy * x_x - mixed;
+        let linear_cross = (of.yy - of.xx) * x_y + of.xy * (x_x - y_y);
+        let turn_n = of.xr * n.x + of.yr * n.y;
+        let turn_t = of.yr * n.x - of.xr * n.y;
+        self.linear += linear;
+        self.normal += linear + lever_n_m * (2.0 * turn_n + of.rr * lever_n_m);
+        self.cross += linear_cross + turn_n * lever_t_m + lever_n_m * (turn_t + of.rr * lever_t_m);
+        self.tangential += linear_t + lever_t_m * (2.0 * turn_t + of.rr * lever_t_m);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,6 +153,27 @@ mod tests {
             assert!((ours - exact).abs() < 1e-14);
         }
         assert!(inverse.lightest() >= 1.0 / 3.0 - 1e-3);
+    }
+
+    #[test]
+    fn what_a_contact_sees_is_what_impulses_change() {
+        let m = [[3.0, 0.4, -0.2], [0.4, 5.0, 0.7], [-0.2, 0.7, 9.0]];
+        let inverse = InverseMatrix::of(&m).expect("positive definite");
+        let (n, lever_n_m, lever_t_m) = (vec2(0.6, -0.8), 1.5, -0.7);
+        let t = n.quarter_turn();
+        let mut seen = Seen::default();
+        seen.add(&inverse, n, lever_n_m, lever_t_m);
+        let speed = |(v, r): (Vec2, f64), along: Vec2, lever_m: f64| v.dot(along) + r * lever_m;
+        let (of_n, of_t) = (inverse.response(n, lever_n_m), inverse.response(t, lever_t_m));
+        for (ours, exact) in [
+            (seen.normal, speed(of_n, n, lever_n_m)),
+            (seen.cross, speed(of_n, t, lever_t_m)),
+            (seen.cross, speed(of_t, n, lever_n_m)),
+            (seen.tangential, speed(of_t, t, lever_t_m)),
+            (seen.linear, inverse.response(n, 0.0).0.dot(n)),
+        ] {
+            assert!((ours - exact).abs() < 1e-15, "{ours} {exact}");
+        }
     }
 
     #[test]

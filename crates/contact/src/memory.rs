@@ -120,7 +120,34 @@ impl HintMemory {
     }
 }
 
+/// What a (sub-)step begins with: what the last one left of some candidates, each list sorted, and how long
+/// ago that began [s]; 0 before the first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Past<'m> {
+    pub(crate) patches: &'m [PatchMemory],
+    pub(crate) hints: &'m [HintMemory],
+    pub(crate) last_step_s: f64,
+}
+
+impl<'m> Past<'m> {
+    /// Takes off what belongs to candidates before `next`; all where there is none.
+    pub(crate) fn before(&mut self, next: Option<(u32, u32, u32)>) -> Past<'m> {
+        let Some(next) = next else { return *self };
+        let patches = self.patches.iter().take_while(|m| m.candidate() < next).count();
+        let hints = self.hints.iter().take_while(|m| m.candidate() < next).count();
+        let (own_patches, other_patches) = self.patches.split_at(patches);
+        let (own_hints, other_hints) = self.hints.split_at(hints);
+        (self.patches, self.hints) = (other_patches, other_hints);
+        Past { patches: own_patches, hints: own_hints, last_step_s: self.last_step_s }
+    }
+}
+
 impl Memory {
+    /// All of it.
+    pub(crate) fn past(&self) -> Past<'_> {
+        Past { patches: &self.patches, hints: &self.hints, last_step_s: self.last_step_s }
+    }
+
     /// Memory of bodies that have never touched.
     #[must_use]
     pub fn new(model: &Model) -> Memory {

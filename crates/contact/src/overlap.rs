@@ -7,7 +7,7 @@ use crate::fender::RankedFender;
 use crate::geometry::clip::{self, Hint};
 use crate::geometry::convex::ConvexPolygon;
 use crate::geometry::lens::Lens;
-use crate::memory::{Extent, HintMemory, Memory, PatchMemory};
+use crate::memory::{Extent, HintMemory, PatchMemory};
 use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
@@ -21,6 +21,8 @@ const SAME_CORNER_M: f64 = 1e-7;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch {
     pub(crate) candidate: Candidate,
+    /// Its candidate's place in `Workspace::candidates`.
+    pub(crate) of: u32,
     /// Number within the pair.
     pub(crate) number: u32,
     /// Pose of B in A's frame.
@@ -39,8 +41,19 @@ pub(crate) struct Patch {
     /// Extent along the chord's normal times the chord's length [m²], where the patch is one lens.
     spread_m2: f64,
     parts: Parts,
+    /// Its place in `Workspace::places`; [`NOWHERE`] where both bodies are convex.
+    // A number rather than an option, half of which would be copied apart from its neighbour and waited for.
+    place: u32,
+}
+
+const NOWHERE: u32 = u32::MAX;
+
+impl Patch {
     /// Its place in `Workspace::places`; nothing there where both bodies are convex.
-    pub(crate) place: Option<u32>,
+    #[inline]
+    pub(crate) fn place(&self) -> Option<u32> {
+        (self.place != NOWHERE).then_some(self.place)
+    }
 }
 
 /// What a patch consists of.
@@ -72,33 +85,61 @@ pub(crate) struct PieceLens {
     patch: u32,
 }
 
-/// Leaves the patches of this step in `work.patches`, in the order of the candidates, and the hints
-/// for the next step in `work.next_hints`.
-pub(crate) fn overlap(model: &Model, memory: &Memory, work: &mut Workspace) {
+/// What an overlap leaves in the workspace, to be put aside.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Overlap {
+    patches: Vec<Patch>,
+    places: Vec<Place>,
+    lenses: Vec<PieceLens>,
+    outline_m: Vec<Vec2>,
+}
+
+impl Overlap {
+    /// Changes places with what is in the workspace.
+    pub(crate) fn swap(&mut self, work: &mut Workspace) {
+        core::mem::swap(&mut self.patches, &mut work.patches);
+        core::mem::swap(&mut self.places, &mut work.places);
+        core::mem::swap(&mut self.lenses, &mut work.lenses);
+        core::mem::swap(&mut self.outline_m, &mut work.outline_m);
+    }
+}
+
+/// Leaves the patches of the candidates in question in `work.patches`, in their order, and adds the hints for
+/// the next step to `next_hints`; `hints` are those of the last one.
+pub(crate) fn overlap(
+    model: &Model,
+    mut hints: &[HintMemory],
+    work: &mut Workspace,
+    next_hints: &mut Vec<HintMemory>,
+) {
     work.patches.clear();
     work.places.clear();
     work.lenses.clear();
     work.outline_m.clear();
-    work.next_hints.clear();
-    let mut hints = memory.hints.as_slice();
-    for index in 0..work.candidates.len() {
+    for index in work.own_candidates.clone() {
         let candidate = work.candidates[index];
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let b_in_a = work.poses[a].to(work.poses[b]);
         let (pieces_a, pieces_b) = pieces_of(model, &candidate);
         if let ([piece_a], [piece_b]) = (pieces_a, pieces_b) {
-            clip_convex(piece_a, piece_b, candidate, b_in_a, &mut hints, work);
+            let of = index as u32;
+            clip_convex(piece_a, piece_b, (candidate, of), b_in_a, (&mut hints, next_hints), work);
             continue;
         }
-        let first = work.lenses.len();
-        clip_pieces(pieces_a, pieces_b, candidate, b_in_a, &mut hints, work);
+        let (first, first_patch) = (work.lenses.len(), work.patches.len());
+        clip_pieces(pieces_a, pieces_b, candidate, b_in_a, (&mut hints, next_hints), work);
         match work.lenses.len() - first {
             0 => {}
             1 => new_patch(candidate, b_in_a, 0, first, first + 1, work),
             _ => connect(candidate, b_in_a, first, work),
         }
+        work.patches[first_patch..].iter_mut().for_each(|patch| patch.of = index as u32);
     }
+    work.own_patches = 0..work.patches.len();
 }
+
+/// The last step's hints that are still to be read, and the next one's.
+type Hints<'h, 'm> = (&'h mut &'m [HintMemory], &'h mut Vec<HintMemory>);
 
 /// Clips one convex piece against another: they have one patch at most, and which it was in the last
 /// step needs no asking.
@@ -106,12 +147,12 @@ pub(crate) fn overlap(model: &Model, memory: &Memory, work: &mut Workspace) {
 fn clip_convex(
     a: &ConvexPolygon,
     b: &ConvexPolygon,
-    candidate: Candidate,
+    (candidate, of): (Candidate, u32),
     b_in_a: Pose,
-    hints: &mut &[HintMemory],
+    (hints, next_hints): Hints<'_, '_>,
     work: &mut Workspace,
 ) {
-    let Workspace { patches, outline_m, clip: buffers, next_hints, .. } = work;
+    let Workspace { patches, outline_m, clip: buffers, .. } = work;
     let from = outline_m.len();
     let hint = next_hint(hints, next_hints, &candidate, (0, 0));
     let found = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
@@ -119,6 +160,7 @@ fn clip_convex(
     match found {
         Some(clip) => patches.push(Patch {
             candidate,
+            of,
             number: 0,
             b_in_a,
             area_m2: clip.lens.area_m2,
@@ -128,7 +170,7 @@ fn clip_convex(
             contained: clip.contained,
             spread_m2: clip.lens.spread_m2,
             parts: Parts::One { from: from as u32, to: outline_m.len() as u32 },
-            place: None,
+            place: NOWHERE,
         }),
         None => outline_m.truncate(from),
     }
@@ -154,13 +196,13 @@ fn clip_pieces(
     pieces_b: &[ConvexPolygon],
     candidate: Candidate,
     b_in_a: Pose,
-    hints: &mut &[HintMemory],
+    (hints, next_hints): Hints<'_, '_>,
     work: &mut Workspace,
 ) {
     for (piece_a, a) in pieces_a.iter().enumerate() {
         for (piece_b, b) in pieces_b.iter().enumerate() {
             let pieces = (piece_a as u32, piece_b as u32);
-            let Workspace { outline_m, clip: buffers, next_hints, .. } = work;
+            let Workspace { outline_m, clip: buffers, .. } = work;
             let start = outline_m.len();
             let hint = next_hint(hints, next_hints, &candidate, pieces);
             let found = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
@@ -299,7 +341,7 @@ fn new_patch(
         in_a.low_m = vec2(in_a.low_m.x.min(more.low_m.x), in_a.low_m.y.min(more.low_m.y));
         in_a.high_m = vec2(in_a.high_m.x.max(more.high_m.x), in_a.high_m.y.max(more.high_m.y));
     }
-    patch.place = Some(work.places.len() as u32);
+    patch.place = work.places.len() as u32;
     work.places.push(Place { in_a, in_b: seen_from_b(&in_a, b_in_a) });
     work.patches.push(patch);
 }
@@ -316,6 +358,7 @@ fn sum(
     let lenses = &work.lenses[start..stop];
     let mut patch = Patch {
         candidate,
+        of: 0,
         number,
         b_in_a,
         area_m2: lenses[0].lens.area_m2,
@@ -325,7 +368,7 @@ fn sum(
         contained: lenses.len() == 1 && lenses[0].contained,
         spread_m2: lenses[0].lens.spread_m2,
         parts: Parts::Lenses { from: start as u32, to: stop as u32 },
-        place: None,
+        place: NOWHERE,
     };
     let mut collinear = lenses[0].lens.collinear;
     if lenses.len() > 1 {

@@ -95,22 +95,13 @@ impl ForceParts {
         ((self.spring_n + self.stop_n) + self.damper_n) - self.limiter_n
     }
 
-    /// All parts times a factor.
+    /// Adds parts with a sub-step's share of the step.
     #[inline]
-    pub(crate) fn scale(&mut self, by: f64) {
-        self.spring_n *= by;
-        self.stop_n *= by;
-        self.damper_n *= by;
-        self.limiter_n *= by;
-    }
-
-    /// Adds parts over a sub-step.
-    #[inline]
-    pub(crate) fn add(&mut self, parts: &ForceParts, seconds: f64) {
-        self.spring_n += parts.spring_n * seconds;
-        self.stop_n += parts.stop_n * seconds;
-        self.damper_n += parts.damper_n * seconds;
-        self.limiter_n += parts.limiter_n * seconds;
+    pub(crate) fn add(&mut self, parts: &ForceParts, share: f64) {
+        self.spring_n += parts.spring_n * share;
+        self.stop_n += parts.stop_n * share;
+        self.damper_n += parts.damper_n * share;
+        self.limiter_n += parts.limiter_n * share;
     }
 }
 

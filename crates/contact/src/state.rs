@@ -23,6 +23,12 @@ impl BodyState {
         Pose::new(self.position_m, self.heading_rad)
     }
 
+    /// Neither goes nor turns.
+    #[inline]
+    pub(crate) fn is_at_rest(&self) -> bool {
+        (self.velocity_mps == Vec2::ZERO) & (self.yaw_rate_radps == 0.0)
+    }
+
     /// Velocity of the body's material point at earth-fixed `point_m` (eq. 14) [m/s].
     #[must_use]
     #[inline]

@@ -40,8 +40,12 @@ pub fn step(
     work.events.clear();
     admit::place(model, memory, work, states);
     broad::pair(model, work);
-    overlap(model, memory, work);
-    inherit_all(model, memory, work);
+    work.own_candidates = 0..work.candidates.len();
+    let mut hints = core::mem::take(&mut work.next_hints);
+    hints.clear();
+    overlap(model, &memory.hints, work, &mut hints);
+    work.next_hints = hints;
+    inherit_all(model, &memory.patches, work);
     forces(model, memory, work, step_s);
     remember(memory, work, step_s);
     Ok(())
@@ -61,7 +65,7 @@ fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     let all_inherited = core::mem::take(&mut work.inherited);
     let time = Time { step_s, elapsed_s };
     for (patch, &inherited) in patches.iter().zip(&all_inherited) {
-        let old = inherited.of(memory, &shares);
+        let old = inherited.of(&memory.patches, &shares);
         // Twice the same: without a fender most of it is nought, which the compiler then knows.
         match patch.candidate.fender(model) {
             None => contact(model, work, patch, None, inherited, old, time),

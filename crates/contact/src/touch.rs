@@ -182,7 +182,7 @@ impl Touch {
             factor: laws.factor,
             ..PatchMemory::default()
         });
-        if let (Some(place), Some(last)) = (patch.place, into.last_mut()) {
+        if let (Some(place), Some(last)) = (patch.place(), into.last_mut()) {
             let Place { in_a, in_b } = places[place as usize];
             (last.extent_in_a, last.extent_in_b) = (in_a, in_b);
         }

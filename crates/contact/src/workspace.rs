@@ -2,8 +2,9 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::ops::Range;
 
-use crate::coupled::island::Island;
+use crate::coupled::island::{Island, IslandMemory};
 use crate::coupled::leap::Trial;
 use crate::coupled::rows::Row;
 use crate::coupled::tie::Tie;
@@ -11,10 +12,10 @@ use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
 use crate::mass::InverseMatrix;
-use crate::memory::{HintMemory, Memory, PatchMemory};
+use crate::memory::{HintMemory, PatchMemory};
 use crate::model::{MaterialId, Model};
 use crate::near::NearList;
-use crate::overlap::{Patch, PieceLens, Place};
+use crate::overlap::{Overlap, Patch, PieceLens, Place};
 use crate::report::{Contact, Event, Motion, Wrench};
 use crate::state::BodyState;
 use crate::vec2::{Pose, Vec2};
@@ -33,9 +34,14 @@ pub struct Workspace {
     pub(crate) headings_rad: Vec<f64>,
     /// Bodies that jumped, by rank.
     pub(crate) teleported: Vec<bool>,
+    /// Whether there are any; not after the first sub-step.
+    pub(crate) jumps: bool,
     /// How far from its centre of gravity each body may reach in this step, by rank [m].
     pub(crate) reach_m: Vec<f64>,
     pub(crate) candidates: Vec<Candidate>,
+    /// Those that the stages work on, and their patches: all, or those of some islands.
+    pub(crate) own_candidates: Range<usize>,
+    pub(crate) own_patches: Range<usize>,
     /// Pairs that were near each other a while ago.
     pub(crate) near: NearList,
     pub(crate) patches: Vec<Patch>,
@@ -56,22 +62,30 @@ pub struct Workspace {
     pub(crate) motions_by_rank: Vec<Motion>,
     pub(crate) motions: Vec<Motion>,
     pub(crate) before: Vec<(Vec2, f64)>,
-    /// Loads and contact impulses by rank.
+    /// Loads, and mean contact wrenches as far as they are known, by rank.
     pub(crate) loads: Vec<Wrench>,
-    pub(crate) impulses: Vec<Wrench>,
+    pub(crate) pushes: Vec<Wrench>,
     /// What acceleration and rotation may add to the speed of a body's points in this step [m/s].
     pub(crate) room_mps: Vec<f64>,
-    pub(crate) all_candidates: Vec<Candidate>,
     pub(crate) islands: Vec<Island>,
     pub(crate) island_root: Vec<u32>,
+    /// By rank: all but what is fixed and at rest; and those of them that are in islands.
+    pub(crate) moves: Vec<bool>,
     pub(crate) in_island: Vec<bool>,
     pub(crate) island_bodies: Vec<u32>,
-    pub(crate) island_memory: Memory,
-    /// Where the last island's part of the memory's lists ended.
-    pub(crate) read_patches: usize,
-    pub(crate) read_hints: usize,
-    pub(crate) all_patches: Vec<PatchMemory>,
-    pub(crate) all_hints: Vec<HintMemory>,
+    /// What the islands' last sub-step left.
+    pub(crate) island_memory: IslandMemory,
+    /// What the last step left of an island, where that does not stand together in the memory.
+    pub(crate) gathered_memory: IslandMemory,
+    /// What the first overlap of the step leaves, while later ones are found.
+    pub(crate) first_overlap: Overlap,
+    pub(crate) first_hints: Vec<HintMemory>,
+    /// First of the islands' patches, hints and contacts in `next_patches`, `next_hints` and `contacts`.
+    pub(crate) first_patch: usize,
+    pub(crate) first_hint: usize,
+    pub(crate) first_contact: usize,
+    /// Islands, and so what they leave, are in the order of the candidates' keys.
+    pub(crate) in_order: bool,
     pub(crate) rows: Vec<Row>,
     /// The same contacts as the solve sees them.
     pub(crate) ties: Vec<Tie>,
@@ -81,8 +95,6 @@ pub struct Workspace {
     pub(crate) inverses: Vec<InverseMatrix>,
     /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank [J].
     pub(crate) unheld_j: Vec<f64>,
-    /// First of the island's contacts in `contacts`.
-    pub(crate) first_contact: usize,
 }
 
 /// A pair of bodies near enough to touch.
@@ -94,6 +106,8 @@ pub(crate) struct Candidate {
     /// against the other's outline.
     pub(crate) face: u32,
     pub(crate) material: MaterialId,
+    /// A body of its island, the same for all of it, by the coupled method.
+    pub(crate) island: u32,
 }
 
 impl Candidate {
@@ -122,7 +136,10 @@ impl Workspace {
             headings_rad: Vec::with_capacity(count),
             teleported: Vec::with_capacity(count),
             reach_m: Vec::with_capacity(count),
+            jumps: false,
             candidates: Vec::new(),
+            own_candidates: 0..0,
+            own_patches: 0..0,
             near: NearList::default(),
             patches: Vec::new(),
             places: Vec::new(),
@@ -138,25 +155,33 @@ impl Workspace {
             motions: Vec::with_capacity(count),
             before: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
-            impulses: Vec::with_capacity(count),
+            pushes: Vec::with_capacity(count),
             room_mps: Vec::with_capacity(count),
-            all_candidates: Vec::new(),
             islands: Vec::new(),
             island_root: Vec::new(),
+            moves: Vec::new(),
             in_island: Vec::new(),
             island_bodies: Vec::new(),
-            island_memory: Memory::new(model),
-            read_patches: 0,
-            read_hints: 0,
-            all_patches: Vec::new(),
-            all_hints: Vec::new(),
+            island_memory: IslandMemory::default(),
+            gathered_memory: IslandMemory::default(),
+            first_overlap: Overlap::default(),
+            first_hints: Vec::new(),
+            first_patch: 0,
+            first_hint: 0,
+            first_contact: 0,
+            in_order: true,
             rows: Vec::new(),
             ties: Vec::new(),
             trials: Vec::new(),
             inverses: Vec::with_capacity(count),
             unheld_j: vec![0.0; count],
-            first_contact: 0,
         }
+    }
+
+    /// Did one of two bodies jump before this (sub-)step?
+    #[inline]
+    pub(crate) fn jumped(&self, a: u32, b: u32) -> bool {
+        self.jumps && (self.teleported[a as usize] || self.teleported[b as usize])
     }
 
     /// States at the end of the last step by [`crate::advance`], one a body: what a host that lets

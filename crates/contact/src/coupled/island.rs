@@ -1,64 +1,121 @@
 //! Islands: bodies that may touch each other in this step, however indirectly. Each is solved apart,
 //! in sub-steps of its own. Fixed bodies join nothing.
 
-use crate::memory::{HintMemory, Memory, PatchMemory};
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use crate::coupled::pace;
+use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
+use crate::overlap::Patch;
 use crate::workspace::{Candidate, Workspace};
 
-/// A range of `Workspace::all_candidates`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Bodies that may touch each other: a range of `Workspace::candidates`.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Island {
-    pub(crate) from: u32,
-    pub(crate) to: u32,
+    pub(crate) candidates: Range<usize>,
+    /// Its patches in the first overlap of the step.
+    pub(crate) patches: Range<usize>,
+    /// How many sub-steps it needs.
+    pub(crate) sub_steps: u32,
+}
+
+/// What islands left of the last (sub-)step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct IslandMemory {
+    patches: Vec<PatchMemory>,
+    pub(crate) hints: Vec<HintMemory>,
+}
+
+impl IslandMemory {
+    pub(crate) fn past(&self, last_step_s: f64) -> Past<'_> {
+        Past { patches: &self.patches, hints: &self.hints, last_step_s }
+    }
+
+    /// Takes what the islands' first sub-step left off what goes on to the next step; `hints` are those of its
+    /// overlap.
+    pub(crate) fn take_first(&mut self, work: &mut Workspace, hints: &[HintMemory]) {
+        self.patches.clear();
+        self.patches.extend(work.next_patches.drain(work.first_patch..));
+        self.hints.clear();
+        self.hints.extend_from_slice(hints);
+    }
+
+    /// The same of a later sub-step, which left its hints there too.
+    pub(crate) fn take(&mut self, work: &mut Workspace) {
+        self.patches.clear();
+        self.patches.extend(work.next_patches.drain(work.first_patch..));
+        self.hints.clear();
+        self.hints.extend(work.next_hints.drain(work.first_hint..));
+    }
+
+    /// Gathers what the last step left of an island.
+    pub(crate) fn gather(&mut self, memory: &Memory, candidates: &[Candidate]) {
+        self.patches.clear();
+        self.hints.clear();
+        for candidate in candidates {
+            let key = candidate.key();
+            self.patches.extend(run_of(&memory.patches, key, PatchMemory::candidate));
+            self.hints.extend(run_of(&memory.hints, key, HintMemory::candidate));
+        }
+    }
+}
+
+/// The items of one candidate in a sorted list.
+fn run_of<T: Copy>(
+    sorted: &[T],
+    key: (u32, u32, u32),
+    key_of: fn(&T) -> (u32, u32, u32),
+) -> impl Iterator<Item = T> {
+    let from = sorted.partition_point(|item| key_of(item) < key);
+    sorted[from..].iter().copied().take_while(move |item| key_of(item) == key)
 }
 
 /// Splits the candidates into islands, in the order of their first candidates.
 pub(crate) fn split(model: &Model, work: &mut Workspace) {
     work.islands.clear();
-    (work.read_patches, work.read_hints) = (0, 0);
     work.in_island.clear();
     work.in_island.resize(model.ranked.len(), false);
-    core::mem::swap(&mut work.all_candidates, &mut work.candidates);
-    if work.all_candidates.is_empty() {
+    work.in_order = true;
+    if work.candidates.is_empty() {
         return;
     }
     let root = &mut work.island_root;
     root.clear();
     root.extend(0..model.ranked.len() as u32);
-    for candidate in &work.all_candidates {
+    for candidate in &mut work.candidates {
         let [a, b] = [candidate.a, candidate.b];
-        if !model.ranked[a as usize].is_fixed() && !model.ranked[b as usize].is_fixed() {
+        let fixed = [a, b].map(|rank| model.ranked[rank as usize].is_fixed());
+        candidate.island = if fixed[0] { b } else { a };
+        if !fixed[0] && !fixed[1] {
             let (one, two) = (find(root, a), find(root, b));
             root[one.max(two) as usize] = one.min(two);
         }
     }
     // By island; the candidates' own order within.
-    let key = |candidate: &Candidate, root: &mut [u32]| {
-        let free =
-            if model.ranked[candidate.a as usize].is_fixed() { candidate.b } else { candidate.a };
-        (find(root, free), candidate.a, candidate.b, candidate.face)
-    };
-    let sorted = {
-        let mut last = (0, 0, 0, 0);
-        work.all_candidates.iter().all(|c| {
-            let this = key(c, root);
-            let in_order = last <= this;
-            last = this;
-            in_order
-        })
-    };
-    if !sorted {
-        work.all_candidates.sort_unstable_by_key(|c| key(c, root));
+    let mut last = 0;
+    for candidate in &mut work.candidates {
+        candidate.island = find(root, candidate.island);
+        work.in_order &= last <= candidate.island;
+        last = candidate.island;
+    }
+    if !work.in_order {
+        work.candidates.sort_unstable_by_key(|c| (c.island, c.key()));
     }
     let mut from = 0;
-    while from < work.all_candidates.len() {
-        let (island, ..) = key(&work.all_candidates[from], root);
-        let mut to = from + 1;
-        while to < work.all_candidates.len() && key(&work.all_candidates[to], root).0 == island {
-            to += 1;
+    let mut last = work.candidates[0].island;
+    for (index, candidate) in work.candidates.iter().enumerate() {
+        if candidate.island != last {
+            work.islands.push(Island::of(from..index));
+            (from, last) = (index, candidate.island);
         }
-        work.islands.push(Island { from: from as u32, to: to as u32 });
-        from = to;
+    }
+    work.islands.push(Island::of(from..work.candidates.len()));
+}
+
+impl Island {
+    fn of(candidates: Range<usize>) -> Island {
+        Island { candidates, patches: 0..0, sub_steps: 0 }
     }
 }
 
@@ -70,80 +127,55 @@ fn find(root: &mut [u32], mut i: u32) -> u32 {
     i
 }
 
-/// Makes island `index` the one that the stages work on.
-pub(crate) fn enter(memory: &Memory, work: &mut Workspace, index: usize) {
-    let Island { from, to } = work.islands[index];
-    let Workspace {
-        all_candidates,
-        candidates,
-        contacts,
-        first_contact,
-        in_island,
-        island_bodies,
-        island_memory: own,
-        islands,
-        read_patches,
-        read_hints,
-        ..
-    } = work;
-    *first_contact = contacts.len();
-    candidates.clear();
-    candidates.extend_from_slice(&all_candidates[from as usize..to as usize]);
+/// Each island's patches of the first overlap, which left `hints`, and how many sub-steps it needs.
+pub(crate) fn set_paces(
+    model: &Model,
+    work: &Workspace,
+    islands: &mut [Island],
+    hints: &[HintMemory],
+    step_s: f64,
+) {
+    let mut from = 0;
+    for island in islands {
+        let candidates = island.candidates.clone();
+        let own = |patch: &&Patch| (patch.of as usize) < candidates.end;
+        let to = from + work.patches[from..].iter().take_while(own).count();
+        island.patches = from..to;
+        let patches = &work.patches[from..to];
+        island.sub_steps = pace::sub_steps(model, work, candidates, patches, hints, step_s);
+        from = to;
+    }
+}
+
+/// Makes these islands the ones that the stages work on.
+pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
+    let ([first, ..], [.., last]) = (islands, islands) else { return };
+    work.own_candidates = first.candidates.start..last.candidates.end;
+    work.own_patches = first.patches.start..last.patches.end;
+    work.first_patch = work.next_patches.len();
+    work.first_hint = work.next_hints.len();
+    work.first_contact = work.contacts.len();
+    let Workspace { candidates, own_candidates, moves, in_island, island_bodies, .. } = work;
     island_bodies.clear();
-    for candidate in candidates.iter() {
+    for candidate in &candidates[own_candidates.clone()] {
         for rank in [candidate.a, candidate.b] {
-            if !in_island[rank as usize] {
-                in_island[rank as usize] = true;
+            let place = rank as usize;
+            if moves[place] && !in_island[place] {
+                in_island[place] = true;
                 island_bodies.push(rank);
             }
         }
     }
-    island_bodies.sort_unstable();
-    own.fingerprint = memory.fingerprint;
-    own.last_step_s = memory.last_step_s;
-    own.patches.clear();
-    own.hints.clear();
-    if islands.len() == 1 {
-        own.patches.extend_from_slice(&memory.patches);
-        own.hints.extend_from_slice(&memory.hints);
-        return;
-    }
-    for candidate in candidates.iter() {
-        let key = candidate.key();
-        let run = run_of(&memory.patches, read_patches, key, PatchMemory::candidate);
-        own.patches.extend_from_slice(run);
-        let run = run_of(&memory.hints, read_hints, key, HintMemory::candidate);
-        own.hints.extend_from_slice(run);
+    if island_bodies.len() > 1 {
+        island_bodies.sort_unstable();
     }
 }
 
-/// The items of one candidate in a sorted list. `read` is where the last run ended and mostly where the
-/// next one begins.
-fn run_of<'m, T>(
-    sorted: &'m [T],
-    read: &mut usize,
-    key: (u32, u32, u32),
-    key_of: fn(&T) -> (u32, u32, u32),
-) -> &'m [T] {
-    let before = |at: usize| at.checked_sub(1).is_none_or(|last| key_of(&sorted[last]) < key);
-    let after = |at: usize| sorted.get(at).is_none_or(|item| key_of(item) >= key);
-    let from = match *read {
-        at if at <= sorted.len() && before(at) && after(at) => at,
-        _ => sorted.partition_point(|item| key_of(item) < key),
-    };
-    let count = sorted[from..].iter().take_while(|item| key_of(item) == key).count();
-    *read = from + count;
-    &sorted[from..from + count]
-}
-
-/// Puts the island's memory with the others'.
+/// What is fixed and moves may stand in several islands.
 pub(crate) fn leave(model: &Model, work: &mut Workspace) {
-    // A fixed body may stand in several islands.
     for &rank in &work.island_bodies {
         if model.ranked[rank as usize].is_fixed() {
             work.in_island[rank as usize] = false;
         }
     }
-    work.all_patches.extend_from_slice(&work.island_memory.patches);
-    work.all_hints.extend_from_slice(&work.island_memory.hints);
 }

@@ -58,7 +58,7 @@ pub(crate) fn leap(
     trials.clear();
     trials.extend(ties.iter().map(|tie| {
         let speeds = tie.speeds(states);
-        Trial { speeds, along: (0.0, 0.0), kind: tie.kind(speeds.0, STIFFNESS) }
+        Trial { speeds, along: (0.0, 0.0), kind: tie.kind(speeds.0, STIFFNESS, h) }
     }));
     let mut moved = [0.0; SIZE];
     for _ in 0..NEWTON_STEPS {
@@ -66,7 +66,7 @@ pub(crate) fn leap(
         let mut stays = true;
         for (tie, trial) in ties.iter().zip(trials.iter_mut()) {
             trial.along = bodies.seen_by(tie, &step);
-            stays &= tie.kind(trial.speeds_at(1.0).0, STIFFNESS) == trial.kind;
+            stays &= tie.kind(trial.speeds_at(1.0).0, STIFFNESS, h) == trial.kind;
         }
         let share = if stays { 1.0 } else { share_of(&bodies, ties, trials, (&moved, &step), h) };
         for (moved, step) in moved.iter_mut().zip(&step) {
@@ -74,7 +74,7 @@ pub(crate) fn leap(
         }
         for (tie, trial) in ties.iter().zip(trials.iter_mut()) {
             trial.speeds = trial.speeds_at(share);
-            trial.kind = tie.kind(trial.speeds.0, STIFFNESS);
+            trial.kind = tie.kind(trial.speeds.0, STIFFNESS, h);
         }
         if stays {
             break;
@@ -84,7 +84,7 @@ pub(crate) fn leap(
         let forces = tie.stiffened(trial.speeds, trial.kind, STIFFNESS, h);
         let more = forces.less(&tie.forces);
         tie.forces = forces;
-        tie.push(states, more.0 * h, more.1 * h);
+        tie.push(states, inverses, more.0 * h, more.1 * h);
     }
     true
 }
@@ -145,7 +145,7 @@ fn share_of(
         let mut slope = at_start + share * along;
         for (tie, trial) in ties.iter().zip(trials) {
             let speeds = trial.speeds_at(share);
-            let line = tie.line(speeds, tie.kind(speeds.0, STIFFNESS), STIFFNESS, h);
+            let line = tie.line(speeds, tie.kind(speeds.0, STIFFNESS, h), STIFFNESS, h);
             slope += h * (line.normal_n * trial.along.0 - line.tangential_n * trial.along.1);
         }
         slope

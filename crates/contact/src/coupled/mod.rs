@@ -10,7 +10,11 @@
 //! 2. v_free = v + h M⁻¹ W, with M the full mass matrix and W all but the contact forces;
 //! 3. N and T of all contacts together ([`solve`]);
 //! 4. positions with the new velocities.
+//!
+//! Islands know nothing of each other; neighbours that need as many sub-steps go through these stages
+//! together, so that no contact waits for what another's island does.
 
+pub(crate) mod direct;
 pub(crate) mod island;
 pub(crate) mod leap;
 pub(crate) mod pace;
@@ -21,12 +25,15 @@ pub(crate) mod turning;
 
 use crate::admit;
 use crate::broad;
+use crate::coupled::island::Island;
 use crate::error::StepError;
+use crate::events::note;
 use crate::inherit::inherit_all;
-use crate::memory::Memory;
+use crate::mass::InverseMatrix;
+use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
-use crate::overlap::overlap;
-use crate::report::{Motion, Wrench};
+use crate::overlap::{Patch, overlap};
+use crate::report::{EventKind, Motion, Wrench};
 use crate::state::BodyState;
 use crate::vec2::Rotation;
 use crate::workspace::Workspace;
@@ -58,90 +65,221 @@ pub fn advance(
     take_loads(model, work, loads, step_s);
     broad::pair(model, work);
     island::split(model, work);
-    work.all_patches.clear();
-    work.all_hints.clear();
-    for index in 0..work.islands.len() {
-        island::enter(memory, work, index);
-        advance_island(model, work, step_s);
-        island::leave(model, work);
-    }
+    work.next_patches.clear();
+    work.next_hints.clear();
+    advance_islands(model, memory, work, step_s);
     drift_apart(model, work, step_s);
-    report(model, work, step_s);
+    report(model, work);
     remember(memory, work, step_s, model, states);
     Ok(())
 }
 
-/// All sub-steps of the island in `work`.
-fn advance_island(model: &Model, work: &mut Workspace, step_s: f64) {
-    let mut memory = core::mem::replace(&mut work.island_memory, Memory::new(model));
-    overlap(model, &memory, work);
-    let sub_steps = pace::sub_steps(model, work, step_s);
-    let h = step_s / f64::from(sub_steps);
-    for sub_step in 0..sub_steps {
-        if sub_step > 0 {
-            overlap(model, &memory, work);
-        }
-        inherit_all(model, &memory, work);
-        rows::collect(model, work, &memory, h);
-        begin_motion(work);
-        solve::velocities(model, work, h);
-        end_motion(work, h);
-        rows::book(model, work, h);
-        advance_positions(model, work, h);
-        core::mem::swap(&mut memory.patches, &mut work.next_patches);
-        core::mem::swap(&mut memory.hints, &mut work.next_hints);
-        memory.last_step_s = h;
+/// All islands: together as far as they are in the order of the memory.
+fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
+    let mut islands = core::mem::take(&mut work.islands);
+    if islands.is_empty() || !work.in_order {
+        end_what_left(model, memory, work);
     }
-    work.island_memory = memory;
+    let jumps = work.jumps;
+    if work.in_order {
+        advance_in_order(model, memory.past(), work, &mut islands, step_s);
+    } else {
+        let mut gathered = core::mem::take(&mut work.gathered_memory);
+        for island in &mut islands {
+            gathered.gather(memory, &work.candidates[island.candidates.clone()]);
+            let past = gathered.past(memory.last_step_s);
+            work.jumps = jumps;
+            advance_in_order(model, past, work, core::slice::from_mut(island), step_s);
+        }
+        work.gathered_memory = gathered;
+    }
+    work.islands = islands;
+}
+
+/// Tells of contacts whose pairs are no candidates any more, as they are only where a body jumped, where
+/// [`inherit_all`] does not come upon them.
+fn end_what_left(model: &Model, memory: &Memory, work: &mut Workspace) {
+    if !work.jumps {
+        return;
+    }
+    for patch in &memory.patches {
+        if !work.candidates.iter().any(|candidate| candidate.key() == patch.candidate()) {
+            note(model, work, patch.a, patch.b, EventKind::ContactEnded);
+        }
+    }
+}
+
+/// Islands that are in the order of what the last step left of them: the first overlap of all of them, and
+/// then their sub-steps, stage by stage for neighbours that need as many.
+fn advance_in_order(
+    model: &Model,
+    past: Past<'_>,
+    work: &mut Workspace,
+    islands: &mut [Island],
+    step_s: f64,
+) {
+    let ([first, ..], [.., last]) = (&*islands, &*islands) else { return };
+    work.own_candidates = first.candidates.start..last.candidates.end;
+    let mut hints = core::mem::take(&mut work.first_hints);
+    hints.clear();
+    overlap(model, past.hints, work, &mut hints);
+    island::set_paces(model, work, islands, &hints, step_s);
+
+    let mut rest = Past { hints: &hints, ..past };
+    let jumps = work.jumps;
+    let mut from = 0;
+    while from < islands.len() {
+        let alike = |island: &&Island| island.sub_steps == islands[from].sub_steps;
+        let to = from + islands[from..].iter().take_while(alike).count();
+        let next = islands.get(to).map(|island| work.candidates[island.candidates.start].key());
+        work.jumps = jumps;
+        island::enter(work, &islands[from..to]);
+        advance_group(model, rest.before(next), work, &islands[from..to], step_s);
+        island::leave(model, work);
+        from = to;
+    }
+    work.first_hints = hints;
+}
+
+/// All sub-steps of the islands in `work`, after the first overlap: `begun` has the patches of the last step and
+/// the hints of that overlap.
+fn advance_group(
+    model: &Model,
+    begun: Past<'_>,
+    work: &mut Workspace,
+    islands: &[Island],
+    step_s: f64,
+) {
+    let sub_steps = islands[0].sub_steps;
+    sub_step(model, begun, work, islands, step_s);
+    if sub_steps == 1 {
+        work.next_hints.extend_from_slice(begun.hints);
+        return;
+    }
+    let mut own = core::mem::take(&mut work.island_memory);
+    let mut first_overlap = core::mem::take(&mut work.first_overlap);
+    first_overlap.swap(work);
+    own.take_first(work, begun.hints);
+    for later in 1..sub_steps {
+        if later > 1 {
+            own.take(work);
+        }
+        let mut hints = core::mem::take(&mut work.next_hints);
+        overlap(model, &own.hints, work, &mut hints);
+        work.next_hints = hints;
+        let last_step_s = step_s / f64::from(sub_steps);
+        sub_step(model, own.past(last_step_s), work, islands, step_s);
+    }
+    first_overlap.swap(work);
+    work.first_overlap = first_overlap;
+    work.island_memory = own;
+}
+
+/// One of the sub-steps, of `h` seconds, after its overlap.
+fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Island], step_s: f64) {
+    let sub_steps = f64::from(islands[0].sub_steps);
+    let h = step_s / sub_steps;
+    inherit_all(model, past.patches, work);
+    rows::collect(model, work, past, h);
+    solve::free_velocities(work, h);
+    let mut from = 0;
+    for island in islands {
+        let patches = &work.patches[work.own_patches.clone()][from..];
+        let own = |patch: &&Patch| (patch.of as usize) < island.candidates.end;
+        let to = from + patches.iter().take_while(own).count();
+        rows::let_go(model, work, from..to);
+        solve::velocities(model, work, from..to, h);
+        from = to;
+    }
+    rows::book(model, work, h, 1.0 / sub_steps);
+    advance_positions(model, work, h);
 }
 
 /// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no
-/// impulse yet.
+/// push of contacts yet.
 fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
-    work.loads.clear();
-    work.impulses.clear();
-    work.impulses.resize(model.ranked.len(), Wrench::default());
-    work.motions_by_rank.clear();
-    work.motions_by_rank.resize(model.ranked.len(), Motion::default());
-    work.inverses.clear();
-    work.room_mps.clear();
+    let count = model.ranked.len();
+    let Workspace {
+        states,
+        poses,
+        reach_m,
+        pushes,
+        motions_by_rank,
+        loads: own,
+        inverses,
+        room_mps,
+        moves,
+        ..
+    } = work;
+    own.resize(count, Wrench::default());
+    inverses.resize(count, InverseMatrix::default());
+    room_mps.resize(count, 0.0);
+    moves.resize(count, false);
+    pushes.clear();
+    pushes.resize(count, Wrench::default());
+    motions_by_rank.clear();
+    motions_by_rank.resize(count, Motion::default());
+    // Of one length, so that it is asked for once.
+    let (states, poses, reach_m) = (&states[..count], &poses[..count], &mut reach_m[..count]);
+    let (own, inverses) = (&mut own[..count], &mut inverses[..count]);
+    let (room_mps, moves) = (&mut room_mps[..count], &mut moves[..count]);
     for (rank, body) in model.ranked.iter().enumerate() {
-        let state = &work.states[rank];
-        let (mut load, mut inverse) = (Wrench::default(), body.inverse);
-        let mut room_mps = state.yaw_rate_radps.abs() * body.reach_m;
-        if !body.is_fixed() {
-            load = loads[body.id.0 as usize];
-            inverse = inverse.turned(work.poses[rank].rotation);
-            let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-            room_mps += dv.length() + dr.abs() * body.reach_m;
+        let (state, fixed) = (&states[rank], body.is_fixed());
+        moves[rank] = !(fixed && state.is_at_rest());
+        if !moves[rank] {
+            inverses[rank] = InverseMatrix::default();
+            room_mps[rank] = 0.0;
+            continue;
         }
-        work.loads.push(load);
-        work.inverses.push(inverse);
-        work.room_mps.push(room_mps);
-        work.reach_m[rank] += (state.velocity_mps.length() + room_mps) * step_s;
+        let (mut load, mut inverse) = (Wrench::default(), InverseMatrix::default());
+        let mut room = state.yaw_rate_radps.abs() * body.reach_m;
+        if !fixed {
+            load = loads[body.id.0 as usize];
+            inverse = body.inverse.turned(poses[rank].rotation);
+            let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
+            room += dv.length() + dr.abs() * body.reach_m;
+        }
+        own[rank] = load;
+        inverses[rank] = inverse;
+        room_mps[rank] = room;
+        reach_m[rank] += (state.velocity_mps.length() + room) * step_s;
     }
 }
 
-/// Positions with the new velocities, and inverse masses as the bodies are turned then.
+/// Positions with the new velocities, and inverse masses as the bodies are turned then; and how far the
+/// bodies went by the mean of the velocities before and after the solve: a force times it is that force's work
+/// exactly.
 fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
-    for &rank in &work.island_bodies {
+    let Workspace {
+        island_bodies,
+        before,
+        states,
+        poses,
+        headings_rad,
+        inverses,
+        motions_by_rank,
+        jumps,
+        ..
+    } = work;
+    for (&rank, &(velocity_mps, yaw_rate_radps)) in island_bodies.iter().zip(before.iter()) {
         let rank = rank as usize;
-        move_body(&mut work.states[rank], h);
-        let state = work.states[rank];
-        work.poses[rank].position_m = state.position_m;
+        let (state, motion) = (&mut states[rank], &mut motions_by_rank[rank]);
+        motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
+        motion.turn_rad += 0.5 * (yaw_rate_radps + state.yaw_rate_radps) * h;
+        move_body(state, h);
+        poses[rank].position_m = state.position_m;
         let turns = &model.ranked[rank].turns;
         if state.yaw_rate_radps != 0.0 || turns.is_some() {
             let rotation = Rotation::from_angle(state.heading_rad);
             if let Some(turns) = turns {
-                let before = work.poses[rank].rotation;
-                turns.turn(&mut work.states[rank], before, rotation, h);
+                turns.turn(state, poses[rank].rotation, rotation, h);
             }
-            work.headings_rad[rank] = state.heading_rad;
-            work.poses[rank].rotation = rotation;
-            work.inverses[rank] = model.ranked[rank].inverse.turned(rotation);
+            headings_rad[rank] = state.heading_rad;
+            poses[rank].rotation = rotation;
+            inverses[rank] = model.ranked[rank].inverse.turned(rotation);
         }
-        work.teleported[rank] = false;
     }
+    *jumps = false;
 }
 
 fn move_body(state: &mut BodyState, h: f64) {
@@ -152,7 +290,7 @@ fn move_body(state: &mut BodyState, h: f64) {
 /// Bodies that nothing is near: one step by their loads.
 fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
     for (rank, body) in model.ranked.iter().enumerate() {
-        if body.is_fixed() || work.in_island[rank] {
+        if work.in_island[rank] || body.is_fixed() {
             continue;
         }
         let load = work.loads[rank];
@@ -171,53 +309,26 @@ fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
     }
 }
 
-/// Takes note of the velocities before a solve.
-fn begin_motion(work: &mut Workspace) {
-    let Workspace { island_bodies, before, states, .. } = work;
-    before.clear();
-    let velocities = |&rank: &u32| {
-        let state = &states[rank as usize];
-        (state.velocity_mps, state.yaw_rate_radps)
-    };
-    before.extend(island_bodies.iter().map(velocities));
-}
-
-/// Adds what the mean of the velocities before and after a solve makes of the way: a force times it is that
-/// force's work exactly.
-fn end_motion(work: &mut Workspace, h: f64) {
-    let Workspace { island_bodies, before, states, motions_by_rank, .. } = work;
-    for (&rank, &(velocity_mps, yaw_rate_radps)) in island_bodies.iter().zip(before.iter()) {
-        let (state, motion) = (&states[rank as usize], &mut motions_by_rank[rank as usize]);
-        motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
-        motion.turn_rad += 0.5 * (yaw_rate_radps + state.yaw_rate_radps) * h;
-    }
-}
-
-/// Mean forces and wrenches over the step, in the order of the keys.
-fn report(model: &Model, work: &mut Workspace, step_s: f64) {
-    let share = 1.0 / step_s;
+/// Contacts in the order of the keys, and what there is of each body in the order in which they were added.
+fn report(model: &Model, work: &mut Workspace) {
     let key = |c: &crate::report::Contact| {
         let [one, two] = [c.body_1, c.body_2].map(|id| model.rank_of[id.0 as usize]);
         (one.min(two), one.max(two), model.face_of(c.fender), c.patch)
     };
-    if !work.contacts.is_sorted_by_key(key) {
+    if !work.in_order {
         work.contacts.sort_unstable_by_key(key);
     }
-    for contact in &mut work.contacts {
-        contact.normal_force_n *= share;
-        contact.tangential_force_n *= share;
-        contact.parts.scale(share);
-    }
-    work.wrenches.resize(model.bodies().len(), Wrench::default());
-    work.states_after.resize(model.bodies().len(), BodyState::default());
-    work.motions.resize(model.bodies().len(), Motion::default());
-    for (rank, body) in model.ranked.iter().enumerate() {
-        let impulse = work.impulses[rank];
+    let count = model.ranked.len();
+    let Workspace { wrenches, states_after, motions, pushes, states, motions_by_rank, .. } = work;
+    wrenches.resize(count, Wrench::default());
+    states_after.resize(count, BodyState::default());
+    motions.resize(count, Motion::default());
+    let by_rank = pushes.iter().zip(states.iter()).zip(motions_by_rank.iter());
+    for (body, ((push, state), motion)) in model.ranked.iter().zip(by_rank) {
         let id = body.id.0 as usize;
-        work.wrenches[id] =
-            Wrench { force_n: impulse.force_n * share, moment_nm: impulse.moment_nm * share };
-        work.states_after[id] = work.states[rank];
-        work.motions[id] = work.motions_by_rank[rank];
+        wrenches[id] = *push;
+        states_after[id] = *state;
+        motions[id] = *motion;
     }
 }
 
@@ -229,12 +340,12 @@ fn remember(
     model: &Model,
     states: &[BodyState],
 ) {
-    if !work.all_patches.is_sorted_by_key(crate::memory::PatchMemory::key) {
-        work.all_patches.sort_unstable_by_key(crate::memory::PatchMemory::key);
-        work.all_hints.sort_unstable_by_key(crate::memory::HintMemory::key);
+    if !work.in_order {
+        work.next_patches.sort_unstable_by_key(PatchMemory::key);
+        work.next_hints.sort_unstable_by_key(HintMemory::key);
     }
-    core::mem::swap(&mut memory.patches, &mut work.all_patches);
-    core::mem::swap(&mut memory.hints, &mut work.all_hints);
+    core::mem::swap(&mut memory.patches, &mut work.next_patches);
+    core::mem::swap(&mut memory.hints, &mut work.next_hints);
     memory.last_states.clear();
     memory.last_states.extend(model.ranked.iter().map(|body| states[body.id.0 as usize]));
     memory.last_step_s = step_s;

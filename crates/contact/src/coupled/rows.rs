@@ -1,13 +1,17 @@
 //! The contacts of one sub-step: what the solve needs of each, and what is booked afterwards.
 
+use core::ops::Range;
+
 use crate::coupled::tie::{Forces, Tie};
 use crate::events::tell_of_patch;
+use crate::fender::RankedFender;
 use crate::inherit::Inherited;
 use crate::law::normal::{factor, normal_force};
-use crate::memory::{Memory, PatchMemory};
+use crate::memory::{Past, PatchMemory};
 use crate::model::{Material, Model};
+use crate::number::{greater, lesser};
 use crate::overlap::Patch;
-use crate::report::{Contact, ForceParts, Friction};
+use crate::report::{Contact, ContactWork, ForceParts, Friction};
 use crate::touch::{Lasting, Touch, touch};
 use crate::workspace::Workspace;
 
@@ -19,8 +23,6 @@ pub(crate) struct Row {
     parts: ForceParts,
     /// Factor on spring and stop.
     factor: f64,
-    /// γ.
-    restitution: f64,
     /// Stored energy that nothing holds: see [`let_go`] [J].
     unheld_j: f64,
 }
@@ -39,24 +41,24 @@ pub(crate) struct Laws<'m> {
 }
 
 /// Laws and effective masses of every patch in `work`, in `work.rows` and `work.ties`.
-pub(crate) fn collect(model: &Model, work: &mut Workspace, memory: &Memory, h: f64) {
+pub(crate) fn collect(model: &Model, work: &mut Workspace, past: Past<'_>, h: f64) {
     work.rows.clear();
     work.ties.clear();
-    work.next_patches.clear();
-    let elapsed_s = if memory.last_step_s > 0.0 { memory.last_step_s } else { h };
+    let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
     let patches = core::mem::take(&mut work.patches);
     let shares = core::mem::take(&mut work.shares);
-    for (index, patch) in patches.iter().enumerate() {
+    for (index, patch) in patches[work.own_patches.clone()].iter().enumerate() {
         let inherited = work.inherited[index];
-        let old = inherited.of(memory, &shares);
-        let placed = memory.last_step_s == 0.0
-            || [patch.candidate.a, patch.candidate.b]
-                .iter()
-                .any(|&rank| work.teleported[rank as usize]);
-        collect_one(model, work, patch, inherited, old, Time { elapsed_s, h, placed });
+        let old = inherited.of(past.patches, &shares);
+        let placed = past.last_step_s == 0.0 || work.jumped(patch.candidate.a, patch.candidate.b);
+        let time = Time { elapsed_s, h, placed };
+        // Twice the same: without a fender most of it is nought, which the compiler then knows.
+        match patch.candidate.fender(model) {
+            None => collect_one(model, work, patch, None, inherited, old, time),
+            Some(face) => collect_at_face(model, work, patch, face, inherited, old, time),
+        }
     }
     (work.patches, work.shares) = (patches, shares);
-    let_go(model, work);
 }
 
 /// Time since the last (sub-)step began and length of this one [s]; and whether bodies were put where they
@@ -72,7 +74,8 @@ struct Time {
 /// time step's error in the stored energy is a few per cent.
 const LET_GO: f64 = 0.8;
 
-/// Raises each v_ref to the speed that the stored energy which no load holds would give.
+/// Raises each v_ref of an island's contacts to the speed that the stored energy which no load holds would
+/// give.
 ///
 /// v_ref alone forgets: where the relative velocity changes sign by a trifle, as it does when a ship on
 /// several fenders yaws a little while she comes back, it starts again from next to nothing, and she
@@ -80,14 +83,44 @@ const LET_GO: f64 = 0.8;
 /// at δ that is held by N < f has about U (1 − N/f)² more than it needs (exactly, where it is linear);
 /// all contacts between the same two bodies, or of one body with what is fixed, let go together. As
 /// N ≤ f still, and N < f only while the contact opens, nothing is made out of nothing.
-fn let_go(model: &Model, work: &mut Workspace) {
-    if work.rows.iter().all(|row| row.unheld_j == 0.0) {
-        return;
+pub(crate) fn let_go(model: &Model, work: &mut Workspace, island: Range<usize>) {
+    let Workspace { rows, ties, next_patches, first_patch, .. } = &*work;
+    let memories = &next_patches[first_patch + island.start..first_patch + island.end];
+    let (rows, ties) = (&rows[island.clone()], &ties[island.clone()]);
+    let rises = |all_j: f64, tie: &Tie, memory: &PatchMemory| {
+        speed_squared(all_j, tie) > memory.v_normal_0_mps * memory.v_normal_0_mps
+    };
+    // While bodies close most of them come faster than all of it could give them.
+    let any_rises = match (rows, ties, memories) {
+        ([row], [tie], [memory]) => rises(row.unheld_j, tie, memory),
+        _ => {
+            let all_j = rows.iter().map(|row| row.unheld_j).sum();
+            ties.iter().zip(memories).any(|(tie, memory)| rises(all_j, tie, memory))
+        }
+    };
+    if any_rises {
+        let_go_of(model, work, island);
     }
+}
+
+/// Square of the speed that unheld energy would give the two bodies of a contact, without rotation [m²/s²]:
+/// contacts at both ends of a ship do not turn her.
+#[inline(always)]
+fn speed_squared(unheld_j: f64, tie: &Tie) -> f64 {
+    LET_GO * LET_GO * 2.0 * unheld_j * tie.linear
+}
+
+/// The unheld energy of all contacts that let go together, and what it makes of their v_ref.
+#[cold]
+#[inline(never)]
+fn let_go_of(model: &Model, work: &mut Workspace, island: Range<usize>) {
     let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
-    let Workspace { rows, ties, next_patches, unheld_j, inverses, island_bodies, .. } = work;
-    for &rank in island_bodies.iter() {
-        unheld_j[rank as usize] = 0.0;
+    let Workspace { rows, ties, next_patches, first_patch, unheld_j, .. } = work;
+    let next_patches = &mut next_patches[*first_patch + island.start..];
+    let (rows, ties) = (&rows[island.clone()], &mut ties[island]);
+    for tie in ties.iter() {
+        unheld_j[tie.a as usize] = 0.0;
+        unheld_j[tie.b as usize] = 0.0;
     }
     for (row, tie) in rows.iter().zip(ties.iter()) {
         match (fixed(tie.a), fixed(tie.b)) {
@@ -108,15 +141,9 @@ fn let_go(model: &Model, work: &mut Workspace) {
         };
         if unheld_j > 0.0 {
             let memories = &mut next_patches[own.clone()];
-            for ((row, tie), memory) in rows[own.clone()].iter().zip(&mut ties[own]).zip(memories) {
-                // Without rotation: contacts at both ends of a ship do not turn her.
-                let along = row.touch.normal;
-                let inverse_mass: f64 = [a, b]
-                    .map(|rank| inverses[rank as usize].response(along, 0.0).0.dot(along))
-                    .iter()
-                    .sum();
-                let speed_mps = LET_GO * libm::sqrt(2.0 * unheld_j * inverse_mass);
-                tie.rebound_mps = tie.rebound_mps.max(row.restitution * speed_mps);
+            for (tie, memory) in ties[own].iter_mut().zip(memories) {
+                let speed_mps = libm::sqrt(speed_squared(unheld_j, tie));
+                tie.rebound_mps = tie.rebound_mps.max(tie.restitution * speed_mps);
                 // It goes on until the contact closes again: else the bound would come and go with N.
                 memory.v_normal_0_mps = memory.v_normal_0_mps.max(speed_mps);
             }
@@ -159,16 +186,31 @@ fn may_give_j(
     }
 }
 
+/// As [`collect_one`], on a fender.
+#[inline(never)]
+fn collect_at_face(
+    model: &Model,
+    work: &mut Workspace,
+    patch: &Patch,
+    face: &RankedFender,
+    inherited: Inherited,
+    old: Option<&PatchMemory>,
+    time: Time,
+) {
+    collect_one(model, work, patch, Some(face), inherited, old, time);
+}
+
+#[inline(always)]
 fn collect_one(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
+    face: Option<&RankedFender>,
     inherited: Inherited,
     old: Option<&PatchMemory>,
     time: Time,
 ) {
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
-    let face = patch.candidate.fender(model);
     let touch = touch(model, work, patch, face, old);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, face, &touch, old);
@@ -184,7 +226,7 @@ fn collect_one(
         may_shear_j: old.map_or(0.0, |m| m.sheared_j),
     };
     let begins_with = Forces {
-        normal_n: old.map_or(law_n, |m| m.normal_force_n).min(law_n),
+        normal_n: old.map_or(law_n, |m| lesser(m.normal_force_n, law_n)),
         tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
         friction: Friction::Stick,
     };
@@ -197,7 +239,7 @@ fn collect_one(
     let lasting = Lasting { flags, factor, v_normal_0_mps: v_ref_mps, ..Lasting::default() };
     touch.remember(patch, &work.places, lasting, &mut work.next_patches);
     let unheld_j = unheld_j(&touch, factor, law_n, old);
-    work.rows.push(Row { touch, parts, factor, restitution: material.restitution, unheld_j });
+    work.rows.push(Row { touch, parts, factor, unheld_j });
 }
 
 /// v_ref: the largest speed of approach since V_n last changed sign, and whether it approaches. The
@@ -208,7 +250,7 @@ fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) 
     let before = old.map_or(0.0, |m| m.v_normal_0_mps);
     let went_on = old.is_some_and(|m| m.flags & PatchMemory::APPROACHING != 0);
     let v_ref_mps = match (approaching, went_on) {
-        (true, true) => before.max(v_normal_mps),
+        (true, true) => greater(before, v_normal_mps),
         (true, false) => v_normal_mps,
         (false, _) => before,
     };
@@ -218,37 +260,44 @@ fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) 
 /// Beyond this a memory would not be restored [J].
 const MOST_TAKEN_J: f64 = 1e29;
 
-/// Books impulses, work and peaks of a solved sub-step, and completes its memory.
-pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
+/// Books forces, work and peaks of a solved sub-step, which has this `share` of the step, and completes its
+/// memory.
+pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
     let Workspace {
         rows,
         ties,
         patches,
+        own_patches,
         next_patches,
-        states,
+        first_patch,
         poses,
-        impulses,
+        pushes,
         contacts,
         first_contact,
+        in_order,
         ..
     } = work;
+    let next_patches = &mut next_patches[*first_patch..];
+    let patches = &patches[own_patches.clone()];
+    let first_sub_step = contacts.len() == *first_contact;
     for (index, (row, tie)) in rows.iter().zip(ties.iter()).enumerate() {
         let touch = &row.touch;
         let Forces { normal_n, tangential_n, friction } = tie.forces;
-        let impulse = (touch.normal * -normal_n + touch.normal.quarter_turn() * tangential_n) * h;
-        let on_a = &mut impulses[tie.a as usize];
-        on_a.force_n += impulse;
-        on_a.moment_nm += touch.arm_a_m.cross(impulse);
-        let on_b = &mut impulses[tie.b as usize];
-        on_b.force_n -= impulse;
-        on_b.moment_nm -= touch.arm_b_m.cross(impulse);
+        let force_n =
+            (touch.normal * -normal_n + touch.normal.quarter_turn() * tangential_n) * share;
+        let on_a = &mut pushes[tie.a as usize];
+        on_a.force_n += force_n;
+        on_a.moment_nm += touch.arm_a_m.cross(force_n);
+        let on_b = &mut pushes[tie.b as usize];
+        on_b.force_n -= force_n;
+        on_b.moment_nm -= touch.arm_b_m.cross(force_n);
 
         // By the mean velocity within the sub-step.
-        let (v_normal_mps, v_tangential_mps) = tie.speeds(states);
+        let (v_normal_mps, v_tangential_mps) = tie.after_mps;
         let closing_m = 0.5 * (touch.v_normal_mps + v_normal_mps) * h;
         let slip_m = 0.5 * (touch.v_tangential_mps + v_tangential_mps) * h;
 
-        let shear_m = tie.shear_after_m(v_tangential_mps, h);
+        let shear_m = tie.shear_after_m(touch.shear_m, v_tangential_mps, h);
         let memory = &mut next_patches[index];
         // What the bodies move in this sub-step is found again in the next one's kinematics.
         memory.shear_m = shear_m - h * v_tangential_mps;
@@ -256,38 +305,82 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64) {
         memory.tangential_force_n = tangential_n;
         let shear_stored_j = tie.shear_stored_j(shear_m);
         memory.sheared_j =
-            (tie.may_shear_j - tangential_n * slip_m).clamp(0.0, shear_stored_j.min(MOST_TAKEN_J));
-        memory.taken_j = (tie.may_give_j + normal_n * closing_m).clamp(0.0, MOST_TAKEN_J);
-        let position_m = poses[tie.a as usize].position_m;
-        let own = &mut contacts[*first_contact..];
-        let place = match place_of(model, own, &patches[index], index) {
-            Some(place) => *first_contact + place,
-            None => {
-                let face = patches[index].candidate.fender(model);
-                contacts.push(Contact {
-                    factor: row.factor,
-                    stored_j: touch.stored_j * row.factor,
-                    ..touch.contact(model, position_m, &patches[index], face)
-                });
-                contacts.len() - 1
-            }
-        };
-        let contact = &mut contacts[place];
-        contact.normal_force_n += normal_n * h;
-        contact.tangential_force_n += tangential_n * h;
-        contact.peak_normal_force_n = contact.peak_normal_force_n.max(normal_n);
-        contact.peak_depth_m = contact.peak_depth_m.max(touch.depth_m);
+            within(tie.may_shear_j - tangential_n * slip_m, lesser(shear_stored_j, MOST_TAKEN_J));
+        memory.taken_j = within(tie.may_give_j + normal_n * closing_m, MOST_TAKEN_J);
         let limiter_n = tie.law_n - normal_n;
-        contact.work.normal_j -= normal_n * closing_m;
-        contact.work.tangential_j += tangential_n * slip_m;
-        contact.work.damper_j -= row.parts.damper_n * closing_m;
-        contact.work.limiter_j -= limiter_n * closing_m;
-        contact.parts.add(&ForceParts { limiter_n, ..row.parts }, h);
-        contact.peak_stored_j = contact.peak_stored_j.max(touch.stored_j * row.factor);
-        contact.shear_stored_j = shear_stored_j;
-        contact.shear_m = shear_m;
-        contact.limited |= normal_n < tie.law_n;
-        if friction == Friction::Slip {
+        let booked = Booked {
+            normal_n,
+            tangential_n,
+            friction,
+            depth_m: touch.depth_m,
+            stored_j: touch.stored_j * row.factor,
+            work: ContactWork {
+                normal_j: -normal_n * closing_m,
+                tangential_j: tangential_n * slip_m,
+                damper_j: -row.parts.damper_n * closing_m,
+                limiter_j: -limiter_n * closing_m,
+            },
+            parts: ForceParts { limiter_n, ..row.parts },
+            shear_m,
+            shear_stored_j,
+        };
+        let known = if first_sub_step {
+            None
+        } else {
+            place_of(model, &contacts[*first_contact..], &patches[index], index)
+        };
+        if let Some(place) = known {
+            booked.add_to(&mut contacts[*first_contact + place], share);
+            continue;
+        }
+        *in_order &= first_sub_step;
+        let face = patches[index].candidate.fender(model);
+        let position_m = poses[tie.a as usize].position_m;
+        let mut contact = touch.contact(model, position_m, &patches[index], face);
+        contact.factor = row.factor;
+        contact.stored_j = booked.stored_j;
+        booked.add_to(&mut contact, share);
+        contacts.push(contact);
+    }
+}
+
+/// What a contact may give back: neither less than nothing nor more than this [J].
+#[inline]
+fn within(taken_j: f64, most_j: f64) -> f64 {
+    lesser(greater(taken_j, 0.0), most_j)
+}
+
+/// What a sub-step adds to the report of a contact.
+struct Booked {
+    normal_n: f64,
+    tangential_n: f64,
+    friction: Friction,
+    depth_m: f64,
+    stored_j: f64,
+    work: ContactWork,
+    parts: ForceParts,
+    shear_m: f64,
+    shear_stored_j: f64,
+}
+
+impl Booked {
+    /// As a sub-step of this `share` of the step.
+    #[inline(always)]
+    fn add_to(&self, contact: &mut Contact, share: f64) {
+        contact.normal_force_n += self.normal_n * share;
+        contact.tangential_force_n += self.tangential_n * share;
+        contact.peak_normal_force_n = greater(contact.peak_normal_force_n, self.normal_n);
+        contact.peak_depth_m = greater(contact.peak_depth_m, self.depth_m);
+        contact.peak_stored_j = greater(contact.peak_stored_j, self.stored_j);
+        contact.work.normal_j += self.work.normal_j;
+        contact.work.tangential_j += self.work.tangential_j;
+        contact.work.damper_j += self.work.damper_j;
+        contact.work.limiter_j += self.work.limiter_j;
+        contact.parts.add(&self.parts, share);
+        contact.shear_stored_j = self.shear_stored_j;
+        contact.shear_m = self.shear_m;
+        contact.limited |= self.parts.limiter_n > 0.0;
+        if self.friction == Friction::Slip {
             contact.friction = Friction::Slip;
         }
     }

@@ -9,18 +9,21 @@
 //!   Coulomb's limits: see [`super::tie::implicit_share`].
 //! - N_i gives the bodies no more energy than it has taken from them, and neither does T_i.
 //!
-//! Projected Gauss–Seidel on the bodies' velocities, warm-started with the last forces, in the fixed
+//! Where none of these bounds is reached the forces follow at once ([`super::direct`]). Else by
+//! projected Gauss–Seidel on the bodies' velocities, warm-started with the last forces, in the fixed
 //! order of the contacts. What is slow to settle is helped by leaps ([`super::leap`]). Bounded work: what has
 //! not settled after [`SWEEPS`] is reported.
 
 use alloc::vec::Vec;
+use core::ops::Range;
 
+use crate::coupled::direct;
 use crate::coupled::leap::{Trial, leap};
-use crate::coupled::tie::Tie;
+use crate::coupled::tie::{Forces, Tie};
 use crate::events::note;
 use crate::mass::InverseMatrix;
 use crate::model::Model;
-use crate::report::EventKind;
+use crate::report::{EventKind, Friction};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
@@ -34,25 +37,37 @@ const SETTLED_MPS: f64 = 1e-13;
 /// A change larger than this in the last sweep is told to the user [m/s].
 const TOLD_MPS: f64 = 1e-6;
 
-/// New velocities of the island's bodies in `work.states`, and forces in `work.ties`.
-pub(crate) fn velocities(model: &Model, work: &mut Workspace, h: f64) {
-    free_velocities(work, h);
+/// New velocities of an island's bodies in `work.states`, from those that they have without contact, and forces
+/// in its `work.ties`.
+pub(crate) fn velocities(model: &Model, work: &mut Workspace, island: Range<usize>, h: f64) {
     let Workspace { states, ties, inverses, trials, .. } = &mut *work;
-    let last_change_mps = match ties.as_mut_slice() {
+    let last_change_mps = match &mut ties[island.clone()] {
         [] => return,
-        [only] => alone(states, only, h),
-        several => together(states, inverses, several, trials, h),
+        [only] => alone(states, inverses, only, h),
+        several => {
+            if direct::solve(states, inverses, several, h) {
+                return;
+            }
+            let change_mps = together(states, inverses, several, trials, h);
+            for tie in several {
+                tie.after_mps = tie.speeds(states);
+            }
+            change_mps
+        }
     };
     if last_change_mps > TOLD_MPS {
-        let (a, b) = (ties[0].a, ties[0].b);
+        let Tie { a, b, .. } = ties[island.start];
         note(model, work, a, b, EventKind::NotConverged);
     }
 }
 
-/// v_free = v + h M⁻¹ W.
-fn free_velocities(work: &mut Workspace, h: f64) {
+/// v_free = v + h M⁻¹ W. Takes note of v.
+pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
+    work.before.clear();
     for &rank in &work.island_bodies {
         let rank = rank as usize;
+        let state = &work.states[rank];
+        work.before.push((state.velocity_mps, state.yaw_rate_radps));
         let load = work.loads[rank];
         let (dv, dr) = work.inverses[rank].response(load.force_n * h, load.moment_nm * h);
         work.states[rank].velocity_mps += dv;
@@ -69,11 +84,11 @@ fn together(
     trials: &mut Vec<Trial>,
     h: f64,
 ) -> f64 {
-    push_all(states, ties, h);
+    push_all(states, inverses, ties, h);
     let mut change_mps = 0.0;
     let mut leaps = 0;
     for count in 1..=SWEEPS {
-        change_mps = sweep(states, ties, h);
+        change_mps = sweep(states, inverses, ties, h);
         if change_mps <= SETTLED_MPS {
             break;
         }
@@ -86,31 +101,48 @@ fn together(
 }
 
 /// The impulses of the forces that all contacts begin with.
-fn push_all(states: &mut [BodyState], ties: &[Tie], h: f64) {
+fn push_all(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &[Tie], h: f64) {
     for tie in ties {
-        tie.push(states, tie.forces.normal_n * h, tie.forces.tangential_n * h);
+        tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
     }
 }
 
 /// Each contact's forces in turn, given all others'. Returns the largest change of velocity [m/s].
-fn sweep(states: &mut [BodyState], ties: &mut [Tie], h: f64) -> f64 {
+fn sweep(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie], h: f64) -> f64 {
     let mut change_mps = 0.0;
     for tie in ties {
         let forces = tie.relaxed(tie.speeds(states), h);
         let more = forces.less(&tie.forces);
         tie.forces = forces;
         if more != (0.0, 0.0) {
-            tie.push(states, more.0 * h, more.1 * h);
+            tie.push(states, inverses, more.0 * h, more.1 * h);
             change_mps = f64::max(change_mps, tie.change_mps(more, h));
         }
     }
     change_mps
 }
 
-/// The same for an island of one contact: its own two speeds are all there is to follow.
-fn alone(states: &mut [BodyState], tie: &mut Tie, h: f64) -> f64 {
-    let begun = tie.forces;
-    let mut speeds = tie.speeds_after(tie.speeds(states), (begun.normal_n, begun.tangential_n), h);
+/// The same for an island of one contact: its own two speeds are all there is to follow. Where no bound is
+/// reached its forces follow at once.
+#[inline(always)]
+fn alone(states: &mut [BodyState], inverses: &[InverseMatrix], tie: &mut Tie, h: f64) -> f64 {
+    let free = tie.speeds(states);
+    let (tangential_n, speeds) = tie.sticking(free, h);
+    let mut change_mps = 0.0;
+    if tie.is_within_bounds(speeds, tangential_n, h) {
+        tie.forces = Forces { normal_n: tie.law_n, tangential_n, friction: Friction::Stick };
+        tie.after_mps = speeds;
+    } else {
+        change_mps = alone_within_bounds(tie, free, h);
+    }
+    tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
+    change_mps
+}
+
+/// Sweeps over the one contact, from the speeds without it.
+#[inline(never)]
+fn alone_within_bounds(tie: &mut Tie, free: (f64, f64), h: f64) -> f64 {
+    let mut speeds = tie.speeds_after(free, (tie.forces.normal_n, tie.forces.tangential_n), h);
     let mut change_mps = 0.0;
     for _ in 0..SWEEPS {
         let forces = tie.relaxed(speeds, h);
@@ -122,7 +154,7 @@ fn alone(states: &mut [BodyState], tie: &mut Tie, h: f64) -> f64 {
             break;
         }
     }
-    tie.push(states, tie.forces.normal_n * h, tie.forces.tangential_n * h);
+    tie.after_mps = speeds;
     change_mps
 }
 
@@ -130,9 +162,7 @@ fn alone(states: &mut [BodyState], tie: &mut Tie, h: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::coupled::rows::Laws;
-    use crate::coupled::tie::Forces;
     use crate::model::Material;
-    use crate::report::Friction;
     use crate::touch::Touch;
     use crate::vec2::vec2;
 
@@ -176,9 +206,9 @@ mod tests {
         assert!(last_mps <= SETTLED_MPS, "{last_mps}");
 
         let (mut swept, _, mut swept_ties) = ship_on_fenders();
-        push_all(&mut swept, &swept_ties, H);
+        push_all(&mut swept, &inverses, &swept_ties, H);
         let mut count = 0;
-        while sweep(&mut swept, &mut swept_ties, H) > SETTLED_MPS {
+        while sweep(&mut swept, &inverses, &mut swept_ties, H) > SETTLED_MPS {
             count += 1;
             assert!(count < 1_000_000);
         }
@@ -225,13 +255,13 @@ mod tests {
             let (before_mps, before_j) = (state.velocity_mps.x, kinetic_j(&state) + stored_j);
             let mut states = [state, BodyState::default()];
             states[0].velocity_mps.x += pushed_mps;
-            let last_mps = alone(&mut states, &mut tie, 0.5);
+            let last_mps = alone(&mut states, &inverses, &mut tie, 0.5);
             assert!(last_mps <= SETTLED_MPS, "{last_mps}");
             state = states[0];
             let put_in_j = 9e5 * pushed_mps * 0.5 * (before_mps + state.velocity_mps.x);
             let after_mps = tie.speeds(&states).1;
             let slip_m = 0.25 * (touch.v_tangential_mps + after_mps);
-            shear_m = tie.shear_after_m(after_mps, 0.5);
+            shear_m = tie.shear_after_m(shear_m, after_mps, 0.5);
             stored_j = (stored_j - tie.forces.tangential_n * slip_m)
                 .clamp(0.0, tie.shear_stored_j(shear_m));
             let gain_j = kinetic_j(&state) + stored_j - before_j - put_in_j;

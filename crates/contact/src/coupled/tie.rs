@@ -1,7 +1,7 @@
 //! One contact as the solve sees it: how it moves its two bodies, and what bounds its forces.
 
 use crate::coupled::rows::Laws;
-use crate::mass::InverseMatrix;
+use crate::mass::{InverseMatrix, Seen};
 use crate::report::Friction;
 use crate::state::BodyState;
 use crate::touch::Touch;
@@ -17,21 +17,22 @@ pub(crate) struct Tie {
     /// What does not move is not pushed.
     a_floats: bool,
     b_floats: bool,
-    along_n: Direction,
-    along_t: Direction,
+    /// n, and the levers of n and t about each body's centre of gravity [m].
+    along_n: Vec2,
+    levers_n_m: Levers,
+    levers_t_m: Levers,
     /// n·K n, t·K n and t·K t [1/kg].
     pub(crate) normal: f64,
     cross: f64,
     tangential: f64,
-    /// 1/(h n·K n) [kg/s].
-    force_per_speed: f64,
-    /// 1/(1 + ϑ² k_s h² t·K t).
-    spring_share: f64,
+    /// n·K n without rotation [1/kg].
+    pub(crate) linear: f64,
     /// ϑ: see [`implicit_share`].
     implicit: f64,
-    /// Δs at the start of the sub-step [m].
-    shear_m: f64,
-    /// V_n and V_t there [m/s].
+    /// The shear spring's force at V_t⁺ = 0 [N], and what it loses with V_t⁺: c = ϑ² k_s h [N·s/m].
+    spring_at_rest_n: f64,
+    spring_slope: f64,
+    /// V_n and V_t at the start of the sub-step [m/s].
     normal_before_mps: f64,
     tangential_before_mps: f64,
     /// f, the normal law's force: N lies between 0 and it [N].
@@ -42,11 +43,15 @@ pub(crate) struct Tie {
     pub(crate) may_give_j: f64,
     /// And T [J].
     pub(crate) may_shear_j: f64,
+    /// γ.
+    pub(crate) restitution: f64,
     shear_stiffness_npm: f64,
     friction_static: f64,
     friction_dynamic: f64,
     /// The forces [N].
     pub(crate) forces: Forces,
+    /// V_n⁺ and V_t⁺ with them, when they are found [m/s].
+    pub(crate) after_mps: (f64, f64),
 }
 
 /// N and T of a contact [N], and whether it slips.
@@ -78,55 +83,31 @@ pub(crate) struct Line {
     pub(crate) tangential_slope: f64,
 }
 
-/// A direction at a contact: the lever about each body's centre of gravity, and how each body answers a
-/// unit impulse along it.
+/// Of a direction about A's and B's centres of gravity [m].
 #[derive(Clone, Copy, Debug)]
-struct Direction {
-    along: Vec2,
-    lever_a_m: f64,
-    lever_b_m: f64,
-    of_a: Answer,
-    of_b: Answer,
+struct Levers {
+    a: f64,
+    b: f64,
 }
 
-/// Change of a body's velocity and yaw rate by a unit impulse.
-#[derive(Clone, Copy, Debug)]
-struct Answer {
-    velocity: Vec2,
-    yaw_rate: f64,
-}
-
-impl Direction {
+impl Levers {
     #[inline]
-    fn new(along: Vec2, touch: &Touch, a: &InverseMatrix, b: &InverseMatrix) -> Direction {
-        let (lever_a_m, lever_b_m) = (touch.arm_a_m.cross(along), touch.arm_b_m.cross(along));
-        let answer = |inverse: &InverseMatrix, lever_m: f64| {
-            let (velocity, yaw_rate) = inverse.response(along, lever_m);
-            Answer { velocity, yaw_rate }
-        };
-        let (of_a, of_b) = (answer(a, lever_a_m), answer(b, lever_b_m));
-        Direction { along, lever_a_m, lever_b_m, of_a, of_b }
+    fn new(along: Vec2, touch: &Touch) -> Levers {
+        Levers { a: touch.arm_a_m.cross(along), b: touch.arm_b_m.cross(along) }
     }
 
-    /// j of A and B: the speed along this direction is j·v.
-    fn row(&self) -> [[f64; 3]; 2] {
-        let Vec2 { x, y } = self.along;
-        [[x, y, self.lever_a_m], [-x, -y, -self.lever_b_m]]
-    }
-
-    /// What a unit impulse along this direction changes of the relative velocity along `other` [1/kg].
+    /// j of A and B: the speed along the direction is j·v.
     #[inline]
-    fn seen_along(&self, other: &Direction) -> f64 {
-        let of = |answer: &Answer, lever_m: f64| {
-            answer.velocity.dot(other.along) + answer.yaw_rate * lever_m
-        };
-        of(&self.of_a, other.lever_a_m) + of(&self.of_b, other.lever_b_m)
+    fn rows(&self, along: Vec2) -> [[f64; 3]; 2] {
+        let Vec2 { x, y } = along;
+        [[x, y, self.a], [-x, -y, -self.b]]
     }
 }
 
 impl Tie {
     /// A contact between two bodies of these ranks and inverse masses, with the forces that it begins with.
-    #[inline]
+    // Always inlined: it is written where it is to stay.
+    #[inline(always)]
     pub(crate) fn new(
         (a, inverse_a): (u32, &InverseMatrix),
         (b, inverse_b): (u32, &InverseMatrix),
@@ -135,36 +116,49 @@ impl Tie {
         forces: Forces,
         h: f64,
     ) -> Tie {
-        let along_n = Direction::new(touch.normal, touch, inverse_a, inverse_b);
-        let along_t = Direction::new(touch.normal.quarter_turn(), touch, inverse_a, inverse_b);
-        let (normal, tangential) = (along_n.seen_along(&along_n), along_t.seen_along(&along_t));
+        let along_n = touch.normal;
+        let levers_n_m = Levers::new(along_n, touch);
+        let levers_t_m = Levers::new(along_n.quarter_turn(), touch);
+        let (a_floats, b_floats) = (inverse_a.floats(), inverse_b.floats());
+        let mut seen = Seen::default();
+        if a_floats {
+            seen.add(inverse_a, along_n, levers_n_m.a, levers_t_m.a);
+        }
+        if b_floats {
+            seen.add(inverse_b, along_n, levers_n_m.b, levers_t_m.b);
+        }
+        let Seen { normal, cross, tangential, linear } = seen;
         let material = laws.material;
         let implicit = implicit_share(material.shear_stiffness_npm * tangential, h);
-        let stiffness_npm = implicit * implicit * material.shear_stiffness_npm;
+        let spring_slope = implicit * implicit * material.shear_stiffness_npm * h;
+        let explicit_m = implicit * (1.0 - implicit) * h * touch.v_tangential_mps;
         Tie {
             a,
             b,
-            a_floats: *inverse_a != InverseMatrix::default(),
-            b_floats: *inverse_b != InverseMatrix::default(),
-            cross: along_n.seen_along(&along_t),
+            a_floats,
+            b_floats,
             along_n,
-            along_t,
+            levers_n_m,
+            levers_t_m,
             normal,
+            cross,
             tangential,
-            force_per_speed: 1.0 / (h * normal),
-            spring_share: 1.0 / (1.0 + stiffness_npm * h * h * tangential),
+            linear,
             implicit,
-            shear_m: touch.shear_m,
+            spring_at_rest_n: -material.shear_stiffness_npm * (touch.shear_m + explicit_m),
+            spring_slope,
             normal_before_mps: touch.v_normal_mps,
             tangential_before_mps: touch.v_tangential_mps,
             law_n: laws.law_n,
             rebound_mps: laws.rebound_mps,
             may_give_j: laws.may_give_j,
             may_shear_j: laws.may_shear_j,
+            restitution: material.restitution,
             shear_stiffness_npm: material.shear_stiffness_npm,
             friction_static: material.friction_static,
             friction_dynamic: material.friction_dynamic,
             forces,
+            after_mps: (0.0, 0.0),
         }
     }
 
@@ -173,25 +167,38 @@ impl Tie {
     pub(crate) fn speeds(&self, states: &[BodyState]) -> (f64, f64) {
         let (a, b) = (&states[self.a as usize], &states[self.b as usize]);
         let apart = a.velocity_mps - b.velocity_mps;
-        let along = |d: &Direction| {
-            apart.dot(d.along) + (a.yaw_rate_radps * d.lever_a_m - b.yaw_rate_radps * d.lever_b_m)
-        };
-        (along(&self.along_n), along(&self.along_t))
+        let turning =
+            |levers_m: &Levers| a.yaw_rate_radps * levers_m.a - b.yaw_rate_radps * levers_m.b;
+        (
+            apart.dot(self.along_n) + turning(&self.levers_n_m),
+            apart.dot(self.along_n.quarter_turn()) + turning(&self.levers_t_m),
+        )
     }
 
     /// Gives the two bodies an impulse of N and T and its opposite [N·s]: on A it is −N n + T t.
     #[inline]
-    pub(crate) fn push(&self, states: &mut [BodyState], normal_ns: f64, tangential_ns: f64) {
-        let change = |state: &mut BodyState, n: &Answer, t: &Answer, sign: f64| {
-            let (n_ns, t_ns) = (-sign * normal_ns, sign * tangential_ns);
-            state.velocity_mps += n.velocity * n_ns + t.velocity * t_ns;
-            state.yaw_rate_radps += n.yaw_rate * n_ns + t.yaw_rate * t_ns;
-        };
+    pub(crate) fn push(
+        &self,
+        states: &mut [BodyState],
+        inverses: &[InverseMatrix],
+        normal_ns: f64,
+        tangential_ns: f64,
+    ) {
+        let along = self.along_n.quarter_turn() * tangential_ns - self.along_n * normal_ns;
+        let moment = |n_m: f64, t_m: f64| t_m * tangential_ns - n_m * normal_ns;
         if self.a_floats {
-            change(&mut states[self.a as usize], &self.along_n.of_a, &self.along_t.of_a, 1.0);
+            let moment_nms = moment(self.levers_n_m.a, self.levers_t_m.a);
+            let (dv, dr) = inverses[self.a as usize].response(along, moment_nms);
+            let state = &mut states[self.a as usize];
+            state.velocity_mps += dv;
+            state.yaw_rate_radps += dr;
         }
         if self.b_floats {
-            change(&mut states[self.b as usize], &self.along_n.of_b, &self.along_t.of_b, -1.0);
+            let moment_nms = moment(self.levers_n_m.b, self.levers_t_m.b);
+            let (dv, dr) = inverses[self.b as usize].response(along, moment_nms);
+            let state = &mut states[self.b as usize];
+            state.velocity_mps -= dv;
+            state.yaw_rate_radps -= dr;
         }
     }
 
@@ -215,7 +222,7 @@ impl Tie {
     #[inline]
     pub(crate) fn relaxed(&self, (normal_mps, tangential_mps): (f64, f64), h: f64) -> Forces {
         let now = &self.forces;
-        let tight_n = now.normal_n + (normal_mps + self.rebound_mps) * self.force_per_speed;
+        let tight_n = now.normal_n + (normal_mps + self.rebound_mps) * self.force_per_speed(h);
         let normal_n = self.passive(normal_mps, tight_n.min(self.law_n).max(0.0), h);
         if self.shear_stiffness_npm == 0.0 {
             return Forces { normal_n, tangential_n: 0.0, friction: Friction::Stick };
@@ -224,7 +231,7 @@ impl Tie {
         // T(1 + ϑ² k_s h² t·K t) = −k_s(Δs + ϑ h V̄ without T).
         let without_mps = tangential_mps
             - h * ((normal_n - now.normal_n) * self.cross + now.tangential_n * self.tangential);
-        let spring_n = self.spring_n(without_mps, h) * self.spring_share;
+        let spring_n = self.spring_n(without_mps) / (1.0 + self.spring_slope * h * self.tangential);
         // Once it slips in this sub-step it holds again only below the sliding force: else, with μ_k
         // below μ_s, the sweeps would go to and fro between the two.
         let holds = match now.friction {
@@ -240,6 +247,12 @@ impl Tie {
         Forces { normal_n, tangential_n, friction }
     }
 
+    /// 1/(h n·K n) [kg/s].
+    #[inline]
+    fn force_per_speed(&self, h: f64) -> f64 {
+        1.0 / (h * self.normal)
+    }
+
     /// `normal_n`, or less where it would give the bodies more than the contact may.
     ///
     /// The work of N on the bodies is N h (½ N h n·K n − s), with s the mean of V_n before the sub-step and
@@ -253,7 +266,7 @@ impl Tie {
             return normal_n;
         }
         let root = libm::sqrt(mean_mps * mean_mps + 2.0 * self.normal * self.may_give_j);
-        ((mean_mps + root) * self.force_per_speed).max(0.0)
+        ((mean_mps + root) * self.force_per_speed(h)).max(0.0)
     }
 
     /// `tangential_n`, or less where it would give the bodies more than the shear spring may.
@@ -274,36 +287,82 @@ impl Tie {
 
     /// The shear spring's force at a V_t⁺: −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺ [N].
     #[inline]
-    fn spring_n(&self, after_mps: f64, h: f64) -> f64 {
-        let share = self.implicit;
-        let mean_mps = (1.0 - share) * self.tangential_before_mps + share * after_mps;
-        -self.shear_stiffness_npm * (self.shear_m + share * h * mean_mps)
+    pub(crate) fn spring_n(&self, after_mps: f64) -> f64 {
+        self.spring_at_rest_n - self.spring_slope * after_mps
+    }
+
+    /// What it loses with V_t⁺ [N·s/m].
+    #[inline]
+    pub(crate) fn spring_slope(&self) -> f64 {
+        self.spring_slope
+    }
+
+    /// T of the spring that sticks and the speeds with it, where N = f and no other force acts, from the speeds
+    /// without either.
+    #[inline]
+    pub(crate) fn sticking(&self, free: (f64, f64), h: f64) -> (f64, (f64, f64)) {
+        let (_, without_mps) = self.speeds_after(free, (self.law_n, 0.0), h);
+        let share = 1.0 / (1.0 + self.spring_slope * h * self.tangential);
+        let tangential_n = self.spring_n(without_mps) * share;
+        (tangential_n, self.speeds_after(free, (self.law_n, tangential_n), h))
+    }
+
+    /// Do N = f and a T of the spring that sticks keep to all bounds, if with them, and all others' forces,
+    /// the speeds become these?
+    #[inline]
+    pub(crate) fn is_within_bounds(
+        &self,
+        (normal_mps, tangential_mps): (f64, f64),
+        tangential_n: f64,
+        h: f64,
+    ) -> bool {
+        let gives_j = -0.5 * h * self.law_n * (self.normal_before_mps + normal_mps);
+        let shear_gives_j = 0.5 * h * tangential_n * (self.tangential_before_mps + tangential_mps);
+        (normal_mps + self.rebound_mps >= 0.0)
+            & (gives_j <= self.may_give_j)
+            & (tangential_n.abs() <= self.friction_static * self.law_n)
+            & (shear_gives_j <= self.may_shear_j)
     }
 
     /// The ranks of its bodies that float, A's and B's.
+    #[inline(always)]
     pub(crate) fn floating(&self) -> [Option<u32>; 2] {
         [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
     }
 
+    /// j of the body of that rank, one of its two: V_n = j·v and what the other adds.
+    #[inline]
+    pub(crate) fn normal_row_of(&self, rank: u32) -> [f64; 3] {
+        let [of_a, of_b] = self.levers_n_m.rows(self.along_n);
+        if rank == self.a { of_a } else { of_b }
+    }
+
+    /// The same for V_t.
+    #[inline]
+    pub(crate) fn tangential_row_of(&self, rank: u32) -> [f64; 3] {
+        let [of_a, of_b] = self.levers_t_m.rows(self.along_n.quarter_turn());
+        if rank == self.a { of_a } else { of_b }
+    }
+
     /// V_n = j·v, with the velocities (north, east, yaw) of A and B.
     pub(crate) fn normal_row(&self) -> [[f64; 3]; 2] {
-        self.along_n.row()
+        self.levers_n_m.rows(self.along_n)
     }
 
     /// V_t = j·v, in the same way.
     pub(crate) fn tangential_row(&self) -> [[f64; 3]; 2] {
-        self.along_t.row()
+        self.levers_t_m.rows(self.along_n.quarter_turn())
     }
 
     /// N where a tight contact is a stiff line through its present force, of slope κ = stiffness/(h n·K n).
-    fn on_stiff_line_n(&self, normal_mps: f64, stiffness: f64) -> f64 {
-        let slope = stiffness * self.force_per_speed;
+    fn on_stiff_line_n(&self, normal_mps: f64, stiffness: f64, h: f64) -> f64 {
+        let slope = stiffness * self.force_per_speed(h);
         self.forces.normal_n + slope * (normal_mps + self.rebound_mps)
     }
 
     /// Where N stands between its bounds at a V_n.
-    pub(crate) fn kind(&self, normal_mps: f64, stiffness: f64) -> Kind {
-        match self.on_stiff_line_n(normal_mps, stiffness) {
+    pub(crate) fn kind(&self, normal_mps: f64, stiffness: f64, h: f64) -> Kind {
+        match self.on_stiff_line_n(normal_mps, stiffness, h) {
             n if n >= self.law_n => Kind::Full,
             n if n <= 0.0 => Kind::Open,
             _ => Kind::Tight,
@@ -324,15 +383,13 @@ impl Tie {
             Kind::Full => (self.law_n, 0.0),
             Kind::Open => (0.0, 0.0),
             Kind::Tight => {
-                (self.on_stiff_line_n(normal_mps, stiffness), stiffness * self.force_per_speed)
+                let slope = stiffness * self.force_per_speed(h);
+                (self.on_stiff_line_n(normal_mps, stiffness, h), slope)
             }
         };
         let (tangential_n, tangential_slope) = match now.friction {
             Friction::Slip => (now.tangential_n, 0.0),
-            Friction::Stick => (
-                self.spring_n(tangential_mps, h),
-                self.implicit * self.implicit * self.shear_stiffness_npm * h,
-            ),
+            Friction::Stick => (self.spring_n(tangential_mps), self.spring_slope),
         };
         Line {
             normal_n: normal_n - now.normal_n,
@@ -367,13 +424,13 @@ impl Tie {
         (more_n * self.normal).abs().max((more_t * self.tangential).abs()) * h
     }
 
-    /// Δs at the end of the sub-step: grown by h V̄, while it slips at most what the sliding force shears
-    /// [m].
+    /// Δs at the end of the sub-step from that at its start [m]: grown by h V̄, while it slips at most what the
+    /// sliding force shears.
     #[inline]
-    pub(crate) fn shear_after_m(&self, after_mps: f64, h: f64) -> f64 {
+    pub(crate) fn shear_after_m(&self, shear_m: f64, after_mps: f64, h: f64) -> f64 {
         let share = self.implicit;
         let mean_mps = (1.0 - share) * self.tangential_before_mps + share * after_mps;
-        let grown_m = self.shear_m + h * mean_mps;
+        let grown_m = shear_m + h * mean_mps;
         match self.forces.friction {
             Friction::Stick => grown_m,
             Friction::Slip => {
@@ -398,8 +455,15 @@ impl Tie {
 /// Any ϑ ≥ ½ is stable. That it makes no energy holds at ½ alone: see [`Tie::passive_shear`].
 #[inline]
 pub(crate) fn implicit_share(rate_squared: f64, h: f64) -> f64 {
-    let turn = libm::sqrt(rate_squared) * h;
-    if turn <= 1.0 { 0.5 } else { 1.0 - 0.5 / turn }
+    let turn_squared = rate_squared * h * h;
+    if turn_squared <= 1.0 { 0.5 } else { more_implicit_share(turn_squared) }
+}
+
+// Apart, so that nobody waits for the root and the quotient where they are not needed.
+#[cold]
+#[inline(never)]
+fn more_implicit_share(turn_squared: f64) -> f64 {
+    1.0 - 0.5 / libm::sqrt(turn_squared)
 }
 
 impl Forces {

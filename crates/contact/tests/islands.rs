@@ -1,0 +1,150 @@
+//! Islands: what touches in several of them, and what they leave in the order of the memory.
+
+mod support;
+
+use fenderline_contact::{
+    BodyId, BodyState, Event, EventKind, Memory, Model, Workspace, Wrench, advance, vec2,
+};
+use support::harbour::{PAPER, at, body};
+use support::shapes::{points, rectangle};
+
+const STEP_S: f64 = 0.1;
+
+/// Tugs with one side against a quay, 60 m apart, all at rest; the quay last.
+fn tugs_at_a_quay(count: u64) -> (Model, Vec<BodyState>) {
+    let mut builder = Model::builder();
+    let mut states = Vec::new();
+    for number in 0..count {
+        builder.body(body(number, &rectangle(24.0, 9.0), true));
+        states.push(at(60.0 * number as f64, -4.45, 0.0));
+    }
+    let quay = points(&[(-20.0, 0.0), (400.0, 0.0), (400.0, 20.0), (-20.0, 20.0)]);
+    builder.body(body(100, &quay, false));
+    states.push(at(0.0, 0.0, 0.0));
+    let material = builder.material(PAPER);
+    builder.every_other_pair(material);
+    (builder.build().expect("a good model"), states)
+}
+
+/// The same with a second quay on their other side; the quays' keys are lower than the tugs', so that the
+/// islands are not in the order of the pairs.
+fn tugs_between_quays(count: u64) -> (Model, Vec<BodyState>) {
+    let mut builder = Model::builder();
+    let mut states = Vec::new();
+    for number in 0..count {
+        builder.body(body(10 + number, &rectangle(24.0, 9.0), true));
+        states.push(at(60.0 * number as f64, -4.45, 0.0));
+    }
+    for (key, y_m) in [(0, 0.0), (1, -28.9)] {
+        let quay = points(&[(-20.0, 0.0), (400.0, 0.0), (400.0, 20.0), (-20.0, 20.0)]);
+        builder.body(body(key, &quay, false));
+        states.push(at(0.0, y_m, 0.0));
+    }
+    let material = builder.material(PAPER);
+    builder.every_other_pair(material);
+    (builder.build().expect("a good model"), states)
+}
+
+struct Run {
+    model: Model,
+    memory: Memory,
+    work: Workspace,
+    states: Vec<BodyState>,
+}
+
+impl Run {
+    fn new((model, states): (Model, Vec<BodyState>)) -> Run {
+        Run { memory: Memory::new(&model), work: Workspace::new(&model), model, states }
+    }
+
+    fn step(&mut self) -> &[Event] {
+        let loads = vec![Wrench::default(); self.states.len()];
+        let Run { model, memory, work, states } = self;
+        advance(model, memory, work, states, &loads, STEP_S).expect("a good step");
+        states.copy_from_slice(work.states_after());
+        work.events()
+    }
+}
+
+fn count(events: &[Event], kind: EventKind) -> usize {
+    events.iter().filter(|event| event.kind == kind).count()
+}
+
+/// The first island alone knew that the quay had jumped; the other tugs kept their memory.
+#[test]
+fn a_quay_that_is_put_elsewhere_starts_the_contacts_of_all_islands_afresh() {
+    let mut run = Run::new(tugs_at_a_quay(3));
+    assert_eq!(count(run.step(), EventKind::ContactBegan), 3);
+    assert_eq!(run.step(), []);
+    // Along her own side: the contacts look the same.
+    run.states[3].position_m.x -= 60.0;
+    let events = run.step();
+    assert_eq!(count(events, EventKind::Teleported), 1);
+    assert_eq!(count(events, EventKind::ContactEnded), 3);
+    assert_eq!(count(events, EventKind::ContactBegan), 3);
+    assert_eq!(run.step(), []);
+}
+
+/// Neither did islands that are not in the order of the pairs.
+#[test]
+fn a_quay_that_is_put_elsewhere_leaves_the_contacts_with_another_alone() {
+    let mut run = Run::new(tugs_between_quays(3));
+    assert_eq!(count(run.step(), EventKind::ContactBegan), 6);
+    assert_eq!(run.step(), []);
+    run.states[3].position_m.x -= 60.0;
+    let events = run.step();
+    assert_eq!(count(events, EventKind::Teleported), 1);
+    assert_eq!(count(events, EventKind::ContactEnded), 3);
+    assert_eq!(count(events, EventKind::ContactBegan), 3);
+    assert_eq!(run.step(), []);
+    // Both quays away; but for the end of one, at which the first tug begins anew.
+    run.states[3].position_m.x -= 340.0;
+    run.states[4].position_m.x -= 5000.0;
+    assert_eq!(count(run.step(), EventKind::ContactEnded), 6);
+}
+
+/// A contact whose pair was no longer near was told to have ended only where there was no other island.
+#[test]
+fn a_contact_ends_wherever_its_body_is_put() {
+    for gone in 0..3 {
+        let mut run = Run::new(tugs_at_a_quay(3));
+        run.step();
+        run.states[gone].position_m = vec2(0.0, -5000.0);
+        let ended: Vec<Event> = run
+            .step()
+            .iter()
+            .filter(|event| event.kind == EventKind::ContactEnded)
+            .copied()
+            .collect();
+        let bodies = [BodyId(gone as u32), BodyId(3)];
+        assert_eq!(ended, [Event { bodies, kind: EventKind::ContactEnded }]);
+        assert_eq!(run.work.contacts().len(), 2);
+    }
+    let mut alone = Run::new(tugs_at_a_quay(1));
+    alone.step();
+    alone.states[0].position_m = vec2(0.0, -5000.0);
+    assert_eq!(count(alone.step(), EventKind::ContactEnded), 1);
+}
+
+/// Neighbours that need as many sub-steps go together; each comes to where it would come to alone.
+#[test]
+fn an_island_comes_to_the_same_bits_whatever_its_neighbours_need() {
+    let after = |speeds_mps: [f64; 3]| {
+        let mut run = Run::new(tugs_at_a_quay(3));
+        for (state, speed_mps) in run.states.iter_mut().zip(speeds_mps) {
+            state.velocity_mps.y = speed_mps;
+        }
+        for _ in 0..20 {
+            run.step();
+        }
+        (run.states[1], run.memory.snapshot().len())
+    };
+    let (alone, size) = after([0.0, 0.1, 0.0]);
+    for first_mps in [0.0, 0.1, 40.0] {
+        for last_mps in [0.0, 0.1, 40.0] {
+            let (with_others, _) = after([first_mps, 0.1, last_mps]);
+            assert_eq!(with_others, alone, "{first_mps} and {last_mps} m/s");
+        }
+    }
+    assert!(size > 0);
+}
