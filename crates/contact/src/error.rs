@@ -91,6 +91,11 @@ pub enum StepError {
         /// Its value.
         value: f64,
     },
+    /// The step overflows: far too long for what is stiff there, whatever its sub-steps.
+    NotFinite {
+        /// Name of a body that would be nowhere.
+        body: String,
+    },
     /// Memory was made for another model.
     WrongModel,
 }
@@ -106,6 +111,12 @@ impl fmt::Display for StepError {
             }
             StepError::BadState { body, field, value } => {
                 write!(f, "{field} of body `{body}` is {value}")
+            }
+            StepError::NotFinite { body } => {
+                write!(
+                    f,
+                    "the step is far too long for the contacts of body `{body}`: it overflows"
+                )
             }
             StepError::WrongModel => write!(f, "this memory belongs to another model"),
         }

@@ -72,6 +72,8 @@ pub struct Workspace {
     /// By rank: all but what is fixed and at rest; and those of them that are in islands.
     pub(crate) moves: Vec<bool>,
     pub(crate) in_island: Vec<bool>,
+    /// What is fixed and moves, by rank, where it was shown.
+    pub(crate) moving_walls: Vec<(u32, BodyState)>,
     pub(crate) island_bodies: Vec<u32>,
     /// What the islands' last sub-step left.
     pub(crate) island_memory: IslandMemory,
@@ -161,6 +163,7 @@ impl Workspace {
             island_root: Vec::new(),
             moves: Vec::new(),
             in_island: Vec::new(),
+            moving_walls: Vec::new(),
             island_bodies: Vec::new(),
             island_memory: IslandMemory::default(),
             gathered_memory: IslandMemory::default(),

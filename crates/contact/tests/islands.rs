@@ -3,9 +3,10 @@
 mod support;
 
 use fenderline_contact::{
-    BodyId, BodyState, Event, EventKind, Memory, Model, Workspace, Wrench, advance, vec2,
+    Body, BodyId, BodyState, Event, EventKind, Memory, Mobility, Model, Workspace, Wrench, advance,
+    vec2,
 };
-use support::harbour::{PAPER, at, body};
+use support::harbour::{PAPER, at, body, model};
 use support::shapes::{points, rectangle};
 
 const STEP_S: f64 = 0.1;
@@ -147,4 +148,62 @@ fn an_island_comes_to_the_same_bits_whatever_its_neighbours_need() {
         }
     }
     assert!(size > 0);
+}
+
+/// A quay that is shown with a speed went once for each group of islands that need as many sub-steps.
+#[test]
+fn a_quay_that_moves_goes_once_however_its_islands_go() {
+    let after = |fast_mps: f64| {
+        let mut run = Run::new(tugs_at_a_quay(3));
+        run.states[3].velocity_mps = vec2(0.2, -0.3);
+        run.states[3].yaw_rate_radps = 1e-3;
+        // Another number of sub-steps for the first of them.
+        run.states[0].velocity_mps.y = fast_mps;
+        run.step();
+        (run.states.clone(), run.work.motions()[3])
+    };
+    let (alike, moved) = after(0.0);
+    let (apart, moved_apart) = after(40.0);
+    let went_m = vec2(0.2, -0.3) * STEP_S;
+    for (state, motion) in [(alike[3], moved), (apart[3], moved_apart)] {
+        // To rounding: sub-steps add up.
+        assert!((state.position_m - went_m).length() < 1e-15, "{state:?}");
+        assert!((motion.way_m - went_m).length() < 1e-15, "{motion:?}");
+        assert!((state.heading_rad - 1e-4).abs() < 1e-18);
+    }
+    assert_eq!(alike[1..3], apart[1..3]);
+}
+
+/// The sub-steps of a step are bounded; beyond that it may overflow, and is refused. Masses that are not alike in all
+/// directions turn with their bodies, ever faster.
+#[test]
+fn a_step_of_days_within_a_contact_is_finite_or_refused() {
+    let mobility = Mobility::Afloat { surge_kg: 1e6, sway_kg: 1.5e6, yaw_inertia_kgm2: 5e7 };
+    let mut refused = 0;
+    for angle in 0..60 {
+        let bodies = [0, 1].map(|key| Body {
+            mobility: mobility.clone(),
+            ..body(key, &rectangle(20.0, 8.0), true)
+        });
+        let states = vec![at(0.0, 0.0, 0.0), at(0.0, 7.0, 0.0)];
+        let mut run = Run::new((model(bodies.to_vec(), PAPER), states));
+        run.step();
+        let before = run.memory.snapshot();
+        run.states[0].velocity_mps = vec2(1.0, 2.0);
+        run.states[0].yaw_rate_radps = 0.05;
+        run.states[0].heading_rad = 0.1 * f64::from(angle);
+        let Run { model, memory, work, states } = &mut run;
+        match advance(model, memory, work, states, &[Wrench::default(); 2], 1e6) {
+            Ok(()) => {
+                let finite = |s: &BodyState| s.position_m.is_finite() && s.heading_rad.is_finite();
+                assert!(work.states_after().iter().all(finite));
+            }
+            Err(error) => {
+                assert!(error.to_string().contains("overflows"), "{error}");
+                assert_eq!(memory.snapshot(), before);
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused > 0);
 }

@@ -101,7 +101,10 @@ impl From<SetupError> for EngineError {
 
 impl From<StepError> for EngineError {
     fn from(error: StepError) -> EngineError {
-        EngineError::Input(error)
+        match error {
+            StepError::NotFinite { .. } => EngineError::NotFinite,
+            other => EngineError::Input(other),
+        }
     }
 }
 

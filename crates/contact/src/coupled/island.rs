@@ -8,6 +8,7 @@ use crate::coupled::pace;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
 use crate::overlap::Patch;
+use crate::report::Motion;
 use crate::workspace::{Candidate, Workspace};
 
 /// Bodies that may touch each other: a range of `Workspace::candidates`.
@@ -168,6 +169,22 @@ pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
     }
     if island_bodies.len() > 1 {
         island_bodies.sort_unstable();
+    }
+    put_walls_back(work);
+}
+
+/// What is fixed and moves goes through the step with each group of islands: from where it was shown.
+fn put_walls_back(work: &mut Workspace) {
+    let Workspace { moving_walls, in_island, states, poses, headings_rad, motions_by_rank, .. } =
+        work;
+    for &(rank, shown) in &*moving_walls {
+        let rank = rank as usize;
+        if in_island[rank] {
+            states[rank] = shown;
+            poses[rank] = shown.pose();
+            headings_rad[rank] = shown.heading_rad;
+            motions_by_rank[rank] = Motion::default();
+        }
     }
 }
 

@@ -69,7 +69,7 @@ pub fn advance(
     work.next_hints.clear();
     advance_islands(model, memory, work, step_s);
     drift_apart(model, work, step_s);
-    report(model, work);
+    report(model, work)?;
     remember(memory, work, step_s, model, states);
     Ok(())
 }
@@ -209,8 +209,10 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
         inverses,
         room_mps,
         moves,
+        moving_walls,
         ..
     } = work;
+    moving_walls.clear();
     own.resize(count, Wrench::default());
     inverses.resize(count, InverseMatrix::default());
     room_mps.resize(count, 0.0);
@@ -238,6 +240,8 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
             inverse = body.inverse.turned(poses[rank].rotation);
             let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
             room += dv.length() + dr.abs() * body.reach_m;
+        } else {
+            moving_walls.push((rank as u32, *state));
         }
         own[rank] = load;
         inverses[rank] = inverse;
@@ -310,7 +314,10 @@ fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
 }
 
 /// Contacts in the order of the keys, and what there is of each body in the order in which they were added.
-fn report(model: &Model, work: &mut Workspace) {
+///
+/// # Errors
+/// A number that is none: the step is too long for its sub-steps, of which there is a bound.
+fn report(model: &Model, work: &mut Workspace) -> Result<(), StepError> {
     let key = |c: &crate::report::Contact| {
         let [one, two] = [c.body_1, c.body_2].map(|id| model.rank_of[id.0 as usize]);
         (one.min(two), one.max(two), model.face_of(c.fender), c.patch)
@@ -324,12 +331,35 @@ fn report(model: &Model, work: &mut Workspace) {
     states_after.resize(count, BodyState::default());
     motions.resize(count, Motion::default());
     let by_rank = pushes.iter().zip(states.iter()).zip(motions_by_rank.iter());
+    let mut nothing = 0.0;
     for (body, ((push, state), motion)) in model.ranked.iter().zip(by_rank) {
         let id = body.id.0 as usize;
         wrenches[id] = *push;
         states_after[id] = *state;
         motions[id] = *motion;
+        // Nothing times nothing, unless it is infinite or none. Without a branch for each.
+        let sum = state.position_m + state.velocity_mps + push.force_n;
+        nothing += 0.0 * (sum.x + sum.y + state.heading_rad + state.yaw_rate_radps);
+        nothing += 0.0 * push.moment_nm;
     }
+    if nothing == 0.0 { Ok(()) } else { Err(overflow(model, work)) }
+}
+
+/// Names the first body whose state or wrench is not finite.
+#[cold]
+fn overflow(model: &Model, work: &Workspace) -> StepError {
+    let is_finite = |index: usize| {
+        let (state, push) = (&work.states_after[index], &work.wrenches[index]);
+        state.position_m.is_finite()
+            && state.velocity_mps.is_finite()
+            && state.heading_rad.is_finite()
+            && state.yaw_rate_radps.is_finite()
+            && push.force_n.is_finite()
+            && push.moment_nm.is_finite()
+    };
+    let bodies = model.bodies();
+    let bad = (0..bodies.len()).find(|&index| !is_finite(index)).unwrap_or(0);
+    StepError::NotFinite { body: bodies[bad].name.clone() }
 }
 
 /// The step is done: what it found becomes the memory of the next.
