@@ -1,5 +1,8 @@
-"""Reads what `cargo run -p fenderline-nautical --example sentences` prints with two parsers that we did not write,
-pynmea2 and pyais, and holds what they read against the numbers that went in. Needs both (`pip install pynmea2 pyais`)."""
+"""Reads what `cargo run -p fenderline-nautical --example sentences` prints with parsers that we did not write, two for
+each kind of sentence, and holds what they read against the numbers that went in.
+
+NMEA 0183: pynmea2 and pynmeagps. AIS: pyais and simpleais (`pip install pynmea2 pynmeagps pyais simpleais`).
+"""
 
 import json
 import math
@@ -7,75 +10,113 @@ import sys
 
 import pyais
 import pynmea2
+import simpleais
+from pynmeagps import NMEAReader
 
 KNOT_MPS = 1852 / 3600
+ROUND = 360
 
 
-def near(ours, theirs, tolerance, what, turn=None):
-    off = abs(float(ours) - float(theirs))
+def near(read, wanted, tolerance, what, turn=None):
+    """Equal to within half of the last digit that the sentence has."""
+    off = abs(float(read) - float(wanted))
     if turn:
         off = min(off % turn, turn - off % turn)
-    assert off <= tolerance, f"{what}: {ours} beside {theirs}"
+    assert off <= tolerance, f"{what}: {read} read, {wanted} meant"
+
+
+def pynmea2_reads(line):
+    """Kind and fields of a sentence, in the order of FIELDS."""
+    m = pynmea2.parse(line, check=True)
+    return m.sentence_type, {
+        "HDT": lambda: [m.heading],
+        "ROT": lambda: [m.rate_of_turn],
+        "RMC": lambda: [m.status, str(m.datestamp), m.latitude, m.longitude, m.spd_over_grnd, m.true_course],
+        "VTG": lambda: [m.true_track, m.spd_over_grnd_kts, m.spd_over_grnd_kmph],
+        "VBW": lambda: [m.lon_water_spd, m.lon_grnd_spd, m.trans_grnd_spd],
+        "MWV": lambda: [m.reference, m.wind_angle, m.wind_speed],
+        "DPT": lambda: [m.depth, m.offset],
+        "RSA": lambda: [m.rsa_starboard, m.rsa_starboard_status],
+        "RPM": lambda: [m.speed],
+    }[m.sentence_type]()
+
+
+def pynmeagps_reads(line):
+    """As `pynmea2_reads`."""
+    m = NMEAReader.parse(line + "\r\n", validate=1)
+    return m.msgID, {
+        "HDT": lambda: [m.headingT],
+        "ROT": lambda: [m.rot],
+        "RMC": lambda: [m.status, str(m.date), m.lat, m.lon, m.spd, m.cog],
+        "VTG": lambda: [m.cogt, m.sogn, m.sogk],
+        "VBW": lambda: [m.longwaterspd, m.longgroundspd, m.transgroundspd],
+        "MWV": lambda: [m.reference, m.angle, m.speed],
+        "DPT": lambda: [m.depth, m.offset],
+        "RSA": lambda: [m.stbdangle, m.stbdstatus],
+        "RPM": lambda: [m.rpm],
+    }[m.msgID]()
+
+
+def meant(kind, said, reference):
+    """What the fields of a sentence should be: texts, or number, tolerance and whether it is an angle."""
+    knots = math.hypot(said["ahead"], said["across"]) / KNOT_MPS
+    course = said["heading"] + math.degrees(math.atan2(said["across"], said["ahead"]))
+    relative = reference == "R"
+    return {
+        "HDT": lambda: [(said["heading"], 0.051, ROUND)],
+        "ROT": lambda: [(said["turn"], 0.051)],
+        "RMC": lambda: ["A", "2026-11-21", (said["lat"], 1e-7), (said["lon"], 1e-7, ROUND), (knots, 0.0051),
+                        (course, 0.051, ROUND)],
+        "VTG": lambda: [(course, 0.051, ROUND), (knots, 0.0051), (knots * 1.852, 0.0051)],
+        "VBW": lambda: [(said[key] / KNOT_MPS, 0.0051) for key in ("water", "ahead", "across")],
+        "MWV": lambda: [reference, (said["wind" if relative else "true_wind"], 0.051, ROUND),
+                        ((12.5 if relative else 10) / KNOT_MPS, 0.051)],
+        "DPT": lambda: [(15, 0.051), (-9, 0.051)],
+        "RSA": lambda: [(said["rudder"], 0.051), "A"],
+        "RPM": lambda: [(said["rpm"], 0.051)],
+    }[kind]()
 
 
 def nmea(line, said):
-    """One sentence; tolerances are half of the last digit that it has."""
-    m = pynmea2.parse(line, check=True)
-    speed = math.hypot(said["ahead"], said["across"]) / KNOT_MPS
-    course = said["heading"] + math.degrees(math.atan2(said["across"], said["ahead"]))
-    kind = m.sentence_type
-    if kind == "HDT":
-        near(m.heading, said["heading"], 0.051, kind, 360)
-    elif kind == "ROT":
-        near(m.rate_of_turn, said["turn"], 0.051, kind)
-    elif kind == "RMC":
-        assert m.is_valid and str(m.datestamp) == "2026-11-21", line
-        near(m.latitude, said["lat"], 1e-7, kind)
-        near(m.longitude, said["lon"], 1e-7, kind, 360)
-        near(m.spd_over_grnd, speed, 0.0051, kind)
-        near(m.true_course, course, 0.051, kind, 360)
-    elif kind == "VTG":
-        near(m.true_track, course, 0.051, kind, 360)
-        near(m.spd_over_grnd_kts, speed, 0.0051, kind)
-        near(m.spd_over_grnd_kmph, speed * 1.852, 0.0051, kind)
-    elif kind == "VBW":
-        near(m.lon_water_spd, said["water"] / KNOT_MPS, 0.0051, kind)
-        near(m.lon_grnd_spd, said["ahead"] / KNOT_MPS, 0.0051, kind)
-        near(m.trans_grnd_spd, said["across"] / KNOT_MPS, 0.0051, kind)
-    elif kind == "MWV":
-        near(m.wind_angle, said["wind" if m.reference == "R" else "true_wind"], 0.051, kind, 360)
-        near(m.wind_speed, (12.5 if m.reference == "R" else 10) / KNOT_MPS, 0.051, kind)
-    elif kind == "DPT":
-        near(m.depth, 15, 0.051, kind)
-        near(m.offset, -9, 0.051, kind)
-    elif kind == "RSA":
-        near(m.rsa_starboard, said["rudder"], 0.051, kind)
-        assert m.rsa_starboard_status == "A", line
-    elif kind == "RPM":
-        near(m.speed, said["rpm"], 0.051, kind)
-    else:
-        raise AssertionError(f"not looked at: {line}")
+    """One sentence, by both parsers."""
+    for parser in (pynmea2_reads, pynmeagps_reads):
+        kind, fields = parser(line)
+        wanted = meant(kind, said, fields[0])
+        assert len(fields) == len(wanted), line
+        for read, want in zip(fields, wanted):
+            if isinstance(want, str):
+                assert read == want, f"{parser.__name__}: {read} read, {want} meant in {line}"
+            else:
+                near(read, *want[:2], f"{parser.__name__} {kind}", *want[2:])
     return kind
 
 
 def ais(parts, said):
-    """One message of one or two sentences."""
-    m = pyais.decode(*parts).asdict()
-    if m["msg_type"] == 1:
-        near(m["lat"], said["lat"], 1e-6, "AIS latitude")
-        near(m["lon"], said["lon"], 1e-6, "AIS longitude", 360)
-        near(m["heading"], said["heading"], 0.51, "AIS heading", 360)
-        near(m["course"], said["heading"] + math.degrees(math.atan2(said["across"], said["ahead"])), 0.051,
-             "AIS course", 360)
-        near(m["speed"], math.hypot(said["ahead"], said["across"]) / KNOT_MPS, 0.051, "AIS speed")
-        # What is sent is 4.733 sqrt(deg/min), rounded; pyais gives back whole degrees a minute.
+    """One message of one or two sentences, by both parsers."""
+    (other,) = simpleais.parse_many(parts)
+    for m in (pyais.decode(*parts).asdict(), other):
+        kind = m["msg_type"] if isinstance(m, dict) else m["type"]
+        assert str(m["mmsi"]).startswith("99900000"), m
+        if kind == 1:
+            near(m["lat"], said["lat"], 1e-6, "AIS latitude")
+            near(m["lon"], said["lon"], 1e-6, "AIS longitude", ROUND)
+            near(m["heading"], said["heading"], 0.51, "AIS heading", ROUND)
+            course = said["heading"] + math.degrees(math.atan2(said["across"], said["ahead"]))
+            near(m["course"], course, 0.051, "AIS course", ROUND)
+            near(m["speed"], math.hypot(said["ahead"], said["across"]) / KNOT_MPS, 0.051, "AIS speed")
+        else:
+            assert kind == 5 and m["shipname"] == "CONTAINER SHIP, 298" and m["callsign"] == "FENDER", m
+            assert [m[to] for to in ("to_bow", "to_stern", "to_port", "to_starboard")] == [150, 148, 23, 23], m
+            assert m["draught"] == 9.0 and m["destination"] == "BERTH", m
+    read = pyais.decode(*parts).asdict()
+    if kind == 1:
+        # What is sent is 4.733 sqrt(deg/min), rounded; pyais gives back whole degrees a minute, simpleais takes no root
+        # of it.
         sent = round(4.733 * math.sqrt(abs(said["turn"])))
-        near(m["turn"], math.copysign((sent / 4.733) ** 2, said["turn"]), 0.501, "AIS turn")
+        near(read["turn"], math.copysign((sent / 4.733) ** 2, said["turn"]), 0.501, "AIS turn")
     else:
-        assert m["msg_type"] == 5 and m["shipname"] == "CONTAINER SHIP, 298" and m["callsign"] == "FENDER", m
-        assert (m["to_bow"], m["to_stern"], m["to_port"], m["to_starboard"]) == (150, 148, 23, 23), m
-        assert m["draught"] == 9.0 and m["destination"] == "BERTH" and int(m["ship_type"]) == 70, m
-    return f"AIS {m['msg_type']}"
+        assert int(read["ship_type"]) == 70, read
+    return f"AIS {kind}"
 
 
 def main():
@@ -94,7 +135,8 @@ def main():
         read[kind] = read.get(kind, 0) + 1
     wanted = {"HDT", "ROT", "RMC", "VTG", "VBW", "MWV", "DPT", "RSA", "RPM", "AIS 1", "AIS 5"}
     assert set(read) == wanted, wanted - set(read)
-    print(f"{sum(read.values())} messages of {len(read)} kinds read by pynmea2 and pyais as they were meant")
+    print(f"{sum(read.values())} messages of {len(read)} kinds read as they were meant, each by two parsers: "
+          "pynmea2 and pynmeagps, pyais and simpleais")
 
 
 main()

@@ -1,4 +1,4 @@
-//! Sentences for chart programs, read by two parsers that we did not write.
+//! Sentences for chart programs, read by parsers that we did not write, two for each kind.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -8,13 +8,14 @@ use crate::step::{Done, Step};
 use crate::tools::{self, Missing};
 
 /// The parsers, from Python's package index.
-const PARSERS: [&str; 2] = ["pynmea2==1.19.0", "pyais==3.3.1"];
+const PARSERS: [&str; 4] =
+    ["pynmea2==1.19.0", "pynmeagps==1.1.8", "pyais==3.3.1", "simpleais==0.7.3"];
 /// Where they are installed: nothing outside of the folder of builds is touched.
 const FOLDER: &str = "target/nautical-python";
 
 /// As a step of `cargo xtask test`, and alone.
 pub(crate) const STEP: Step =
-    Step { name: "sentences for chart programs, by two parsers", run: parsers };
+    Step { name: "sentences for chart programs, by two parsers each", run: parsers };
 
 /// Runs `crates/nautical/check.py` on what the example prints.
 fn parsers() -> Result<Done, String> {
@@ -30,8 +31,8 @@ fn parsers() -> Result<Done, String> {
         pip.args(["-m", "pip", "install", "--quiet"]).args(PARSERS);
         if made.and_then(|_| run_quietly(&mut pip)).is_err() {
             return Ok(Done::NotRun(Missing {
-                tool: "pynmea2 and pyais",
-                install: "pip install pynmea2 pyais",
+                tool: "pynmea2, pynmeagps, pyais and simpleais",
+                install: "pip install pynmea2 pynmeagps pyais simpleais",
             }));
         }
     }
@@ -47,5 +48,5 @@ fn parsers() -> Result<Done, String> {
 }
 
 fn has_parsers(python: &Path) -> bool {
-    python.is_file() && run(Command::new(python).args(["-c", "import pynmea2, pyais"])).is_ok()
+    python.is_file() && run(Command::new(python).args(["-c", "import pynmea2, pynmeagps, pyais, simpleais"])).is_ok()
 }
