@@ -48,5 +48,7 @@ fn parsers() -> Result<Done, String> {
 }
 
 fn has_parsers(python: &Path) -> bool {
-    python.is_file() && run(Command::new(python).args(["-c", "import pynmea2, pynmeagps, pyais, simpleais"])).is_ok()
+    python.is_file()
+        && run(Command::new(python).args(["-c", "import pynmea2, pynmeagps, pyais, simpleais"]))
+            .is_ok()
 }
