@@ -274,7 +274,7 @@ export class App implements Page {
     if (!frame || !hello) return;
     setText(this.time, clock(frame.t_s));
     const rewound = frame.tick < frame.run.last_tick;
-    setText(this.run, rewound ? "REWOUND" : frame.run.paused ? "PAUSED" : `${fixed(frame.run.pace, frame.run.pace % 1 === 0 ? 0 : 2)}×`);
+    setText(this.run, rewound ? (frame.run.paused ? "REWOUND" : "REPLAY") : frame.run.paused ? "PAUSED" : `${fixed(frame.run.pace, frame.run.pace % 1 === 0 ? 0 : 2)}×`);
     setClass(this.run, "caution", rewound || frame.run.paused);
     this.plan?.tick(frame);
     for (const group of this.groups) group.tick(frame, hello);

@@ -72,6 +72,7 @@ export class Run implements Group {
   }
 
   private rewind(tick: number): void {
+    this.page.did("rewind");
     void this.page.order({ do: "rewind", tick: Math.min(this.run?.last_tick ?? 0, Math.max(0, tick)) });
   }
 

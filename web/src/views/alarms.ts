@@ -1,7 +1,7 @@
 /** Alarms: what stands, whether it was acknowledged, and what happened before; sound only where asked for. */
 import type { Alarm, Frame } from "../protocol";
 import { button, h, setAttribute, setClass, setText } from "../ui/dom";
-import { clock } from "../units";
+import { clock, spoken } from "../units";
 import type { View } from "./view";
 
 const KEPT_EVENTS = 200;
@@ -41,7 +41,7 @@ export class Alarms implements View {
   }
 
   private note(t_s: number, text: string, level = ""): void {
-    this.log.prepend(h("li", { class: level }, h("time", {}, clock(t_s)), ` ${text}`));
+    this.log.prepend(h("li", { class: level }, h("time", {}, clock(t_s)), ` ${spoken(text)}`));
     while (this.log.children.length > KEPT_EVENTS) this.log.lastChild?.remove();
   }
 
