@@ -18,7 +18,7 @@ pub(crate) struct Tie {
     a_floats: bool,
     b_floats: bool,
     /// n, and the levers of n and t about each body's centre of gravity [m].
-    along_n: Vec2,
+    pub(crate) along_n: Vec2,
     levers_n_m: Levers,
     levers_t_m: Levers,
     /// n·K n, t·K n and t·K t [1/kg].
@@ -33,8 +33,8 @@ pub(crate) struct Tie {
     spring_at_rest_n: f64,
     spring_slope: f64,
     /// V_n and V_t at the start of the sub-step [m/s].
-    normal_before_mps: f64,
-    tangential_before_mps: f64,
+    pub(crate) normal_before_mps: f64,
+    pub(crate) tangential_before_mps: f64,
     /// f, the normal law's force: N lies between 0 and it [N].
     pub(crate) law_n: f64,
     /// γ v_ref: V_n⁺ may not fall below its negative [m/s].
