@@ -83,6 +83,16 @@ pub(crate) struct Line {
     pub(crate) tangential_slope: f64,
 }
 
+/// One body's part in V_n and V_t: ±j·v, with its velocities (north, east, yaw).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Side {
+    /// 1 for A, −1 for B.
+    pub(crate) sign: f64,
+    /// j of V_n and of V_t.
+    pub(crate) normal: [f64; 3],
+    pub(crate) tangential: [f64; 3],
+}
+
 /// Of a direction about A's and B's centres of gravity [m].
 #[derive(Clone, Copy, Debug)]
 struct Levers {
@@ -330,18 +340,16 @@ impl Tie {
         [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
     }
 
-    /// j of the body of that rank, one of its two: V_n = j·v and what the other adds.
-    #[inline]
-    pub(crate) fn normal_row_of(&self, rank: u32) -> [f64; 3] {
-        let [of_a, of_b] = self.levers_n_m.rows(self.along_n);
-        if rank == self.a { of_a } else { of_b }
-    }
-
-    /// The same for V_t.
-    #[inline]
-    pub(crate) fn tangential_row_of(&self, rank: u32) -> [f64; 3] {
-        let [of_a, of_b] = self.levers_t_m.rows(self.along_n.quarter_turn());
-        if rank == self.a { of_a } else { of_b }
+    /// How it sees the body of that rank, one of its two.
+    #[inline(always)]
+    pub(crate) fn side_of(&self, rank: u32) -> Side {
+        let Vec2 { x, y } = self.along_n;
+        let (sign, lever_n_m, lever_t_m) = if rank == self.a {
+            (1.0, self.levers_n_m.a, self.levers_t_m.a)
+        } else {
+            (-1.0, self.levers_n_m.b, self.levers_t_m.b)
+        };
+        Side { sign, normal: [x, y, lever_n_m], tangential: [-y, x, lever_t_m] }
     }
 
     /// V_n = j·v, with the velocities (north, east, yaw) of A and B.
