@@ -181,10 +181,7 @@ fn a_step_of_days_within_a_contact_is_finite_or_refused() {
     let mobility = Mobility::Afloat { surge_kg: 1e6, sway_kg: 1.5e6, yaw_inertia_kgm2: 5e7 };
     let mut refused = 0;
     for angle in 0..60 {
-        let bodies = [0, 1].map(|key| Body {
-            mobility: mobility.clone(),
-            ..body(key, &rectangle(20.0, 8.0), true)
-        });
+        let bodies = [0, 1].map(|key| Body { mobility, ..body(key, &rectangle(20.0, 8.0), true) });
         let states = vec![at(0.0, 0.0, 0.0), at(0.0, 7.0, 0.0)];
         let mut run = Run::new((model(bodies.to_vec(), PAPER), states));
         run.step();
