@@ -146,7 +146,8 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
     for (rank, (body, ((((own, pose), heading_rad), teleported), reach_m))) in
         model.ranked.iter().zip(of_body).enumerate()
     {
-        let state = states[body.id.0 as usize];
+        let id = model.id_of[rank];
+        let state = states[id.0 as usize];
         *own = state;
         *reach_m = body.reach_m;
         pose.position_m = state.position_m;
@@ -161,7 +162,7 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
             .is_some_and(|last| jumped(last, &state, memory.last_step_s, body.radius_m));
         if *teleported {
             *jumps = true;
-            let bodies = [body.id, body.id];
+            let bodies = [id, id];
             events.push(Event { bodies, kind: EventKind::Teleported });
         }
     }

@@ -106,6 +106,6 @@ fn tell_news(
 #[cold]
 #[inline(never)]
 pub(crate) fn note(model: &Model, work: &mut Workspace, a: u32, b: u32, kind: EventKind) {
-    let (a, b) = (model.ranked[a as usize].id, model.ranked[b as usize].id);
+    let (a, b) = (model.id_of[a as usize], model.id_of[b as usize]);
     work.events.push(Event { bodies: [a.min(b), a.max(b)], kind });
 }

@@ -148,8 +148,9 @@ pub struct Model {
     face_of_fender: Vec<u32>,
     /// Bodies in the order of their keys.
     pub(crate) ranked: Vec<RankedBody>,
-    /// Rank of each body.
+    /// Rank of each body, and body of each rank.
     pub(crate) rank_of: Vec<u32>,
+    pub(crate) id_of: Vec<BodyId>,
     /// Named pairs, sorted by rank.
     pub(crate) pairs: Vec<RankedPair>,
     /// Material of all other pairs.
@@ -161,7 +162,6 @@ pub struct Model {
 /// What the inner stages need of a body.
 #[derive(Clone, Debug)]
 pub(crate) struct RankedBody {
-    pub(crate) id: BodyId,
     pub(crate) pieces: Vec<ConvexPolygon>,
     /// Largest distance of a vertex from the centre of gravity [m].
     pub(crate) radius_m: f64,
@@ -274,7 +274,7 @@ impl ModelBuilder {
         for (index, material) in materials.iter().enumerate() {
             check_material(index, material)?;
         }
-        let (mut ranked, rank_of) = rank(&bodies)?;
+        let Ranks { mut ranked, rank_of, id_of } = rank(&bodies)?;
         let faces = rank_fenders(&fenders, &materials, &mut ranked, &rank_of)?;
         let pairs = rank_pairs(&bodies, &materials, &pairs, &rank_of)?;
         if let Some(MaterialId(index)) = every_other_pair
@@ -290,6 +290,7 @@ impl ModelBuilder {
             faces,
             ranked,
             rank_of,
+            id_of,
             pairs,
             every_other_pair,
             fingerprint: 0,
@@ -353,7 +354,14 @@ fn check_material(index: usize, m: &Material) -> Result<(), ModelError> {
     check("restitution", m.restitution, 0.0, 1.0, "between 0 and 1")
 }
 
-fn rank(bodies: &[Body]) -> Result<(Vec<RankedBody>, Vec<u32>), ModelError> {
+/// The bodies in the order of their keys, and the ways from one order to the other.
+struct Ranks {
+    ranked: Vec<RankedBody>,
+    rank_of: Vec<u32>,
+    id_of: Vec<BodyId>,
+}
+
+fn rank(bodies: &[Body]) -> Result<Ranks, ModelError> {
     let mut order: Vec<u32> = (0..bodies.len() as u32).collect();
     order.sort_by_key(|&i| bodies[i as usize].key);
     for two in order.windows(2) {
@@ -366,13 +374,13 @@ fn rank(bodies: &[Body]) -> Result<(Vec<RankedBody>, Vec<u32>), ModelError> {
     let mut ranked = Vec::with_capacity(bodies.len());
     for (rank, &id) in order.iter().enumerate() {
         rank_of[id as usize] = rank as u32;
-        ranked.push(RankedBody::new(BodyId(id), &bodies[id as usize]));
+        ranked.push(RankedBody::new(&bodies[id as usize]));
     }
-    Ok((ranked, rank_of))
+    Ok(Ranks { ranked, rank_of, id_of: order.into_iter().map(BodyId).collect() })
 }
 
 impl RankedBody {
-    fn new(id: BodyId, body: &Body) -> RankedBody {
+    fn new(body: &Body) -> RankedBody {
         let (mass_kg, yaw_inertia_kgm2, inverse) = match body.mobility {
             Mobility::Fixed => (f64::INFINITY, f64::INFINITY, Some(InverseMatrix::default())),
             Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
@@ -390,7 +398,6 @@ impl RankedBody {
         };
         let inverse = inverse.expect("checked with the body");
         RankedBody {
-            id,
             pieces: body.outline.pieces().iter().map(|p| ConvexPolygon::new(p)).collect(),
             radius_m: body.outline.radius_m(),
             reach_m: body.outline.radius_m(),
@@ -502,8 +509,8 @@ fn bad_pair(first: &Body, second: &Body, why: &'static str) -> ModelError {
 fn fingerprint(model: &Model) -> u64 {
     let mut hash = Fnv::default();
     hash.word(model.ranked.len() as u64);
-    for ranked in &model.ranked {
-        let body = &model.bodies[ranked.id.0 as usize];
+    for (ranked, id) in model.ranked.iter().zip(&model.id_of) {
+        let body = &model.bodies[id.0 as usize];
         hash.word(body.key);
         hash.word(ranked.inverse_mass.to_bits());
         hash.word(ranked.inverse_inertia.to_bits());

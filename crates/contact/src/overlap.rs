@@ -493,7 +493,7 @@ fn normal_without_chord(
 /// The axis of least penetration of whole outlines: a piece's edges will not do, for a body is not
 /// pushed out of another through a seam. `None` where no side faces the patch.
 fn nearest_side(model: &Model, work: &Workspace, patch: &Patch) -> Option<Vec2> {
-    let outline_of = |rank: u32| &model.bodies()[model.ranked[rank as usize].id.0 as usize].outline;
+    let outline_of = |rank: u32| &model.bodies()[model.id_of[rank as usize].0 as usize].outline;
     let corners = || outlines(work, patch).flatten().copied();
     // A body that lies within the other is pushed out by the other's sides, not by its own.
     let is_all_of = |rank: u32| patch.area_m2 >= outline_of(rank).area_m2() * (1.0 - 1e-9);

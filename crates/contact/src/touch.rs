@@ -123,7 +123,7 @@ impl Touch {
         face: Option<&RankedFender>,
     ) -> Contact {
         let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
-        let (id_a, id_b) = (model.ranked[a].id, model.ranked[b].id);
+        let (id_a, id_b) = (model.id_of[a], model.id_of[b]);
         let swapped = id_a > id_b;
         Contact {
             body_1: id_a.min(id_b),

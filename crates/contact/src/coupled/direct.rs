@@ -34,10 +34,10 @@ pub(crate) fn solve(
     let mut stiffness = Stiffness::default();
     for tie in &*ties {
         let (_, tangential_mps) = tie.speeds(states);
-        normal.add(tie.normal_row_of(body), -tie.law_n);
-        let along_t = tie.tangential_row_of(body);
-        tangential.add(along_t, tie.spring_n(tangential_mps));
-        stiffness.add(along_t, tie.spring_slope());
+        let side = tie.side_of(body);
+        normal.add(side.normal, -side.sign * tie.law_n);
+        tangential.add(side.tangential, side.sign * tie.spring_n(tangential_mps));
+        stiffness.add(side.tangential, tie.spring_slope());
     }
     let pushed = normal.plus(&tangential).response(inverse, h);
     states[body as usize] = changed(&free, stiffness.hold(inverse, h, pushed));
@@ -51,7 +51,8 @@ pub(crate) fn solve(
             states[body as usize] = free;
             return false;
         }
-        tangential.add(tie.tangential_row_of(body), tangential_n);
+        let side = tie.side_of(body);
+        tangential.add(side.tangential, side.sign * tangential_n);
     }
     for tie in ties {
         tie.forces = Forces {

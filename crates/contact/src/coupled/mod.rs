@@ -236,7 +236,7 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
         let (mut load, mut inverse) = (Wrench::default(), InverseMatrix::default());
         let mut room = state.yaw_rate_radps.abs() * body.reach_m;
         if !fixed {
-            load = loads[body.id.0 as usize];
+            load = loads[model.id_of[rank].0 as usize];
             inverse = body.inverse.turned(poses[rank].rotation);
             let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
             room += dv.length() + dr.abs() * body.reach_m;
@@ -294,7 +294,8 @@ fn move_body(state: &mut BodyState, h: f64) {
 /// Bodies that nothing is near: one step by their loads.
 fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
     for (rank, body) in model.ranked.iter().enumerate() {
-        if work.in_island[rank] || body.is_fixed() {
+        // Of most there is nothing else to ask.
+        if work.in_island[rank] || !work.moves[rank] || body.is_fixed() {
             continue;
         }
         let load = work.loads[rank];
@@ -332,8 +333,8 @@ fn report(model: &Model, work: &mut Workspace) -> Result<(), StepError> {
     motions.resize(count, Motion::default());
     let by_rank = pushes.iter().zip(states.iter()).zip(motions_by_rank.iter());
     let mut nothing = 0.0;
-    for (body, ((push, state), motion)) in model.ranked.iter().zip(by_rank) {
-        let id = body.id.0 as usize;
+    for (id, ((push, state), motion)) in model.id_of.iter().zip(by_rank) {
+        let id = id.0 as usize;
         wrenches[id] = *push;
         states_after[id] = *state;
         motions[id] = *motion;
@@ -377,6 +378,6 @@ fn remember(
     core::mem::swap(&mut memory.patches, &mut work.next_patches);
     core::mem::swap(&mut memory.hints, &mut work.next_hints);
     memory.last_states.clear();
-    memory.last_states.extend(model.ranked.iter().map(|body| states[body.id.0 as usize]));
+    memory.last_states.extend(model.id_of.iter().map(|id| states[id.0 as usize]));
     memory.last_step_s = step_s;
 }

@@ -40,6 +40,7 @@ pub(crate) fn sub_steps(
 ) -> u32 {
     let mut rate_squared = 0.0;
     let mut travel = 0.0_f64;
+    let per_step = 1.0 / step_s;
     // In the order of the candidates.
     for index in candidates {
         let candidate = &work.candidates[index];
@@ -49,9 +50,9 @@ pub(crate) fn sub_steps(
         if own.is_empty() && !may_touch(model, work, candidate, hints, step_s) {
             continue;
         }
-        let closing_m = closing_mps(work, candidate) * step_s;
         let counts = if own.is_empty() { 1.0 } else { STANDING };
         if let Some(face) = candidate.fender(model) {
+            let closing_m = closing_mps(work, candidate) * step_s;
             let fender = &model.fenders()[face.id.0 as usize];
             let (spring, damper) =
                 rates_squared_of_face(model, work, own, candidate, face, closing_m);
@@ -69,8 +70,8 @@ pub(crate) fn sub_steps(
         rate_squared +=
             counts * material.stiffness_npm2 * chord_m * inverse_mass + damping_rate * damping_rate;
         let most_m = TRAVEL_PER_SUB_STEP * lesser(a.half_width_m, b.half_width_m);
-        if closing_m > most_m {
-            travel = travel.max(closing_m / most_m);
+        if !closes_no_more_than(most_m * per_step, work, candidate) {
+            travel = travel.max(closing_mps(work, candidate) * step_s / most_m);
         }
     }
     let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
@@ -167,6 +168,16 @@ fn may_touch(
             gap_m(shape_a, shape_b, b_in_a, hint) <= reach_m
         })
     })
+}
+
+/// Is [`closing_mps`] no more than this? Without its root, which would be waited for. Where it is nearly as much
+/// it does not matter what the answer is.
+#[inline]
+fn closes_no_more_than(most_mps: f64, work: &Workspace, candidate: &Candidate) -> bool {
+    let (a, b) = (candidate.a as usize, candidate.b as usize);
+    let apart = work.states[a].velocity_mps - work.states[b].velocity_mps;
+    let left_mps = most_mps - (work.room_mps[a] + work.room_mps[b]);
+    left_mps >= 0.0 && apart.length_squared() <= left_mps * left_mps
 }
 
 /// A bound on how fast any two points of the pair approach each other in this step [m/s].

@@ -13,16 +13,25 @@ use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::report::{Contact, ContactWork, ForceParts, Friction};
 use crate::touch::{Lasting, Touch, touch};
+use crate::vec2::Vec2;
 use crate::workspace::Workspace;
 
-/// One contact of a sub-step: what is booked of it besides its forces.
+/// One contact of a sub-step: what is booked of it besides what its [`Tie`] knows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Row {
-    pub(crate) touch: Touch,
+    /// As in [`Touch`].
+    arm_a_m: Vec2,
+    arm_b_m: Vec2,
+    depth_m: f64,
+    tilt_rad: f64,
+    /// Δs at the sub-step's start [m].
+    shear_m: f64,
     /// What f is made of.
     parts: ForceParts,
     /// Factor on spring and stop.
     factor: f64,
+    /// What spring and stop of a fender store, with it [J].
+    stored_j: f64,
     /// Stored energy that nothing holds: see [`let_go`] [J].
     unheld_j: f64,
 }
@@ -239,7 +248,17 @@ fn collect_one(
     let lasting = Lasting { flags, factor, v_normal_0_mps: v_ref_mps, ..Lasting::default() };
     touch.remember(patch, &work.places, lasting, &mut work.next_patches);
     let unheld_j = unheld_j(&touch, factor, law_n, old);
-    work.rows.push(Row { touch, parts, factor, unheld_j });
+    work.rows.push(Row {
+        arm_a_m: touch.arm_a_m,
+        arm_b_m: touch.arm_b_m,
+        depth_m: touch.depth_m,
+        tilt_rad: touch.tilt_rad,
+        shear_m: touch.shear_m,
+        parts,
+        factor,
+        stored_j: touch.stored_j * factor,
+        unheld_j,
+    });
 }
 
 /// v_ref: the largest speed of approach since V_n last changed sign, and whether it approaches. The
@@ -281,23 +300,22 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
     let patches = &patches[own_patches.clone()];
     let first_sub_step = contacts.len() == *first_contact;
     for (index, (row, tie)) in rows.iter().zip(ties.iter()).enumerate() {
-        let touch = &row.touch;
+        let normal = tie.along_n;
         let Forces { normal_n, tangential_n, friction } = tie.forces;
-        let force_n =
-            (touch.normal * -normal_n + touch.normal.quarter_turn() * tangential_n) * share;
+        let force_n = (normal * -normal_n + normal.quarter_turn() * tangential_n) * share;
         let on_a = &mut pushes[tie.a as usize];
         on_a.force_n += force_n;
-        on_a.moment_nm += touch.arm_a_m.cross(force_n);
+        on_a.moment_nm += row.arm_a_m.cross(force_n);
         let on_b = &mut pushes[tie.b as usize];
         on_b.force_n -= force_n;
-        on_b.moment_nm -= touch.arm_b_m.cross(force_n);
+        on_b.moment_nm -= row.arm_b_m.cross(force_n);
 
         // By the mean velocity within the sub-step.
         let (v_normal_mps, v_tangential_mps) = tie.after_mps;
-        let closing_m = 0.5 * (touch.v_normal_mps + v_normal_mps) * h;
-        let slip_m = 0.5 * (touch.v_tangential_mps + v_tangential_mps) * h;
+        let closing_m = 0.5 * (tie.normal_before_mps + v_normal_mps) * h;
+        let slip_m = 0.5 * (tie.tangential_before_mps + v_tangential_mps) * h;
 
-        let shear_m = tie.shear_after_m(touch.shear_m, v_tangential_mps, h);
+        let shear_m = tie.shear_after_m(row.shear_m, v_tangential_mps, h);
         let memory = &mut next_patches[index];
         // What the bodies move in this sub-step is found again in the next one's kinematics.
         memory.shear_m = shear_m - h * v_tangential_mps;
@@ -312,8 +330,8 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
             normal_n,
             tangential_n,
             friction,
-            depth_m: touch.depth_m,
-            stored_j: touch.stored_j * row.factor,
+            depth_m: row.depth_m,
+            stored_j: row.stored_j,
             work: ContactWork {
                 normal_j: -normal_n * closing_m,
                 tangential_j: tangential_n * slip_m,
@@ -336,11 +354,27 @@ pub(crate) fn book(model: &Model, work: &mut Workspace, h: f64, share: f64) {
         *in_order &= first_sub_step;
         let face = patches[index].candidate.fender(model);
         let position_m = poses[tie.a as usize].position_m;
-        let mut contact = touch.contact(model, position_m, &patches[index], face);
+        let mut contact = touch_of(row, tie).contact(model, position_m, &patches[index], face);
         contact.factor = row.factor;
         contact.stored_j = booked.stored_j;
         booked.add_to(&mut contact, share);
         contacts.push(contact);
+    }
+}
+
+/// What the report of a contact tells of its kinematics.
+#[inline(always)]
+fn touch_of(row: &Row, tie: &Tie) -> Touch {
+    Touch {
+        normal: tie.along_n,
+        arm_a_m: row.arm_a_m,
+        arm_b_m: row.arm_b_m,
+        depth_m: row.depth_m,
+        tilt_rad: row.tilt_rad,
+        v_normal_mps: tie.normal_before_mps,
+        v_tangential_mps: tie.tangential_before_mps,
+        shear_m: row.shear_m,
+        ..Touch::default()
     }
 }
 
@@ -389,8 +423,7 @@ impl Booked {
 /// Where the step's report of this patch stands among the island's: at `guess` as long as the patches are
 /// those of the first sub-step.
 fn place_of(model: &Model, own: &[Contact], patch: &Patch, guess: usize) -> Option<usize> {
-    let [one, two] =
-        [patch.candidate.a, patch.candidate.b].map(|rank| model.ranked[rank as usize].id);
+    let [one, two] = [patch.candidate.a, patch.candidate.b].map(|rank| model.id_of[rank as usize]);
     let fender = patch.candidate.fender(model).map(|face| face.id);
     let wanted = (one.min(two), one.max(two), fender, patch.number);
     let same = |c: &Contact| (c.body_1, c.body_2, c.fender, c.patch) == wanted;

@@ -18,7 +18,7 @@ pub(crate) struct Tie {
     a_floats: bool,
     b_floats: bool,
     /// n, and the levers of n and t about each body's centre of gravity [m].
-    along_n: Vec2,
+    pub(crate) along_n: Vec2,
     levers_n_m: Levers,
     levers_t_m: Levers,
     /// n·K n, t·K n and t·K t [1/kg].
@@ -33,8 +33,8 @@ pub(crate) struct Tie {
     spring_at_rest_n: f64,
     spring_slope: f64,
     /// V_n and V_t at the start of the sub-step [m/s].
-    normal_before_mps: f64,
-    tangential_before_mps: f64,
+    pub(crate) normal_before_mps: f64,
+    pub(crate) tangential_before_mps: f64,
     /// f, the normal law's force: N lies between 0 and it [N].
     pub(crate) law_n: f64,
     /// γ v_ref: V_n⁺ may not fall below its negative [m/s].
@@ -81,6 +81,16 @@ pub(crate) struct Line {
     pub(crate) normal_slope: f64,
     pub(crate) tangential_n: f64,
     pub(crate) tangential_slope: f64,
+}
+
+/// One body's part in V_n and V_t: ±j·v, with its velocities (north, east, yaw).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Side {
+    /// 1 for A, −1 for B.
+    pub(crate) sign: f64,
+    /// j of V_n and of V_t.
+    pub(crate) normal: [f64; 3],
+    pub(crate) tangential: [f64; 3],
 }
 
 /// Of a direction about A's and B's centres of gravity [m].
@@ -330,18 +340,16 @@ impl Tie {
         [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
     }
 
-    /// j of the body of that rank, one of its two: V_n = j·v and what the other adds.
-    #[inline]
-    pub(crate) fn normal_row_of(&self, rank: u32) -> [f64; 3] {
-        let [of_a, of_b] = self.levers_n_m.rows(self.along_n);
-        if rank == self.a { of_a } else { of_b }
-    }
-
-    /// The same for V_t.
-    #[inline]
-    pub(crate) fn tangential_row_of(&self, rank: u32) -> [f64; 3] {
-        let [of_a, of_b] = self.levers_t_m.rows(self.along_n.quarter_turn());
-        if rank == self.a { of_a } else { of_b }
+    /// How it sees the body of that rank, one of its two.
+    #[inline(always)]
+    pub(crate) fn side_of(&self, rank: u32) -> Side {
+        let Vec2 { x, y } = self.along_n;
+        let (sign, lever_n_m, lever_t_m) = if rank == self.a {
+            (1.0, self.levers_n_m.a, self.levers_t_m.a)
+        } else {
+            (-1.0, self.levers_n_m.b, self.levers_t_m.b)
+        };
+        Side { sign, normal: [x, y, lever_n_m], tangential: [-y, x, lever_t_m] }
     }
 
     /// V_n = j·v, with the velocities (north, east, yaw) of A and B.

@@ -79,7 +79,7 @@ pub(crate) fn assemble(
 /// Appends the boundary of the overlap from where a stretch enters, along the first polygon to
 /// where it leaves, and along the second up to its edge `until_b`, where the next one enters.
 #[inline(always)]
-pub(crate) fn trace(
+fn trace(
     a: &ConvexPolygon,
     b: &Placed<'_>,
     stretch: &Located,

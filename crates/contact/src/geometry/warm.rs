@@ -7,14 +7,14 @@
 //! one's chain back. Q turns left at every corner, and by one turn in all as long as neither chain
 //! turns by more than half a turn: so Q is convex and lies to the left of all its own edges. What
 //! is left to show is that each chain's vertices lie within the *far* part of the other polygon,
-//! whose edges are not Q's. A polygon inscribed in that far part, of four of its vertices, is
-//! enough. Then Q's boundary is part of the boundary of the overlap; both are simple closed curves,
+//! whose edges are not Q's. A polygon inscribed in that far part, of three or four of its vertices,
+//! is enough. Then Q's boundary is part of the boundary of the overlap; both are simple closed curves,
 //! so they are the same.
 
 use alloc::vec::Vec;
 
 use super::convex::{ConvexPolygon, Placed, after, before};
-use super::lens::{Crossing, Located, Stretch, point_along, ring_distance, trace};
+use super::lens::{Crossing, Located, Stretch, point_along, ring_distance};
 use crate::vec2::Vec2;
 
 /// Steps that a walk may take before the cold path is the cheaper one.
@@ -81,7 +81,7 @@ pub(crate) fn find(
         return None;
     }
     let start = outline_m.len();
-    trace(a, b, &found, enter.at.b, outline_m);
+    trace(a, b, &found, b_chain, (&leave, &enter), outline_m);
     let (of_a, of_b) = outline_m[start..].split_at(1 + a_chain);
     let certified = far_part_of_b(b, &enter, &leave).holds(|k| b.vertex(k), &of_a[1..])
         && far_part_of_a(a, &enter, &leave).holds(|k| a.closed()[k], &of_b[1..]);
@@ -90,6 +90,38 @@ pub(crate) fn find(
         return None;
     }
     Some(found)
+}
+
+/// Appends the lens: from where `a` enters along it to where it leaves, and back along `b`, of whose chain the
+/// walks know both ends.
+#[inline(always)]
+fn trace(
+    a: &ConvexPolygon,
+    b: &Placed<'_>,
+    found: &Located,
+    b_chain: usize,
+    (leave, enter): (&Edges, &Edges),
+    outline_m: &mut Vec<Vec2>,
+) {
+    outline_m.push(found.enters_m);
+    let mut i = enter.at.a as usize;
+    while i != leave.at.a as usize {
+        i = after(i, a.count());
+        outline_m.push(a.closed()[i]);
+    }
+    outline_m.push(found.leaves_m);
+    if b_chain == 0 {
+        return;
+    }
+    outline_m.push(leave.b_end);
+    let mut j = leave.at.b as usize;
+    for _ in 2..b_chain {
+        j = after(j, b.count());
+        outline_m.push(b.vertex(j + 1));
+    }
+    if b_chain > 1 {
+        outline_m.push(enter.b_start);
+    }
 }
 
 /// Walks to the crossing where `a` enters (or leaves) `b`.
@@ -201,20 +233,23 @@ impl FarPart {
         match self.edges {
             0 => return true,
             1 => return chain.iter().all(|&p| is_left(self.start, self.end, p)),
-            2 => {
-                let middle = vertex(self.index(1));
-                let left = |p| is_left(self.start, middle, p) && is_left(middle, self.end, p);
-                return chain.iter().all(|&p| left(p));
-            }
             _ => {}
         }
+        let middle = vertex(self.index(self.edges / 2));
+        chain.iter().all(|&p| {
+            let inscribed = is_left(self.start, middle, p) & is_left(middle, self.end, p);
+            inscribed || self.holds_in_thirds(&vertex, p)
+        })
+    }
+
+    /// The same by four of its corners, where three did not hold it.
+    #[inline(never)]
+    fn holds_in_thirds(&self, vertex: impl Fn(usize) -> Vec2, p: Vec2) -> bool {
         let third = self.edges / 3;
         let (one, two) = (vertex(self.index(third)), vertex(self.index(self.edges - third)));
-        chain.iter().all(|&p| {
-            let inscribed =
-                is_left(self.start, one, p) && is_left(one, two, p) && is_left(two, self.end, p);
-            inscribed || self.holds_exactly(&vertex, p)
-        })
+        let inscribed =
+            is_left(self.start, one, p) && is_left(one, two, p) && is_left(two, self.end, p);
+        inscribed || self.holds_exactly(vertex, p)
     }
 
     #[cold]

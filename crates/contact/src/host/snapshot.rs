@@ -51,12 +51,12 @@ impl FollowingHost {
         out.word32(self.steps_given() as u32);
         out.word32(memory.len() as u32);
         out.0.extend_from_slice(&memory);
-        for ranked in &model.ranked {
-            write_body(&mut out, &self.bodies[ranked.id.0 as usize]);
+        for id in &model.id_of {
+            write_body(&mut out, &self.bodies[id.0 as usize]);
         }
         for step in self.given.chunks(self.bodies.len().max(1)) {
-            for ranked in &model.ranked {
-                write_given(&mut out, &step[ranked.id.0 as usize]);
+            for id in &model.id_of {
+                write_given(&mut out, &step[id.0 as usize]);
             }
         }
         let mut sum = Fnv::default();
@@ -111,15 +111,15 @@ fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
     if u64::from(steps) > u64::from(delay_steps) + 1 || (count == 0 && steps > 0) {
         return Err(RestoreError::Content);
     }
-    for ranked in &model.ranked {
-        host.bodies[ranked.id.0 as usize] = read_body(&mut input)?;
+    for id in &model.id_of {
+        host.bodies[id.0 as usize] = read_body(&mut input)?;
     }
     for step in 0..steps as usize {
         // Any value: all of the step's are overwritten.
         let empty = Given { step_s: 0.0, wrench: Wrench::default(), told: None };
         host.given.resize((step + 1) * count, empty);
-        for ranked in &model.ranked {
-            host.given[step * count + ranked.id.0 as usize] = read_given(&mut input)?;
+        for id in &model.id_of {
+            host.given[step * count + id.0 as usize] = read_given(&mut input)?;
         }
     }
     Ok(host)
