@@ -16,6 +16,8 @@ use tokio::time::sleep;
 
 /// Length of the run, from the environment [s].
 const SECONDS: &str = "FENDERLINE_LIVE_SECONDS";
+/// Set: a missed tick is told and no failure, for machines that others use too.
+const TIMES_ARE_TOLD: &str = "FENDERLINE_LIVE_TIMES_ARE_TOLD";
 /// The scenario's step [ms].
 const STEP_MS: f64 = 100.0;
 /// How much the server's memory may grow from the first minute (or the first fifth) on [KiB].
@@ -103,7 +105,12 @@ async fn load(length: Duration) {
     println!("memory               {} MiB, then {} MiB", early_kib >> 10, late_kib >> 10);
     // Late is half a step; missed is a tick that began after the next one was due.
     let latest_ms = last["run"]["latest_ms"].as_f64().expect("a number");
-    assert!(latest_ms < STEP_MS, "a tick was missed: {latest_ms} ms late");
+    let missed = latest_ms >= STEP_MS;
+    if missed && std::env::var_os(TIMES_ARE_TOLD).is_some() {
+        println!("A TICK WAS MISSED: {latest_ms} ms late (told, not failed: times do not gate)");
+    } else {
+        assert!(!missed, "a tick was missed: {latest_ms} ms late");
+    }
     assert!(late_kib.saturating_sub(early_kib) <= GROWTH_KIB, "memory grows");
     let Ok(server) = Arc::try_unwrap(server) else { panic!("all clients are gone") };
     server.stop_and_check();
