@@ -33,7 +33,7 @@ usage: cargo xtask test                   everything that a change must pass
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)
        cargo xtask pages                  the pages: checked, built, driven in a browser
-       cargo xtask nautical               sentences for chart programs, read by two parsers";
+       cargo xtask nautical               sentences for chart programs, each read by two parsers";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

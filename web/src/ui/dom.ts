@@ -45,6 +45,29 @@ export function button(label: string, press: () => void, more: Attributes & { na
   return h("button", { type: "button", "aria-label": name, title: name, ...rest, onclick: press }, label);
 }
 
+/** For so long a button that asks once more waits for its answer. */
+const SURE_MS = 6000;
+
+/** A button whose press cannot be taken back: it asks once more before it does anything. */
+export function sureButton(label: string, question: string, press: () => void, more: Attributes & { name?: string } = {}): HTMLButtonElement {
+  let timer = 0;
+  const calm = () => {
+    clearTimeout(timer);
+    timer = 0;
+    setText(own, label);
+  };
+  const own = button(label, () => {
+    if (timer !== 0) {
+      calm();
+      press();
+      return;
+    }
+    setText(own, question);
+    timer = window.setTimeout(calm, SURE_MS);
+  }, more);
+  return own;
+}
+
 /** Buttons of which one is chosen. */
 export function choices<T extends string | number>(
   label: string,

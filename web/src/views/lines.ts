@@ -2,15 +2,13 @@
 import { loadColour, palette } from "../palette";
 import type { Page } from "../page";
 import type { Frame, Hello, LineInfo, LineNow } from "../protocol";
-import { button, choices, h, setAttribute, setClass, setStyle, setText } from "../ui/dom";
+import { choices, h, setAttribute, setClass, setStyle, setText, sureButton } from "../ui/dom";
 import { fixed, percent, spoken, tonnes } from "../units";
 import type { View } from "./view";
 
 /** How fast a winch hauls or veers when told by hand: a usual speed for warping under load. */
 const WINCH_MPS = 0.15;
 const STATES: Record<LineNow["state"], string> = { ashore: "not yet fast", fast: "fast", parted: "PARTED", gone: "let go" };
-/** "Let go" is asked again within so long. */
-const SURE_MS = 3000;
 
 type Winch = LineNow["winch"];
 
@@ -22,9 +20,8 @@ class Row {
   private readonly winch;
   private readonly letGo: HTMLButtonElement;
   readonly root: HTMLElement;
-  private sure = 0;
 
-  constructor(private readonly info: LineInfo, private readonly page: Page) {
+  constructor(private readonly info: LineInfo, page: Page) {
     const worked = (info.working_n / info.breaking_n) * 100;
     this.bar = h("div", { class: "bar", role: "meter", "aria-label": `Tension of ${info.name}`, "aria-valuemin": 0, "aria-valuemax": 1 }, this.fill, h("div", { class: "full", title: "working load", style: `left:${worked}%` }));
     this.winch = choices<Winch>(
@@ -36,7 +33,7 @@ class Row {
       ],
       (order) => void page.order({ do: "winch", line: info.name, order, rate_mps: order === "hold" ? 0 : WINCH_MPS }),
     );
-    this.letGo = button("Let go", () => this.askLetGo(), { name: `Let go ${info.name}` });
+    this.letGo = sureButton("Let go", "Sure?", () => void page.order({ do: "let_go", line: info.name }), { name: `Let go ${info.name}` });
     this.root = h(
       "li",
       {},
@@ -44,18 +41,6 @@ class Row {
       this.bar,
       h("div", { class: "winch" }, info.has_winch && this.winch.root, this.letGo),
     );
-  }
-
-  private askLetGo(): void {
-    const now = performance.now();
-    if (now - this.sure < SURE_MS) {
-      this.sure = 0;
-      void this.page.order({ do: "let_go", line: this.info.name });
-      return;
-    }
-    this.sure = now;
-    setText(this.letGo, "Sure?");
-    setTimeout(() => setText(this.letGo, "Let go"), SURE_MS);
   }
 
   show(now: LineNow, mayWinch: boolean): void {

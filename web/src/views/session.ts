@@ -1,12 +1,9 @@
 /** The instructor's view of the session: who is there and holds what, the links to hand out, scenarios, saving. */
 import type { Page } from "../page";
 import type { Control, Frame, Hello, Role } from "../protocol";
-import { button, h, setClass, setText } from "../ui/dom";
+import { button, h, setClass, setText, sureButton } from "../ui/dom";
 import { spoken } from "../units";
 import type { View } from "./view";
-
-/** A press that would end a run asks once more, for so long. */
-const SURE_MS = 6000;
 
 const nameOf = (control: Control): string => ("vessel" in control ? control.vessel : "tug" in control ? control.tug : "session");
 const roleOf = (role: Role): string => (role.name === "tugmaster" ? `Tugmaster of ${spoken(role.tug)}` : role.name.replace(/^./, (c) => c.toUpperCase()));
@@ -57,17 +54,8 @@ export class Session implements View {
   }
 
   private scenario(entry: Hello["gallery"][number], open: boolean): HTMLElement {
-    const load = button(open ? "Start anew" : "Open", () => {
-      if (load.dataset.sure) void this.page.order({ do: "load", file: entry.file });
-      else {
-        load.dataset.sure = "yes";
-        setText(load, "End this run?");
-        setTimeout(() => {
-          delete load.dataset.sure;
-          setText(load, open ? "Start anew" : "Open");
-        }, SURE_MS);
-      }
-    }, { name: `Open ${entry.title}` });
+    const label = open ? "Start anew" : "Open";
+    const load = sureButton(label, "End this run?", () => void this.page.order({ do: "load", file: entry.file }), { name: `Open ${entry.title}` });
     return h("li", { class: open ? "chosen" : "" }, h("div", {}, h("b", {}, entry.title), h("p", { class: "note" }, entry.text)), load);
   }
 

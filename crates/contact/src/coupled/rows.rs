@@ -4,7 +4,6 @@ use core::ops::Range;
 
 use crate::coupled::tie::{Forces, Tie};
 use crate::events::tell_of_patch;
-use crate::fender::RankedFender;
 use crate::inherit::Inherited;
 use crate::law::normal::{factor, normal_force};
 use crate::memory::{Past, PatchMemory};
@@ -61,11 +60,7 @@ pub(crate) fn collect(model: &Model, work: &mut Workspace, past: Past<'_>, h: f6
         let old = inherited.of(past.patches, &shares);
         let placed = past.last_step_s == 0.0 || work.jumped(patch.candidate.a, patch.candidate.b);
         let time = Time { elapsed_s, h, placed };
-        // Twice the same: without a fender most of it is nought, which the compiler then knows.
-        match patch.candidate.fender(model) {
-            None => collect_one(model, work, patch, None, inherited, old, time),
-            Some(face) => collect_at_face(model, work, patch, face, inherited, old, time),
-        }
+        collect_one(model, work, patch, inherited, old, time);
     }
     (work.patches, work.shares) = (patches, shares);
 }
@@ -195,30 +190,15 @@ fn may_give_j(
     }
 }
 
-/// As [`collect_one`], on a fender.
-#[inline(never)]
-fn collect_at_face(
-    model: &Model,
-    work: &mut Workspace,
-    patch: &Patch,
-    face: &RankedFender,
-    inherited: Inherited,
-    old: Option<&PatchMemory>,
-    time: Time,
-) {
-    collect_one(model, work, patch, Some(face), inherited, old, time);
-}
-
-#[inline(always)]
 fn collect_one(
     model: &Model,
     work: &mut Workspace,
     patch: &Patch,
-    face: Option<&RankedFender>,
     inherited: Inherited,
     old: Option<&PatchMemory>,
     time: Time,
 ) {
+    let face = patch.candidate.fender(model);
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
     let touch = touch(model, work, patch, face, old);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
