@@ -4,9 +4,9 @@ use alloc::vec::Vec;
 
 use crate::face::{self, Press};
 use crate::fender::RankedFender;
-use crate::geometry::clip::{self, Hint};
+use crate::geometry::clip::{self, Corners, Hint};
 use crate::geometry::convex::ConvexPolygon;
-use crate::geometry::lens::Lens;
+use crate::geometry::lens::{Lens, per_chord_m};
 use crate::memory::{Extent, HintMemory, PatchMemory};
 use crate::model::Model;
 use crate::number::{greater, lesser};
@@ -33,8 +33,7 @@ pub(crate) struct Patch {
     pub(crate) centroid_m: Vec2,
     /// d = Σ (P_out − P_in) [m].
     pub(crate) chord_m: Vec2,
-    /// 1/|d| [1/m]; 0 where the chord is no use: there is none, or edges of the two lie on one another.
-    // Found here, where the processor has other work while it waits for the root and the quotient.
+    /// As in [`Lens`].
     pub(crate) per_chord_m: f64,
     /// One piece lies within the other, and there are no other pieces.
     pub(crate) contained: bool,
@@ -155,7 +154,9 @@ fn clip_convex(
     let Workspace { patches, outline_m, clip: buffers, .. } = work;
     let from = outline_m.len();
     let hint = next_hint(hints, next_hints, &candidate, (0, 0));
-    let found = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
+    // Two outlines are told from one another by their chord: nobody asks for the corners where there is one.
+    let corners = if candidate.face == 0 { Corners::WithoutChord } else { Corners::Always };
+    let found = clip::clip(a, b, b_in_a, hint, buffers, (corners, outline_m));
     drop_empty(next_hints);
     match found {
         Some(clip) => patches.push(Patch {
@@ -166,7 +167,7 @@ fn clip_convex(
             area_m2: clip.lens.area_m2,
             centroid_m: clip.lens.centroid_m,
             chord_m: clip.lens.chord_m,
-            per_chord_m: per_chord_m(clip.lens.chord_m, clip.lens.collinear),
+            per_chord_m: clip.lens.per_chord_m,
             contained: clip.contained,
             spread_m2: clip.lens.spread_m2,
             parts: Parts::One { from: from as u32, to: outline_m.len() as u32 },
@@ -205,7 +206,8 @@ fn clip_pieces(
             let Workspace { outline_m, clip: buffers, .. } = work;
             let start = outline_m.len();
             let hint = next_hint(hints, next_hints, &candidate, pieces);
-            let found = clip::clip(a, b, b_in_a, hint, buffers, outline_m);
+            let wanted = (Corners::Always, outline_m);
+            let found = clip::clip(a, b, b_in_a, hint, buffers, wanted);
             drop_empty(next_hints);
             match found {
                 Some(clip) => work.lenses.push(PieceLens {
@@ -418,16 +420,6 @@ fn seen_from_b(extent: &Extent, b_in_a: Pose) -> Extent {
     let (cos, sin) = (b_in_a.rotation.cos.abs(), b_in_a.rotation.sin.abs());
     let half = vec2(cos * half.x + sin * half.y, sin * half.x + cos * half.y);
     Extent { low_m: center - half, high_m: center + half }
-}
-
-/// A chord shorter than this is rounding: seams cancel to about 1e-13 m.
-const SHORTEST_CHORD_M: f64 = 1e-11;
-
-/// 1/|d|, or 0 where the chord is no use: see [`Patch::per_chord_m`].
-#[inline]
-fn per_chord_m(chord_m: Vec2, collinear: bool) -> f64 {
-    let length_m = chord_m.length();
-    if length_m > SHORTEST_CHORD_M && !collinear { 1.0 / length_m } else { 0.0 }
 }
 
 /// A's outward normal in its frame, and δ, the extent of the patch along it [m]. The normal is the chord's

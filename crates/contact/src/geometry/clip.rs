@@ -5,7 +5,8 @@ use alloc::vec::Vec;
 use super::axis::{BestAxis, best_axis};
 use super::convex::{ConvexPolygon, Placed, after, before, signed_area};
 use super::halfplanes::{self, Buffers, Found};
-use super::lens::{Crossing, Lens, Stretch, assemble, measure};
+use super::lens::{Crossing, Lens, Located, Stretch, assemble, measure, per_chord_m, trace};
+use super::through::{self, Through};
 use super::warm;
 use crate::vec2::{Pose, Vec2};
 
@@ -92,8 +93,17 @@ impl Clip {
     }
 }
 
+/// Whether the corners of an overlap are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Corners {
+    Always,
+    /// Only of an overlap without a chord that is of use.
+    WithoutChord,
+}
+
 /// Overlap of `a` and `b`, the pose of `b` given in `a`'s frame; `None` where they have no area in common.
-/// `hint` becomes that for the next time. The overlap's vertices are appended to `outline_m`.
+/// `hint` becomes that for the next time. The overlap's vertices are appended to the list, as far as they
+/// are asked for.
 // Always inlined: what goes to and fro stays in registers.
 #[inline(always)]
 pub(crate) fn clip(
@@ -102,16 +112,25 @@ pub(crate) fn clip(
     b_in_a: Pose,
     hint: &mut Hint,
     buffers: &mut ClipBuffers,
-    outline_m: &mut Vec<Vec2>,
+    (corners, outline_m): (Corners, &mut Vec<Vec2>),
 ) -> Option<Clip> {
     let placed = Placed { polygon: b, pose: b_in_a };
     match *hint {
         Hint::Lens(stretch) => {
+            if let Some(through) = through::find(a, b, b_in_a, stretch) {
+                return Some(through.clip(a, &placed, stretch, (corners, outline_m)));
+            }
             let start = outline_m.len();
             if let Some(found) = warm::find(a, &placed, stretch, outline_m) {
+                *hint = Hint::Lens(found.at);
+                if found.at != stretch
+                    && let Some(through) = through::find(a, b, b_in_a, found.at)
+                {
+                    outline_m.truncate(start);
+                    return Some(through.clip(a, &placed, found.at, (corners, outline_m)));
+                }
                 let chord_m = found.leaves_m - found.enters_m;
                 let lens = measure(&outline_m[start..], chord_m, false);
-                *hint = Hint::Lens(found.at);
                 return accept(lens, false);
             }
         }
@@ -130,6 +149,24 @@ pub(crate) fn clip(
     let found;
     (found, *hint) = cold(a, &placed, &mut buffers.cold, outline_m);
     found
+}
+
+impl Through {
+    /// With the corners as far as they are asked for.
+    #[inline(always)]
+    fn clip(
+        &self,
+        a: &ConvexPolygon,
+        b: &Placed<'_>,
+        at: Stretch,
+        (corners, outline_m): (Corners, &mut Vec<Vec2>),
+    ) -> Clip {
+        if corners == Corners::Always {
+            let found = Located { at, enters_m: self.enters_m, leaves_m: self.leaves_m };
+            trace(a, b, &found, at.enter.b, outline_m);
+        }
+        Clip { lens: self.lens, contained: false }
+    }
 }
 
 /// The least-penetration axis of two overlapping polygons: body 1's outward normal in its frame.
@@ -185,6 +222,11 @@ fn cold(
         Found::Crossings { collinear } => {
             if let ([stretch], false) = (buffers.stretches.as_slice(), collinear) {
                 hint = Hint::Lens(*stretch);
+                // As the warm path does, so that they give the same bits.
+                if let Some(through) = through::find(a, b.polygon, b.pose, *stretch) {
+                    let clip = through.clip(a, b, *stretch, (Corners::Always, outline_m));
+                    return (Some(clip), hint);
+                }
             }
             let mut lens = assemble(a, b, &buffers.stretches, outline_m);
             let swept_m2 = signed_area(buffers.swept_m());
@@ -197,6 +239,7 @@ fn cold(
                 lens = measure(buffers.swept_m(), buffers.swept_chord_m(), collinear);
             }
             lens.collinear = collinear;
+            lens.per_chord_m = per_chord_m(lens.chord_m, collinear);
             accept(lens, false)
         }
     };
@@ -317,7 +360,8 @@ impl PairClip {
     ) -> Option<Clip> {
         self.outline_m.clear();
         let b_in_a = a_pose.to(b_pose);
-        clip(a, b, b_in_a, &mut self.hint, &mut self.buffers, &mut self.outline_m)
+        let wanted = (Corners::Always, &mut self.outline_m);
+        clip(a, b, b_in_a, &mut self.hint, &mut self.buffers, wanted)
     }
 
     /// Vertices of the last overlap, in the first polygon's frame [m].

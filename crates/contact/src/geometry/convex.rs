@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use super::through::Edge;
 use crate::vec2::{Pose, Vec2, vec2};
 
 /// Turns smaller than this (sine of the angle) are taken for straight: the vertex carries no
@@ -14,6 +15,8 @@ const STRAIGHT: f64 = 1e-12;
 pub struct ConvexPolygon {
     /// The vertices, the first repeated at the end so that edge `i` runs from `i` to `i + 1`.
     closed: Vec<Vec2>,
+    /// Edge `i` runs from corner `i` on.
+    edges: Vec<Edge>,
     /// First edge whose direction has an angle in [0, 2π): where a walk by angle starts.
     first_by_angle: u32,
     /// Centre of the bounding box and radius about it [m].
@@ -45,7 +48,8 @@ impl ConvexPolygon {
             })
             .unwrap_or(0) as u32;
         let area_m2 = signed_area(&closed[..count]);
-        ConvexPolygon { closed, first_by_angle, center_m, radius_m, area_m2 }
+        let edges = Edge::of_all(&closed[..count]);
+        ConvexPolygon { closed, edges, first_by_angle, center_m, radius_m, area_m2 }
     }
 
     /// Number of corners.
@@ -65,6 +69,12 @@ impl ConvexPolygon {
     #[inline]
     pub(crate) fn closed(&self) -> &[Vec2] {
         &self.closed
+    }
+
+    /// The edges, each with what lies behind it.
+    #[inline]
+    pub(crate) fn edges(&self) -> &[Edge] {
+        &self.edges
     }
 
     #[inline]

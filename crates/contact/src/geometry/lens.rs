@@ -30,6 +30,9 @@ pub(crate) struct Lens {
     pub(crate) centroid_m: Vec2,
     /// d = Σ (P_out − P_in) [m]; zero where one contains the other.
     pub(crate) chord_m: Vec2,
+    /// 1/|d| [1/m]; 0 where the chord is no use: there is none, or edges of the two lie on one another.
+    // Found here, where the processor has other work while it waits for the root and the quotient.
+    pub(crate) per_chord_m: f64,
     /// Extent along the chord's normal times the chord's length [m²].
     pub(crate) spread_m2: f64,
     /// True where edges of the two lie on one another, so that the chord means little.
@@ -79,7 +82,7 @@ pub(crate) fn assemble(
 /// Appends the boundary of the overlap from where a stretch enters, along the first polygon to
 /// where it leaves, and along the second up to its edge `until_b`, where the next one enters.
 #[inline(always)]
-fn trace(
+pub(crate) fn trace(
     a: &ConvexPolygon,
     b: &Placed<'_>,
     stretch: &Located,
@@ -139,5 +142,22 @@ pub(crate) fn measure(outline_m: &[Vec2], chord_m: Vec2, collinear: bool) -> Len
     }
     let centroid_m =
         if twice_area > 0.0 { origin + moment * (1.0 / (3.0 * twice_area)) } else { origin };
-    Lens { area_m2: 0.5 * twice_area, centroid_m, chord_m, spread_m2: high - low, collinear }
+    Lens {
+        area_m2: 0.5 * twice_area,
+        centroid_m,
+        chord_m,
+        per_chord_m: per_chord_m(chord_m, collinear),
+        spread_m2: high - low,
+        collinear,
+    }
+}
+
+/// A chord shorter than this is rounding: seams cancel to about 1e-13 m.
+const SHORTEST_CHORD_M: f64 = 1e-11;
+
+/// 1/|d|, or 0 where the chord is no use: see [`Lens::per_chord_m`].
+#[inline]
+pub(crate) fn per_chord_m(chord_m: Vec2, collinear: bool) -> f64 {
+    let length_m = chord_m.length();
+    if length_m > SHORTEST_CHORD_M && !collinear { 1.0 / length_m } else { 0.0 }
 }

@@ -9,4 +9,5 @@ pub(crate) mod convex;
 pub(crate) mod gap;
 pub(crate) mod halfplanes;
 pub(crate) mod lens;
+pub(crate) mod through;
 pub(crate) mod warm;

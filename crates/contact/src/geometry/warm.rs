@@ -23,7 +23,7 @@ const WALK: usize = 8;
 const CHAIN: usize = 32;
 /// Crossing edges flatter than this sine are left to the cold path, which knows of edges that lie
 /// on one another.
-const FLAT: f64 = 1e-9;
+pub(super) const FLAT: f64 = 1e-9;
 /// What rounding may do to the sine of two edges; far below [`FLAT`].
 const ROUNDING: f64 = 1e-13;
 

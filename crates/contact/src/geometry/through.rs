@@ -1,0 +1,221 @@
+//! The commonest overlap: a few corners of one polygon have come through a single edge of the other, as a
+//! fender's do through a hull's side.
+//!
+//! Seen along that edge the overlap is what of the first polygon lies behind the edge's line. The ring of a
+//! convex polygon crosses a line twice at most, so that two crossings and the corners between them are all of
+//! it, if they lie within the polygon whose edge it is: that the two crossings lie on the edge, and that the
+//! corners lie within a quadrilateral inscribed behind it, is enough. Where it is not so [`super::warm`] answers.
+
+use alloc::vec::Vec;
+
+use super::convex::{ConvexPolygon, after};
+use super::lens::{Lens, Stretch};
+use super::warm::FLAT;
+use crate::number::greater;
+use crate::vec2::{Pose, Vec2, vec2};
+
+/// Shorter edges and chords have no direction to speak of [m].
+const SHORTEST_M: f64 = 1e-9;
+
+/// An edge of a convex polygon, and the part of it that lies behind the edge.
+///
+/// In the edge's frame x runs along it from its start and y into the polygon.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Edge {
+    start_m: Vec2,
+    /// Unit vector.
+    along: Vec2,
+    length_m: f64,
+    /// The sides of an inscribed quadrilateral from the edge's start and end: x ≥ y times the one, and
+    /// length − x ≥ y times the other.
+    from_start: f64,
+    from_end: f64,
+    /// And the side between them: its inner normal, not a unit vector, and −normal·x on it.
+    top: Vec2,
+    top_offset: f64,
+}
+
+impl Edge {
+    /// The edges of a ring of corners.
+    pub(crate) fn of_all(corners_m: &[Vec2]) -> Vec<Edge> {
+        (0..corners_m.len()).map(|index| Edge::of(corners_m, index)).collect()
+    }
+
+    fn of(corners_m: &[Vec2], index: usize) -> Edge {
+        let count = corners_m.len();
+        let start_m = corners_m[index];
+        let chord = corners_m[after(index, count)] - start_m;
+        let length_m = chord.length();
+        let along = chord * (1.0 / length_m);
+        // The two corners a third of the ring from either end.
+        let third = (count / 3).max(1);
+        let [of_start, of_end] = [index + count - third, index + 1 + third].map(|corner| {
+            let from = corners_m[corner % count] - start_m;
+            vec2(along.dot(from), along.cross(from))
+        });
+        let top = (of_start - of_end).quarter_turn();
+        Edge {
+            start_m,
+            along,
+            length_m,
+            from_start: of_start.x / of_start.y,
+            from_end: (length_m - of_end.x) / of_end.y,
+            top,
+            top_offset: -top.dot(of_end),
+        }
+    }
+
+    /// Is a point of the edge's frame within the inscribed quadrilateral, if it is behind the edge?
+    #[inline(always)]
+    fn holds(&self, at_m: Vec2) -> bool {
+        (at_m.x >= self.from_start * at_m.y)
+            & (self.length_m - at_m.x >= self.from_end * at_m.y)
+            & (self.top.dot(at_m) + self.top_offset >= 0.0)
+    }
+}
+
+/// An overlap of this kind, in A's frame, and where A's boundary enters and leaves it [m].
+pub(crate) struct Through {
+    pub(crate) lens: Lens,
+    pub(crate) enters_m: Vec2,
+    pub(crate) leaves_m: Vec2,
+}
+
+/// The overlap of `a` and `b`, placed in `a`'s frame, if the last one was of this kind and it still is.
+#[inline(always)]
+pub(crate) fn find(
+    a: &ConvexPolygon,
+    b: &ConvexPolygon,
+    b_in_a: Pose,
+    hint: Stretch,
+) -> Option<Through> {
+    let Stretch { enter, leave } = hint;
+    if enter.a == leave.a {
+        let edge = a.edges().get(enter.a as usize)?;
+        let (along, start_m) = (edge.along, edge.start_m);
+        let from_start_m = b_in_a.position_m - start_m;
+        let frame = Frame {
+            along: b_in_a.rotation.apply_inverse(along),
+            origin_m: vec2(along.dot(from_start_m), along.cross(from_start_m)),
+        };
+        let behind = behind(edge, frame, b, leave.b, enter.b)?;
+        // A's boundary runs along the edge, into B where B's runs out of A.
+        let lens = behind.lens(along, start_m, 1.0);
+        let [enters_m, leaves_m] = [behind.last_m, behind.first_m].map(|x| start_m + along * x);
+        Some(Through { lens, enters_m, leaves_m })
+    } else if enter.b == leave.b {
+        let edge = b.edges().get(enter.b as usize)?;
+        let along = b_in_a.rotation.apply(edge.along);
+        let start_m = b_in_a.apply(edge.start_m);
+        let frame = Frame { along, origin_m: vec2(-along.dot(start_m), -along.cross(start_m)) };
+        let behind = behind(edge, frame, a, enter.a, leave.a)?;
+        let lens = behind.lens(along, start_m, -1.0);
+        let [enters_m, leaves_m] = [behind.first_m, behind.last_m].map(|x| start_m + along * x);
+        Some(Through { lens, enters_m, leaves_m })
+    } else {
+        None
+    }
+}
+
+/// The edge's frame as the polygon that comes through it sees it.
+#[derive(Clone, Copy)]
+struct Frame {
+    along: Vec2,
+    /// Origin of the polygon's frame in the edge's [m].
+    origin_m: Vec2,
+}
+
+impl Frame {
+    #[inline(always)]
+    fn of(self, corner_m: Vec2) -> Vec2 {
+        vec2(self.along.dot(corner_m), self.along.cross(corner_m)) + self.origin_m
+    }
+}
+
+/// What lies behind an edge, in its frame.
+struct Behind {
+    /// Where the polygon comes in through the edge and goes out again [m]: first > last.
+    first_m: f64,
+    last_m: f64,
+    area_m2: f64,
+    centroid_m: Vec2,
+    deepest_m: f64,
+}
+
+/// What of `polygon` lies behind the edge, if its edge number `first` comes in through it, number `last` goes
+/// out again, and all between lies within the edge's polygon.
+#[inline(always)]
+fn behind(
+    edge: &Edge,
+    frame: Frame,
+    polygon: &ConvexPolygon,
+    first: u32,
+    last: u32,
+) -> Option<Behind> {
+    let (corners_m, count) = (polygon.closed(), polygon.count());
+    let (first, last) = (first as usize, last as usize);
+    if first >= count || last >= count || first == last {
+        return None;
+    }
+    let outside = frame.of(corners_m[first]);
+    let mut here = frame.of(corners_m[first + 1]);
+    let first_m = crossing_m(outside, here)?;
+    let mut within = edge.holds(here);
+    let mut deepest_m = here.y;
+    let mut twice_m2 = 0.0;
+    let mut moment = Vec2::ZERO;
+    // About the first crossing: what is small is measured against what is near.
+    let mut from = vec2(here.x - first_m, here.y);
+    let mut index = after(first, count);
+    while index != last {
+        here = frame.of(corners_m[index + 1]);
+        index = after(index, count);
+        within &= edge.holds(here);
+        deepest_m = greater(here.y, deepest_m);
+        let to = vec2(here.x - first_m, here.y);
+        let cross = from.cross(to);
+        twice_m2 += cross;
+        moment += (from + to) * cross;
+        from = to;
+    }
+    let beyond = frame.of(corners_m[last + 1]);
+    let last_m = crossing_m(beyond, here)?;
+    let to = vec2(last_m - first_m, 0.0);
+    let cross = from.cross(to);
+    twice_m2 += cross;
+    moment += (from + to) * cross;
+    let on_edge = (last_m >= 0.0) & (first_m <= edge.length_m) & (first_m - last_m > SHORTEST_M);
+    if !(within & on_edge & (twice_m2 > 0.0)) {
+        return None;
+    }
+    let centroid_m = vec2(first_m, 0.0) + moment * (1.0 / (3.0 * twice_m2));
+    Some(Behind { first_m, last_m, area_m2: 0.5 * twice_m2, centroid_m, deepest_m })
+}
+
+/// Where an edge crosses the line, if it does, from a corner outside to one behind it. Flat ones are left to
+/// the cold path, which knows of edges that lie on one another.
+#[inline(always)]
+fn crossing_m(outside: Vec2, inside: Vec2) -> Option<f64> {
+    let along = inside - outside;
+    let crosses = (outside.y < 0.0) & (inside.y >= 0.0);
+    let steep = along.y * along.y > FLAT * FLAT * along.length_squared();
+    (crosses & steep).then(|| outside.x - along.x * (outside.y / along.y))
+}
+
+impl Behind {
+    /// In the frame in which the edge lies so; `sense` is 1 where A's boundary runs along the edge.
+    #[inline(always)]
+    fn lens(&self, along: Vec2, start_m: Vec2, sense: f64) -> Lens {
+        let width_m = self.first_m - self.last_m;
+        Lens {
+            area_m2: self.area_m2,
+            centroid_m: start_m
+                + along * self.centroid_m.x
+                + along.quarter_turn() * self.centroid_m.y,
+            chord_m: along * (sense * width_m),
+            per_chord_m: 1.0 / width_m,
+            spread_m2: self.deepest_m * width_m,
+            collinear: false,
+        }
+    }
+}
