@@ -1,5 +1,7 @@
 //! Events: what a user should know of, told when it begins and not again while it lasts.
 
+use alloc::vec::Vec;
+
 use crate::fender::{FenderId, RankedFender};
 use crate::inherit::{Inherited, continues};
 use crate::memory::PatchMemory;
@@ -22,11 +24,14 @@ pub(crate) fn tell_ends_and_splits(
         return; // one patch that goes on
     }
     for m in own {
-        let heirs = work.patches[from..to].iter().filter(|p| continues(m, p, &work.places)).count();
+        let heirs = work.found.patches[from..to]
+            .iter()
+            .filter(|p| continues(m, p, &work.found.places))
+            .count();
         match heirs {
-            0 => note(model, work, m.a, m.b, EventKind::ContactEnded),
+            0 => note(model, &mut work.events, m.a, m.b, EventKind::ContactEnded),
             1 => {}
-            _ => note(model, work, m.a, m.b, EventKind::PatchSplit),
+            _ => note(model, &mut work.events, m.a, m.b, EventKind::PatchSplit),
         }
     }
 }
@@ -35,7 +40,7 @@ pub(crate) fn tell_ends_and_splits(
 #[inline(always)]
 pub(crate) fn tell_of_patch(
     model: &Model,
-    work: &mut Workspace,
+    events: &mut Vec<Event>,
     patch: &Patch,
     face: Option<&RankedFender>,
     touch: &Touch,
@@ -44,13 +49,13 @@ pub(crate) fn tell_of_patch(
 ) -> u32 {
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     match inherited {
-        Inherited::Nothing => note(model, work, a, b, EventKind::ContactBegan),
-        Inherited::Merged(_) => note(model, work, a, b, EventKind::PatchesMerged),
+        Inherited::Nothing => note(model, events, a, b, EventKind::ContactBegan),
+        Inherited::Merged(_) => note(model, events, a, b, EventKind::PatchesMerged),
         Inherited::One(_) | Inherited::Part(_) => {}
     }
     let told = old.map_or(0, |m| m.flags);
     if let Some(face) = face {
-        return tell_of_fender(model, work, patch, face.id, touch.depth_m, told);
+        return tell_of_fender(model, events, patch, face.id, touch.depth_m, told);
     }
     let smaller_m2 = lesser(model.ranked[a as usize].area_m2, model.ranked[b as usize].area_m2);
     // To a billionth: a body that lies in several pieces of another is summed from them.
@@ -58,7 +63,7 @@ pub(crate) fn tell_of_patch(
     let deep = patch.area_m2 > 0.5 * smaller_m2;
     let flags = u32::from(contained) * PatchMemory::CONTAINED + u32::from(deep) * PatchMemory::DEEP;
     let kinds = [EventKind::Contained, EventKind::DeepOverlap];
-    tell_news(model, work, patch, flags & !told, kinds);
+    tell_news(model, events, patch, flags & !told, kinds);
     flags
 }
 
@@ -66,7 +71,7 @@ pub(crate) fn tell_of_patch(
 #[inline(never)]
 fn tell_of_fender(
     model: &Model,
-    work: &mut Workspace,
+    events: &mut Vec<Event>,
     patch: &Patch,
     id: FenderId,
     deflection_m: f64,
@@ -80,7 +85,7 @@ fn tell_of_fender(
     let now = u32::from(over) * PatchMemory::CONTAINED + u32::from(failed) * PatchMemory::DEEP;
     let flags = now | (told & (PatchMemory::CONTAINED | PatchMemory::DEEP));
     let kinds = [EventKind::FenderOverRated(id), EventKind::FenderFailed(id)];
-    tell_news(model, work, patch, flags & !told, kinds);
+    tell_news(model, events, patch, flags & !told, kinds);
     flags
 }
 
@@ -88,24 +93,24 @@ fn tell_of_fender(
 #[inline]
 fn tell_news(
     model: &Model,
-    work: &mut Workspace,
+    events: &mut Vec<Event>,
     patch: &Patch,
     news: u32,
     [contained, deep]: [EventKind; 2],
 ) {
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     if news & PatchMemory::CONTAINED != 0 {
-        note(model, work, a, b, contained);
+        note(model, events, a, b, contained);
     }
     if news & PatchMemory::DEEP != 0 {
-        note(model, work, a, b, deep);
+        note(model, events, a, b, deep);
     }
 }
 
 /// Books an event of the bodies of two ranks.
 #[cold]
 #[inline(never)]
-pub(crate) fn note(model: &Model, work: &mut Workspace, a: u32, b: u32, kind: EventKind) {
+pub(crate) fn note(model: &Model, events: &mut Vec<Event>, a: u32, b: u32, kind: EventKind) {
     let (a, b) = (model.id_of[a as usize], model.id_of[b as usize]);
-    work.events.push(Event { bodies: [a.min(b), a.max(b)], kind });
+    events.push(Event { bodies: [a.min(b), a.max(b)], kind });
 }

@@ -7,7 +7,7 @@ use core::ops::Range;
 use crate::events::{note, tell_ends_and_splits};
 use crate::memory::PatchMemory;
 use crate::model::Model;
-use crate::overlap::{Patch, Place};
+use crate::overlap::{Overlap, Patch, Place};
 use crate::report::EventKind;
 use crate::workspace::{Candidate, Workspace};
 
@@ -50,7 +50,7 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
     let mut old = last;
     let Range { start: mut from, end } = work.own_patches;
     while from < end {
-        let Patch { candidate, of, .. } = work.patches[from];
+        let Patch { candidate, of, .. } = work.found.patches[from];
         let Candidate { a, b, .. } = candidate;
         let key = candidate.key();
         let jumped = work.jumped(a, b);
@@ -58,7 +58,7 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
         if let [first, rest @ ..] = old
             && first.candidate() == key
             && rest.first().is_none_or(|m| m.candidate() != key)
-            && (from + 1 == end || work.patches[from + 1].of != of)
+            && (from + 1 == end || work.found.patches[from + 1].of != of)
             && !jumped
         {
             work.inherited.push(Inherited::One((last.len() - old.len()) as u32));
@@ -67,15 +67,16 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
             continue;
         }
         let of_pair = |p: &&Patch| p.of == of;
-        let to = from + work.patches[from..end].iter().take_while(of_pair).count();
+        let to = from + work.found.patches[from..end].iter().take_while(of_pair).count();
         let (ended, mut own) = patches_of(&mut old, key);
-        ended.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
+        ended.iter().for_each(|m| note(model, &mut work.events, m.a, m.b, EventKind::ContactEnded));
         if jumped {
-            own.iter().for_each(|_| note(model, work, a, b, EventKind::ContactEnded));
+            own.iter().for_each(|_| note(model, &mut work.events, a, b, EventKind::ContactEnded));
             own = &[];
         }
         tell_ends_and_splits(model, work, own, from, to);
-        let Workspace { patches, places, inherited, shares, .. } = &mut *work;
+        let Workspace { found: Overlap { patches, places, .. }, inherited, shares, .. } =
+            &mut *work;
         let patches = &patches[from..to];
         inherited.extend(patches.iter().map(|patch| match own {
             [] => Inherited::Nothing,
@@ -85,7 +86,7 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
         }));
         from = to;
     }
-    old.iter().for_each(|m| note(model, work, m.a, m.b, EventKind::ContactEnded));
+    old.iter().for_each(|m| note(model, &mut work.events, m.a, m.b, EventKind::ContactEnded));
 }
 
 /// The last step's patches of candidates before `key`, and those of the candidate itself; `memory` is sorted,

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::face::{self, Press};
 use crate::fender::RankedFender;
-use crate::geometry::clip::{self, Corners, Hint};
+use crate::geometry::clip::{self, ClipBuffers, Corners, Hint};
 use crate::geometry::convex::ConvexPolygon;
 use crate::geometry::lens::{Lens, per_chord_m};
 use crate::memory::{Extent, HintMemory, PatchMemory};
@@ -84,22 +84,22 @@ pub(crate) struct PieceLens {
     patch: u32,
 }
 
-/// What an overlap leaves in the workspace, to be put aside.
+/// What an overlap finds.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Overlap {
-    patches: Vec<Patch>,
-    places: Vec<Place>,
+    pub(crate) patches: Vec<Patch>,
+    /// Where the patches of bodies of several pieces lie.
+    pub(crate) places: Vec<Place>,
     lenses: Vec<PieceLens>,
     outline_m: Vec<Vec2>,
 }
 
 impl Overlap {
-    /// Changes places with what is in the workspace.
-    pub(crate) fn swap(&mut self, work: &mut Workspace) {
-        core::mem::swap(&mut self.patches, &mut work.patches);
-        core::mem::swap(&mut self.places, &mut work.places);
-        core::mem::swap(&mut self.lenses, &mut work.lenses);
-        core::mem::swap(&mut self.outline_m, &mut work.outline_m);
+    fn clear(&mut self) {
+        self.patches.clear();
+        self.places.clear();
+        self.lenses.clear();
+        self.outline_m.clear();
     }
 }
 
@@ -111,10 +111,7 @@ pub(crate) fn overlap(
     work: &mut Workspace,
     next_hints: &mut Vec<HintMemory>,
 ) {
-    work.patches.clear();
-    work.places.clear();
-    work.lenses.clear();
-    work.outline_m.clear();
+    work.found.clear();
     for index in work.own_candidates.clone() {
         let candidate = work.candidates[index];
         let (a, b) = (candidate.a as usize, candidate.b as usize);
@@ -125,16 +122,17 @@ pub(crate) fn overlap(
             clip_convex(piece_a, piece_b, (candidate, of), b_in_a, (&mut hints, next_hints), work);
             continue;
         }
-        let (first, first_patch) = (work.lenses.len(), work.patches.len());
+        let (first, first_patch) = (work.found.lenses.len(), work.found.patches.len());
         clip_pieces(pieces_a, pieces_b, candidate, b_in_a, (&mut hints, next_hints), work);
-        match work.lenses.len() - first {
+        let found = &mut work.found;
+        match found.lenses.len() - first {
             0 => {}
-            1 => new_patch(candidate, b_in_a, 0, first, first + 1, work),
-            _ => connect(candidate, b_in_a, first, work),
+            1 => new_patch(candidate, b_in_a, 0, first, first + 1, found),
+            _ => connect(candidate, b_in_a, first, found),
         }
-        work.patches[first_patch..].iter_mut().for_each(|patch| patch.of = index as u32);
+        found.patches[first_patch..].iter_mut().for_each(|patch| patch.of = index as u32);
     }
-    work.own_patches = 0..work.patches.len();
+    work.own_patches = 0..work.found.patches.len();
 }
 
 /// The last step's hints that are still to be read, and the next one's.
@@ -151,7 +149,7 @@ fn clip_convex(
     (hints, next_hints): Hints<'_, '_>,
     work: &mut Workspace,
 ) {
-    let Workspace { patches, outline_m, clip: buffers, .. } = work;
+    let Workspace { found: Overlap { patches, outline_m, .. }, clip: buffers, .. } = work;
     let from = outline_m.len();
     let hint = next_hint(hints, next_hints, &candidate, (0, 0));
     // Two outlines are told from one another by their chord: nobody asks for the corners where there is one.
@@ -203,22 +201,22 @@ fn clip_pieces(
     for (piece_a, a) in pieces_a.iter().enumerate() {
         for (piece_b, b) in pieces_b.iter().enumerate() {
             let pieces = (piece_a as u32, piece_b as u32);
-            let Workspace { outline_m, clip: buffers, .. } = work;
+            let Workspace { found: Overlap { outline_m, .. }, clip: buffers, .. } = work;
             let start = outline_m.len();
             let hint = next_hint(hints, next_hints, &candidate, pieces);
             let wanted = (Corners::Always, outline_m);
             let found = clip::clip(a, b, b_in_a, hint, buffers, wanted);
             drop_empty(next_hints);
             match found {
-                Some(clip) => work.lenses.push(PieceLens {
+                Some(clip) => work.found.lenses.push(PieceLens {
                     lens: clip.lens,
                     contained: clip.contained,
                     piece_a: pieces.0,
                     piece_b: pieces.1,
-                    vertices: (start as u32, work.outline_m.len() as u32),
+                    vertices: (start as u32, work.found.outline_m.len() as u32),
                     patch: 0,
                 }),
-                None => work.outline_m.truncate(start),
+                None => work.found.outline_m.truncate(start),
             }
         }
     }
@@ -266,17 +264,17 @@ fn drop_empty(next_hints: &mut Vec<HintMemory>) {
 
 /// Joins the lenses of a pair that share a seam into patches. The seams' parts of the chords
 /// cancel, so that a patch's area, centroid and chord are those of the whole outlines.
-fn connect(candidate: Candidate, b_in_a: Pose, first: usize, work: &mut Workspace) {
-    let end = work.lenses.len();
+fn connect(candidate: Candidate, b_in_a: Pose, first: usize, found: &mut Overlap) {
+    let end = found.lenses.len();
     for i in first..end {
-        work.lenses[i].patch = (i - first) as u32;
+        found.lenses[i].patch = (i - first) as u32;
     }
     for i in first..end {
         for j in i + 1..end {
-            let (one, two) = (work.lenses[i].patch, work.lenses[j].patch);
-            if one != two && share_a_seam(work, i, j) {
+            let (one, two) = (found.lenses[i].patch, found.lenses[j].patch);
+            if one != two && share_a_seam(found, i, j) {
                 let (keep, drop) = (one.min(two), one.max(two));
-                for lens in &mut work.lenses[first..end] {
+                for lens in &mut found.lenses[first..end] {
                     if lens.patch == drop {
                         lens.patch = keep;
                     }
@@ -285,13 +283,13 @@ fn connect(candidate: Candidate, b_in_a: Pose, first: usize, work: &mut Workspac
         }
     }
     // Stable, so that each patch's sums are taken in the order of the pieces.
-    work.lenses[first..end].sort_by_key(|l| l.patch);
+    found.lenses[first..end].sort_by_key(|l| l.patch);
     let mut start = first;
     let mut number = 0;
     while start < end {
-        let patch = work.lenses[start].patch;
-        let stop = (start..end).find(|&k| work.lenses[k].patch != patch).unwrap_or(end);
-        new_patch(candidate, b_in_a, number, start, stop, work);
+        let patch = found.lenses[start].patch;
+        let stop = (start..end).find(|&k| found.lenses[k].patch != patch).unwrap_or(end);
+        new_patch(candidate, b_in_a, number, start, stop, found);
         number += 1;
         start = stop;
     }
@@ -303,12 +301,12 @@ fn connect(candidate: Candidate, b_in_a: Pose, first: usize, work: &mut Workspac
 /// convex piece that reaches a common corner of two others lies on the seam that starts there.
 /// Where both differ the seams of both bodies would have to lie on one another, and it takes two
 /// corners to tell that from four lenses that meet where seams cross.
-fn share_a_seam(work: &Workspace, i: usize, j: usize) -> bool {
+fn share_a_seam(found: &Overlap, i: usize, j: usize) -> bool {
     let corners = |k: usize| {
-        let (start, end) = work.lenses[k].vertices;
-        &work.outline_m[start as usize..end as usize]
+        let (start, end) = found.lenses[k].vertices;
+        &found.outline_m[start as usize..end as usize]
     };
-    let (one, two) = (&work.lenses[i], &work.lenses[j]);
+    let (one, two) = (&found.lenses[i], &found.lenses[j]);
     let same_piece = one.piece_a == two.piece_a || one.piece_b == two.piece_b;
     let limit = SAME_CORNER_M * SAME_CORNER_M;
     let mut shared: Option<Vec2> = None;
@@ -333,19 +331,19 @@ fn new_patch(
     number: u32,
     start: usize,
     stop: usize,
-    work: &mut Workspace,
+    found: &mut Overlap,
 ) {
-    let mut patch = sum(candidate, b_in_a, number, start, stop, work);
-    let lenses = &work.lenses[start..stop];
-    let mut in_a = extent(outline(work, &lenses[0]));
+    let mut patch = sum(candidate, b_in_a, number, start, stop, found);
+    let lenses = &found.lenses[start..stop];
+    let mut in_a = extent(outline(found, &lenses[0]));
     for piece in &lenses[1..] {
-        let more = extent(outline(work, piece));
+        let more = extent(outline(found, piece));
         in_a.low_m = vec2(in_a.low_m.x.min(more.low_m.x), in_a.low_m.y.min(more.low_m.y));
         in_a.high_m = vec2(in_a.high_m.x.max(more.high_m.x), in_a.high_m.y.max(more.high_m.y));
     }
-    patch.place = work.places.len() as u32;
-    work.places.push(Place { in_a, in_b: seen_from_b(&in_a, b_in_a) });
-    work.patches.push(patch);
+    patch.place = found.places.len() as u32;
+    found.places.push(Place { in_a, in_b: seen_from_b(&in_a, b_in_a) });
+    found.patches.push(patch);
 }
 
 /// Area, centroid and chord of a patch: the sums over its lenses.
@@ -355,9 +353,9 @@ fn sum(
     number: u32,
     start: usize,
     stop: usize,
-    work: &Workspace,
+    found: &Overlap,
 ) -> Patch {
-    let lenses = &work.lenses[start..stop];
+    let lenses = &found.lenses[start..stop];
     let mut patch = Patch {
         candidate,
         of: 0,
@@ -388,20 +386,20 @@ fn sum(
     patch
 }
 
-fn outline<'a>(work: &'a Workspace, lens: &PieceLens) -> &'a [Vec2] {
-    &work.outline_m[lens.vertices.0 as usize..lens.vertices.1 as usize]
+fn outline<'a>(found: &'a Overlap, lens: &PieceLens) -> &'a [Vec2] {
+    &found.outline_m[lens.vertices.0 as usize..lens.vertices.1 as usize]
 }
 
 /// The outlines of all lenses of a patch.
 #[inline]
-fn outlines<'a>(work: &'a Workspace, patch: &Patch) -> impl Iterator<Item = &'a [Vec2]> + Clone {
+fn outlines<'a>(found: &'a Overlap, patch: &Patch) -> impl Iterator<Item = &'a [Vec2]> + Clone {
     let (one, lenses) = match patch.parts {
         Parts::One { from, to } => {
-            (Some(&work.outline_m[from as usize..to as usize]), [].as_slice())
+            (Some(&found.outline_m[from as usize..to as usize]), [].as_slice())
         }
-        Parts::Lenses { from, to } => (None, &work.lenses[from as usize..to as usize]),
+        Parts::Lenses { from, to } => (None, &found.lenses[from as usize..to as usize]),
     };
-    one.into_iter().chain(lenses.iter().map(|lens| outline(work, lens)))
+    one.into_iter().chain(lenses.iter().map(|lens| outline(found, lens)))
 }
 
 fn extent(outline_m: &[Vec2]) -> Extent {
@@ -427,7 +425,8 @@ fn seen_from_b(extent: &Extent, b_in_a: Pose) -> Extent {
 #[inline]
 pub(crate) fn normal_in_a(
     model: &Model,
-    work: &mut Workspace,
+    found: &Overlap,
+    buffers: &mut ClipBuffers,
     patch: &Patch,
     old: Option<&PatchMemory>,
 ) -> (Vec2, f64) {
@@ -436,20 +435,21 @@ pub(crate) fn normal_in_a(
         let normal = patch.chord_m.quarter_turn_back() * per_m;
         let depth_m = match patch.parts {
             Parts::One { .. } => patch.spread_m2 * per_m,
-            Parts::Lenses { .. } => depth_m(work, patch, normal),
+            Parts::Lenses { .. } => depth_m(found, patch, normal),
         };
         return (normal, depth_m);
     }
     let remembered = old.map(|m| (m.normal_in_a, m.normal_in_b));
-    let normal = normal_without_chord(model, work, patch, remembered);
-    (normal, depth_m(work, patch, normal))
+    let normal = normal_without_chord(model, found, buffers, patch, remembered);
+    (normal, depth_m(found, patch, normal))
 }
 
 #[cold]
 #[inline(never)]
 fn normal_without_chord(
     model: &Model,
-    work: &mut Workspace,
+    found: &Overlap,
+    buffers: &mut ClipBuffers,
     patch: &Patch,
     remembered: Option<(Vec2, Vec2)>,
 ) -> Vec2 {
@@ -464,14 +464,14 @@ fn normal_without_chord(
     let body_a = &model.ranked[patch.candidate.a as usize];
     let body_b = &model.ranked[patch.candidate.b as usize];
     if (body_a.pieces.len() > 1 || body_b.pieces.len() > 1)
-        && let Some(normal) = nearest_side(model, work, patch)
+        && let Some(normal) = nearest_side(model, found, patch)
     {
         return normal;
     }
     let (piece_a, piece_b) = match patch.parts {
         Parts::One { .. } => (0, 0),
         Parts::Lenses { from, to } => {
-            let lenses = &work.lenses[from as usize..to as usize];
+            let lenses = &found.lenses[from as usize..to as usize];
             let largest = lenses.iter().fold(lenses[0], |largest, lens| {
                 if lens.lens.area_m2 > largest.lens.area_m2 { *lens } else { largest }
             });
@@ -479,14 +479,14 @@ fn normal_without_chord(
         }
     };
     let (a, b) = (&body_a.pieces[piece_a], &body_b.pieces[piece_b]);
-    clip::least_penetration(a, b, patch.b_in_a, &mut work.clip)
+    clip::least_penetration(a, b, patch.b_in_a, buffers)
 }
 
 /// The axis of least penetration of whole outlines: a piece's edges will not do, for a body is not
 /// pushed out of another through a seam. `None` where no side faces the patch.
-fn nearest_side(model: &Model, work: &Workspace, patch: &Patch) -> Option<Vec2> {
+fn nearest_side(model: &Model, found: &Overlap, patch: &Patch) -> Option<Vec2> {
     let outline_of = |rank: u32| &model.bodies()[model.id_of[rank as usize].0 as usize].outline;
-    let corners = || outlines(work, patch).flatten().copied();
+    let corners = || outlines(found, patch).flatten().copied();
     // A body that lies within the other is pushed out by the other's sides, not by its own.
     let is_all_of = |rank: u32| patch.area_m2 >= outline_of(rank).area_m2() * (1.0 - 1e-9);
     let (a, b) = (patch.candidate.a, patch.candidate.b);
@@ -533,18 +533,18 @@ fn least_sunk_side(
 }
 
 /// What a patch does to the fender that it lies on, in A's frame.
-pub(crate) fn press(model: &Model, work: &Workspace, patch: &Patch, face: &RankedFender) -> Press {
+pub(crate) fn press(model: &Model, found: &Overlap, patch: &Patch, face: &RankedFender) -> Press {
     let host = if face.host == patch.candidate.a { Pose::IDENTITY } else { patch.b_in_a };
     let fender = &model.fenders()[face.id.0 as usize];
     let stiffness_npm2 = model.materials()[face.material.0 as usize].stiffness_npm2;
-    face::press(face, fender, stiffness_npm2, host, outlines(work, patch))
+    face::press(face, fender, stiffness_npm2, host, outlines(found, patch))
 }
 
 /// δ, the extent of the patch along a direction [m].
-fn depth_m(work: &Workspace, patch: &Patch, along: Vec2) -> f64 {
+fn depth_m(found: &Overlap, patch: &Patch, along: Vec2) -> f64 {
     let origin = patch.centroid_m;
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for outline in outlines(work, patch) {
+    for outline in outlines(found, patch) {
         for &v in outline {
             let s = (v - origin).dot(along);
             (low, high) = (lesser(s, low), greater(s, high));

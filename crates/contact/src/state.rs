@@ -2,6 +2,9 @@
 
 use crate::vec2::{Pose, Vec2};
 
+/// Velocity of a body's centre of gravity, earth-fixed, and its rate of turn [m/s, rad/s].
+pub(crate) type Velocity = (Vec2, f64);
+
 /// State of one body at the start of a step, earth-fixed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyState {
@@ -21,6 +24,11 @@ impl BodyState {
     #[inline]
     pub fn pose(&self) -> Pose {
         Pose::new(self.position_m, self.heading_rad)
+    }
+
+    #[inline]
+    pub(crate) fn velocity(&self) -> Velocity {
+        (self.velocity_mps, self.yaw_rate_radps)
     }
 
     /// Neither goes nor turns.

@@ -1,23 +1,26 @@
 //! One step of the engine, stage by stage.
 
+use alloc::vec::Vec;
+
 use crate::admit;
 use crate::broad;
 use crate::error::StepError;
 use crate::events::tell_of_patch;
 use crate::fender::RankedFender;
+use crate::geometry::clip::ClipBuffers;
 use crate::inherit::{Inherited, inherit_all};
 use crate::law::normal::{factor, normal_force};
 use crate::law::shear;
 use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
-use crate::memory::{Memory, PatchMemory};
+use crate::memory::{Lasting, Memory, PatchMemory, remember as remember_patch};
 use crate::model::Model;
 use crate::overlap::{Patch, overlap};
-use crate::report::{Contact, Wrench};
-use crate::state::BodyState;
-use crate::touch::{Lasting, touch};
+use crate::report::{Contact, Event, Wrench};
+use crate::state::{BodyState, Velocity};
+use crate::touch::{Scene, touch};
 use crate::vec2::Vec2;
-use crate::workspace::Workspace;
+use crate::workspace::{Candidate, Workspace};
 
 /// Contact forces between all bodies for the step of `step_s` seconds that begins at `states`, by
 /// the paper's method. `states` are in the order in which the bodies were added.
@@ -60,21 +63,40 @@ fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     work.wrenches.resize(model.bodies().len(), Wrench::default());
     // The backward difference of eq. 3 is over the step that has gone, not the one to come.
     let elapsed_s = if memory.last_step_s > 0.0 { memory.last_step_s } else { step_s };
-    let patches = core::mem::take(&mut work.patches);
-    let shares = core::mem::take(&mut work.shares);
-    let all_inherited = core::mem::take(&mut work.inherited);
     let time = Time { step_s, elapsed_s };
-    for (patch, &inherited) in patches.iter().zip(&all_inherited) {
-        let old = inherited.of(&memory.patches, &shares);
+    let Workspace { found, shares, inherited, states, poses, clip, events, .. } = work;
+    let scene = Scene { model, found, poses };
+    let mut books = Books {
+        contacts: &mut work.contacts,
+        wrenches: &mut work.wrenches,
+        next_patches: &mut work.next_patches,
+        events,
+        buffers: clip,
+    };
+    for (patch, &inherited) in found.patches.iter().zip(&*inherited) {
+        let old = inherited.of(&memory.patches, shares);
+        let Candidate { a, b, .. } = patch.candidate;
+        let velocities = [a, b].map(|rank| states[rank as usize].velocity());
+        let past = (inherited, old);
         // Twice the same: without a fender most of it is nought, which the compiler then knows.
         match patch.candidate.fender(model) {
-            None => contact(model, work, patch, None, inherited, old, time),
-            Some(face) => contact_at_face(model, work, patch, face, inherited, old, time),
+            None => contact(&scene, &mut books, patch, None, past, velocities, time),
+            Some(face) => contact_at_face(&scene, &mut books, patch, face, past, velocities, time),
         }
     }
-    work.inherited = all_inherited;
-    (work.patches, work.shares) = (patches, shares);
 }
+
+/// What a contact is written to.
+struct Books<'w> {
+    contacts: &'w mut Vec<Contact>,
+    wrenches: &'w mut [Wrench],
+    next_patches: &'w mut Vec<PatchMemory>,
+    events: &'w mut Vec<Event>,
+    buffers: &'w mut ClipBuffers,
+}
+
+/// What a patch takes over from the last step, and the memory that it is.
+type Taken<'m> = (Inherited, Option<&'m PatchMemory>);
 
 /// The step that is to come and the one that has gone [s].
 #[derive(Clone, Copy)]
@@ -86,30 +108,31 @@ struct Time {
 /// As [`contact`], on a fender.
 #[inline(never)]
 fn contact_at_face(
-    model: &Model,
-    work: &mut Workspace,
+    scene: &Scene<'_>,
+    books: &mut Books<'_>,
     patch: &Patch,
     face: &RankedFender,
-    inherited: Inherited,
-    old: Option<&PatchMemory>,
+    past: Taken<'_>,
+    velocities: [Velocity; 2],
     time: Time,
 ) {
-    contact(model, work, patch, Some(face), inherited, old, time);
+    contact(scene, books, patch, Some(face), past, velocities, time);
 }
 
 /// Law and limit for one patch: adds its contact to the report and its memory to the next step's.
 #[inline(always)]
 fn contact(
-    model: &Model,
-    work: &mut Workspace,
+    scene: &Scene<'_>,
+    books: &mut Books<'_>,
     patch: &Patch,
     face: Option<&RankedFender>,
-    inherited: Inherited,
-    old: Option<&PatchMemory>,
+    (inherited, old): Taken<'_>,
+    velocities: [Velocity; 2],
     Time { step_s, elapsed_s }: Time,
 ) {
+    let model = scene.model;
     let material = &model.materials()[patch.candidate.material.0 as usize];
-    let touch = touch(model, work, patch, face, old);
+    let touch = touch(scene, books.buffers, patch, face, old, velocities);
 
     // §3.2 and §3.4: the normal force.
     let v = Velocities {
@@ -140,7 +163,7 @@ fn contact(
         step_s,
     );
 
-    let flags = tell_of_patch(model, work, patch, face, &touch, inherited, old);
+    let flags = tell_of_patch(model, books.events, patch, face, &touch, inherited, old);
     let report = Contact {
         shear_m: shear.shear_m,
         normal_force_n,
@@ -153,18 +176,21 @@ fn contact(
         stored_j: touch.stored_j * factor,
         peak_stored_j: touch.stored_j * factor,
         shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
-        ..touch.contact(model, work.poses[patch.candidate.a as usize].position_m, patch, face)
+        ..touch.contact(model, scene.poses[patch.candidate.a as usize].position_m, patch, face)
     };
-    gather(&report, &mut work.wrenches);
-    work.contacts.push(report);
+    gather(&report, books.wrenches);
+    books.contacts.push(report);
     let lasting = Lasting {
         flags,
+        point_in_a_m: touch.point_in_a_m,
+        normal_in_a: touch.normal_in_a,
         shear_m: shear.shear_m,
         v_normal_0_mps: v.normal_0_mps,
         v_tangential_0_mps: v.tangential_0_mps,
         factor,
+        ..Lasting::default()
     };
-    touch.remember(patch, &work.places, lasting, &mut work.next_patches);
+    remember_patch(patch, &scene.found.places, &lasting, books.next_patches);
 }
 
 /// Stage 6, gather: adds a contact to the wrenches of its bodies. The force on body 2 is exactly the

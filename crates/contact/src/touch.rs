@@ -1,14 +1,13 @@
 //! The kinematics of one patch: normal, arms, velocities and shear, in earth-fixed axes.
 
-use alloc::vec::Vec;
-
 use crate::fender::RankedFender;
+use crate::geometry::clip::ClipBuffers;
 use crate::memory::PatchMemory;
 use crate::model::Model;
-use crate::overlap::{self, Patch, Place};
+use crate::overlap::{self, Overlap, Patch};
 use crate::report::{Contact, ContactWork, ForceParts, Friction};
-use crate::vec2::Vec2;
-use crate::workspace::Workspace;
+use crate::state::Velocity;
+use crate::vec2::{Pose, Vec2};
 
 /// One patch as the laws see it; body A is the one with the lower rank.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -39,29 +38,38 @@ pub(crate) struct Touch {
     pub(crate) shear_m: f64,
 }
 
-/// Kinematics of a patch from the states and poses in `work`; `face` is the fender of it, where there is one.
+/// What there is when the contacts of a (sub-)step are looked at.
+#[derive(Clone, Copy)]
+pub(crate) struct Scene<'w> {
+    pub(crate) model: &'w Model,
+    pub(crate) found: &'w Overlap,
+    /// By rank.
+    pub(crate) poses: &'w [Pose],
+}
+
+/// Kinematics of a patch between bodies of these velocities, A's and B's; `face` is the fender of it, where there
+/// is one.
 // Always inlined: what it returns stays in registers.
 #[inline(always)]
 pub(crate) fn touch(
-    model: &Model,
-    work: &mut Workspace,
+    scene: &Scene<'_>,
+    buffers: &mut ClipBuffers,
     patch: &Patch,
     face: Option<&RankedFender>,
     old: Option<&PatchMemory>,
+    [(velocity_a_mps, turn_a_radps), (velocity_b_mps, turn_b_radps)]: [Velocity; 2],
 ) -> Touch {
-    let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
     let pressed = match face {
-        None => by_area(model, work, patch, old),
-        Some(face) => by_face(model, work, patch, face),
+        None => by_area(scene, buffers, patch, old),
+        Some(face) => by_face(scene, patch, face),
     };
     let Touch { normal_in_a, point_in_a_m, .. } = pressed;
-    let rotation = work.poses[a].rotation;
+    let rotation = scene.poses[patch.candidate.a as usize].rotation;
     let normal = rotation.apply(normal_in_a);
     let arm_a_m = rotation.apply(point_in_a_m);
     let arm_b_m = rotation.apply(point_in_a_m - patch.b_in_a.position_m);
-    let (state_a, state_b) = (&work.states[a], &work.states[b]);
-    let slip_mps = (state_a.velocity_mps - state_b.velocity_mps)
-        + (arm_a_m.spun_by(state_a.yaw_rate_radps) - arm_b_m.spun_by(state_b.yaw_rate_radps));
+    let slip_mps = (velocity_a_mps - velocity_b_mps)
+        + (arm_a_m.spun_by(turn_a_radps) - arm_b_m.spun_by(turn_b_radps));
     let shear_m = old.map_or(0.0, |m| {
         // How far the material points that were at C have moved apart, in A's frame, where nothing
         // is lost far from the origin.
@@ -81,8 +89,14 @@ pub(crate) fn touch(
 
 /// Outline against outline: kS along the chord's normal, at the centroid (§1, §2 of the sheet).
 #[inline(always)]
-fn by_area(model: &Model, work: &mut Workspace, patch: &Patch, old: Option<&PatchMemory>) -> Touch {
-    let (normal_in_a, depth_m) = overlap::normal_in_a(model, work, patch, old);
+fn by_area(
+    scene: &Scene<'_>,
+    buffers: &mut ClipBuffers,
+    patch: &Patch,
+    old: Option<&PatchMemory>,
+) -> Touch {
+    let Scene { model, found, .. } = *scene;
+    let (normal_in_a, depth_m) = overlap::normal_in_a(model, found, buffers, patch, old);
     let material = &model.materials()[patch.candidate.material.0 as usize];
     Touch {
         normal_in_a,
@@ -95,8 +109,8 @@ fn by_area(model: &Model, work: &mut Workspace, patch: &Patch, old: Option<&Patc
 
 /// An outline against a fender: by the fender's law.
 #[inline(never)]
-fn by_face(model: &Model, work: &Workspace, patch: &Patch, face: &RankedFender) -> Touch {
-    let press = overlap::press(model, work, patch, face);
+fn by_face(scene: &Scene<'_>, patch: &Patch, face: &RankedFender) -> Touch {
+    let press = overlap::press(scene.model, scene.found, patch, face);
     // The hull pushes towards the fender: that is A's outward normal where the hull is A's.
     let hull_is_a = face.host != patch.candidate.a;
     Touch {
@@ -154,47 +168,4 @@ impl Touch {
             shear_stored_j: 0.0,
         }
     }
-
-    /// Adds to `into` what the next step needs to know of this patch.
-    // Written where it is to stay, the rare part by itself: copied as a whole, it would be waited for.
-    #[inline(always)]
-    pub(crate) fn remember(
-        &self,
-        patch: &Patch,
-        places: &[Place],
-        laws: Lasting,
-        into: &mut Vec<PatchMemory>,
-    ) {
-        into.push(PatchMemory {
-            a: patch.candidate.a,
-            b: patch.candidate.b,
-            face: patch.candidate.face,
-            patch: patch.number,
-            flags: laws.flags,
-            area_m2: patch.area_m2,
-            point_in_a_m: self.point_in_a_m,
-            point_in_b_m: patch.b_in_a.apply_inverse(self.point_in_a_m),
-            normal_in_a: self.normal_in_a,
-            normal_in_b: patch.b_in_a.rotation.apply_inverse(self.normal_in_a),
-            shear_m: laws.shear_m,
-            v_normal_0_mps: laws.v_normal_0_mps,
-            v_tangential_0_mps: laws.v_tangential_0_mps,
-            factor: laws.factor,
-            ..PatchMemory::default()
-        });
-        if let (Some(place), Some(last)) = (patch.place(), into.last_mut()) {
-            let Place { in_a, in_b } = places[place as usize];
-            (last.extent_in_a, last.extent_in_b) = (in_a, in_b);
-        }
-    }
-}
-
-/// What the laws leave in a patch's memory: its fields of the same names.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Lasting {
-    pub(crate) flags: u32,
-    pub(crate) shear_m: f64,
-    pub(crate) v_normal_0_mps: f64,
-    pub(crate) v_tangential_0_mps: f64,
-    pub(crate) factor: f64,
 }

@@ -15,10 +15,10 @@ use crate::mass::InverseMatrix;
 use crate::memory::{HintMemory, PatchMemory};
 use crate::model::{MaterialId, Model};
 use crate::near::NearList;
-use crate::overlap::{Overlap, Patch, PieceLens, Place};
+use crate::overlap::Overlap;
 use crate::report::{Contact, Event, Motion, Wrench};
-use crate::state::BodyState;
-use crate::vec2::{Pose, Vec2};
+use crate::state::{BodyState, Velocity};
+use crate::vec2::Pose;
 
 /// Buffers that a step writes to, and what it found. Nothing in it matters to the next step: it
 /// can be shared between runs of the same model or thrown away at any time.
@@ -44,15 +44,11 @@ pub struct Workspace {
     pub(crate) own_patches: Range<usize>,
     /// Pairs that were near each other a while ago.
     pub(crate) near: NearList,
-    pub(crate) patches: Vec<Patch>,
-    /// Where the patches of bodies of several pieces lie.
-    pub(crate) places: Vec<Place>,
+    pub(crate) found: Overlap,
     /// What each patch takes over from the last step.
     pub(crate) inherited: Vec<Inherited>,
     /// What patches take over that is not one old patch as it was.
     pub(crate) shares: Vec<PatchMemory>,
-    pub(crate) lenses: Vec<PieceLens>,
-    pub(crate) outline_m: Vec<Vec2>,
     pub(crate) clip: ClipBuffers,
     pub(crate) next_patches: Vec<PatchMemory>,
     pub(crate) next_hints: Vec<HintMemory>,
@@ -61,7 +57,7 @@ pub struct Workspace {
     /// How far each body went, by rank and then by id; and velocities before a solve, for the island.
     pub(crate) motions_by_rank: Vec<Motion>,
     pub(crate) motions: Vec<Motion>,
-    pub(crate) before: Vec<(Vec2, f64)>,
+    pub(crate) before: Vec<Velocity>,
     /// Loads, and mean contact wrenches as far as they are known, by rank.
     pub(crate) loads: Vec<Wrench>,
     pub(crate) pushes: Vec<Wrench>,
@@ -80,7 +76,7 @@ pub struct Workspace {
     /// What the last step left of an island, where that does not stand together in the memory.
     pub(crate) gathered_memory: IslandMemory,
     /// What the first overlap of the step leaves, while later ones are found.
-    pub(crate) first_overlap: Overlap,
+    pub(crate) first_found: Overlap,
     pub(crate) first_hints: Vec<HintMemory>,
     /// First of the islands' patches, hints and contacts in `next_patches`, `next_hints` and `contacts`.
     pub(crate) first_patch: usize,
@@ -143,12 +139,9 @@ impl Workspace {
             own_candidates: 0..0,
             own_patches: 0..0,
             near: NearList::default(),
-            patches: Vec::new(),
-            places: Vec::new(),
+            found: Overlap::default(),
             inherited: Vec::new(),
             shares: Vec::new(),
-            lenses: Vec::new(),
-            outline_m: Vec::new(),
             clip: ClipBuffers::default(),
             next_patches: Vec::new(),
             next_hints: Vec::new(),
@@ -167,7 +160,7 @@ impl Workspace {
             island_bodies: Vec::new(),
             island_memory: IslandMemory::default(),
             gathered_memory: IslandMemory::default(),
-            first_overlap: Overlap::default(),
+            first_found: Overlap::default(),
             first_hints: Vec::new(),
             first_patch: 0,
             first_hint: 0,

@@ -140,9 +140,9 @@ pub(crate) fn set_paces(
     for island in islands {
         let candidates = island.candidates.clone();
         let own = |patch: &&Patch| (patch.of as usize) < candidates.end;
-        let to = from + work.patches[from..].iter().take_while(own).count();
+        let to = from + work.found.patches[from..].iter().take_while(own).count();
         island.patches = from..to;
-        let patches = &work.patches[from..to];
+        let patches = &work.found.patches[from..to];
         island.sub_steps = pace::sub_steps(model, work, candidates, patches, hints, step_s);
         from = to;
     }

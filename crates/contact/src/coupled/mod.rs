@@ -14,9 +14,11 @@
 //! Islands know nothing of each other; neighbours that need as many sub-steps go through these stages
 //! together, so that no contact waits for what another's island does.
 
+pub(crate) mod book;
 pub(crate) mod direct;
 pub(crate) mod island;
 pub(crate) mod leap;
+pub(crate) mod let_go;
 pub(crate) mod pace;
 pub(crate) mod rows;
 pub(crate) mod solve;
@@ -25,16 +27,20 @@ pub(crate) mod turning;
 
 use crate::admit;
 use crate::broad;
+use crate::coupled::book::Books;
 use crate::coupled::island::Island;
+use crate::coupled::let_go::{let_go, let_go_alone};
+use crate::coupled::rows::{Begun, Taken};
 use crate::error::StepError;
 use crate::events::note;
-use crate::inherit::inherit_all;
+use crate::inherit::{Inherited, inherit_all};
 use crate::mass::InverseMatrix;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
 use crate::overlap::{Patch, overlap};
 use crate::report::{EventKind, Motion, Wrench};
-use crate::state::BodyState;
+use crate::state::{BodyState, Velocity};
+use crate::touch::Scene;
 use crate::vec2::Rotation;
 use crate::workspace::Workspace;
 
@@ -114,7 +120,7 @@ fn end_what_left(model: &Model, memory: &Memory, work: &mut Workspace) {
     }
     for patch in &memory.patches {
         if !work.candidates.iter().any(|candidate| candidate.key() == patch.candidate()) {
-            note(model, work, patch.a, patch.b, EventKind::ContactEnded);
+            note(model, &mut work.events, patch.a, patch.b, EventKind::ContactEnded);
         }
     }
 }
@@ -167,8 +173,8 @@ fn advance_group(
         return;
     }
     let mut own = core::mem::take(&mut work.island_memory);
-    let mut first_overlap = core::mem::take(&mut work.first_overlap);
-    first_overlap.swap(work);
+    let mut first_found = core::mem::take(&mut work.first_found);
+    core::mem::swap(&mut first_found, &mut work.found);
     own.take_first(work, begun.hints);
     for later in 1..sub_steps {
         if later > 1 {
@@ -180,8 +186,8 @@ fn advance_group(
         let last_step_s = step_s / f64::from(sub_steps);
         sub_step(model, own.past(last_step_s), work, islands, step_s);
     }
-    first_overlap.swap(work);
-    work.first_overlap = first_overlap;
+    core::mem::swap(&mut first_found, &mut work.found);
+    work.first_found = first_found;
     work.island_memory = own;
 }
 
@@ -190,19 +196,106 @@ fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Isla
     let sub_steps = f64::from(islands[0].sub_steps);
     let h = step_s / sub_steps;
     inherit_all(model, past.patches, work);
-    rows::collect(model, work, past, h);
     solve::free_velocities(work, h);
-    let mut from = 0;
-    for island in islands {
-        let patches = &work.patches[work.own_patches.clone()][from..];
-        let own = |patch: &&Patch| (patch.of as usize) < island.candidates.end;
-        let to = from + patches.iter().take_while(own).count();
-        rows::let_go(model, work, from..to);
-        solve::velocities(model, work, from..to, h);
-        from = to;
-    }
-    rows::book(model, work, h, 1.0 / sub_steps);
+    contacts_of(model, past, work, islands, (h, 1.0 / sub_steps));
     advance_positions(model, work, h);
+}
+
+/// The contacts of a sub-step, of `h` seconds and this `share` of the step, island by island: their laws, the solve
+/// and what it leaves.
+fn contacts_of(
+    model: &Model,
+    past: Past<'_>,
+    work: &mut Workspace,
+    islands: &[Island],
+    (h, share): (f64, f64),
+) {
+    let Workspace {
+        found,
+        own_patches,
+        inherited,
+        shares,
+        poses,
+        states,
+        before,
+        inverses,
+        jumps,
+        teleported,
+        clip: buffers,
+        events,
+        rows,
+        ties,
+        trials,
+        unheld_j,
+        pushes,
+        contacts,
+        first_contact,
+        next_patches,
+        in_order,
+        ..
+    } = work;
+    let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
+    let begun = Begun { scene: Scene { model, found, poses }, before, inverses, elapsed_s, h };
+    let first_sub_step = contacts.len() == *first_contact;
+    let first_contact = *first_contact;
+    let mut books =
+        Books { pushes, contacts, first_contact, next_patches, in_order, first_sub_step, h, share };
+    let taken = |patch: &Patch, inherited: Inherited| Taken {
+        inherited,
+        old: inherited.of(past.patches, shares),
+        placed: past.last_step_s == 0.0
+            || *jumps
+                && [patch.candidate.a, patch.candidate.b]
+                    .iter()
+                    .any(|&rank| teleported[rank as usize]),
+    };
+    let (mut patches, mut inherited) = (&found.patches[own_patches.clone()], &inherited[..]);
+    let mut index = 0;
+    for island in islands {
+        let own = |patch: &&Patch| (patch.of as usize) < island.candidates.end;
+        let count = patches.iter().take_while(own).count();
+        let (own, rest) = patches.split_at(count);
+        let (own_inherited, rest_inherited) = inherited.split_at(count);
+        (patches, inherited) = (rest, rest_inherited);
+        match own {
+            [] => {}
+            [patch] if patch.candidate.face == 0 => {
+                let taken = taken(patch, own_inherited[0]);
+                let (mut tie, mut row) =
+                    rows::collect(&begun, (events, buffers), patch, None, taken);
+                let_go_alone(&mut row, &mut tie);
+                if solve::alone(states, inverses, &mut tie, h) > solve::TOLD_MPS {
+                    note(model, events, tie.a, tie.b, EventKind::NotConverged);
+                }
+                books.book(&begun.scene, index, patch, (&tie, &row));
+            }
+            several => {
+                rows.clear();
+                ties.clear();
+                for (patch, &inherited) in several.iter().zip(own_inherited) {
+                    let taken = taken(patch, inherited);
+                    let face = patch.candidate.fender(model);
+                    // Twice the same: without a fender most of it is nought, which the compiler then knows.
+                    let (tie, row) = match face {
+                        None => rows::collect(&begun, (events, buffers), patch, None, taken),
+                        face => rows::collect(&begun, (events, buffers), patch, face, taken),
+                    };
+                    ties.push(tie);
+                    rows.push(row);
+                }
+                let_go(model, rows, ties, unheld_j);
+                if solve::velocities(states, inverses, ties, trials, h) > solve::TOLD_MPS {
+                    note(model, events, ties[0].a, ties[0].b, EventKind::NotConverged);
+                }
+                for (place, (patch, both)) in
+                    several.iter().zip(ties.iter().zip(&*rows)).enumerate()
+                {
+                    books.book(&begun.scene, index + place, patch, both);
+                }
+            }
+        }
+        index += count;
+    }
 }
 
 /// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no
@@ -219,10 +312,12 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
         inverses,
         room_mps,
         moves,
+        before,
         moving_walls,
         ..
     } = work;
     moving_walls.clear();
+    before.resize(count, Velocity::default());
     own.resize(count, Wrench::default());
     inverses.resize(count, InverseMatrix::default());
     room_mps.resize(count, 0.0);
@@ -237,6 +332,7 @@ fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64
     let (room_mps, moves) = (&mut room_mps[..count], &mut moves[..count]);
     for (rank, body) in model.ranked.iter().enumerate() {
         let (state, fixed) = (&states[rank], body.is_fixed());
+        before[rank] = state.velocity();
         moves[rank] = !(fixed && state.is_at_rest());
         if !moves[rank] {
             inverses[rank] = InverseMatrix::default();
@@ -275,8 +371,9 @@ fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
         jumps,
         ..
     } = work;
-    for (&rank, &(velocity_mps, yaw_rate_radps)) in island_bodies.iter().zip(before.iter()) {
+    for &rank in &*island_bodies {
         let rank = rank as usize;
+        let (velocity_mps, yaw_rate_radps) = before[rank];
         let (state, motion) = (&mut states[rank], &mut motions_by_rank[rank]);
         motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
         motion.turn_rad += 0.5 * (yaw_rate_radps + state.yaw_rate_radps) * h;

@@ -15,15 +15,12 @@
 //! not settled after [`SWEEPS`] is reported.
 
 use alloc::vec::Vec;
-use core::ops::Range;
 
 use crate::coupled::direct;
 use crate::coupled::leap::{Trial, leap};
 use crate::coupled::tie::{Forces, Tie};
-use crate::events::note;
 use crate::mass::InverseMatrix;
-use crate::model::Model;
-use crate::report::{EventKind, Friction};
+use crate::report::Friction;
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
@@ -35,43 +32,41 @@ const LEAPS: u32 = 8;
 /// A sweep that changes no velocity at a contact by more than this has settled [m/s].
 const SETTLED_MPS: f64 = 1e-13;
 /// A change larger than this in the last sweep is told to the user [m/s].
-const TOLD_MPS: f64 = 1e-6;
+pub(crate) const TOLD_MPS: f64 = 1e-6;
 
-/// New velocities of an island's bodies in `work.states`, from those that they have without contact, and forces
-/// in its `work.ties`.
-pub(crate) fn velocities(model: &Model, work: &mut Workspace, island: Range<usize>, h: f64) {
-    let Workspace { states, ties, inverses, trials, .. } = &mut *work;
-    let last_change_mps = match &mut ties[island.clone()] {
-        [] => return,
-        [only] => alone(states, inverses, only, h),
-        several => {
-            if direct::solve(states, inverses, several, h) {
-                return;
-            }
-            let change_mps = together(states, inverses, several, trials, h);
-            for tie in several {
-                tie.after_mps = tie.speeds(states);
-            }
-            change_mps
-        }
-    };
-    if last_change_mps > TOLD_MPS {
-        let Tie { a, b, .. } = ties[island.start];
-        note(model, work, a, b, EventKind::NotConverged);
+/// New velocities of an island's bodies in `states`, from those that they have without contact, and the forces in
+/// its `ties`. Returns the last sweep's largest change of velocity [m/s].
+#[inline]
+pub(crate) fn velocities(
+    states: &mut [BodyState],
+    inverses: &[InverseMatrix],
+    ties: &mut [Tie],
+    trials: &mut Vec<Trial>,
+    h: f64,
+) -> f64 {
+    if let [only] = ties {
+        return alone(states, inverses, only, h);
     }
+    if direct::solve(states, inverses, ties, h) {
+        return 0.0;
+    }
+    let change_mps = together(states, inverses, ties, trials, h);
+    for tie in ties {
+        tie.after_mps = tie.speeds(states);
+    }
+    change_mps
 }
 
 /// v_free = v + h M⁻¹ W. Takes note of v.
 pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
-    work.before.clear();
-    for &rank in &work.island_bodies {
+    let Workspace { island_bodies, states, before, loads, inverses, .. } = work;
+    for &rank in &*island_bodies {
         let rank = rank as usize;
-        let state = &work.states[rank];
-        work.before.push((state.velocity_mps, state.yaw_rate_radps));
-        let load = work.loads[rank];
-        let (dv, dr) = work.inverses[rank].response(load.force_n * h, load.moment_nm * h);
-        work.states[rank].velocity_mps += dv;
-        work.states[rank].yaw_rate_radps += dr;
+        let (state, load) = (&mut states[rank], &loads[rank]);
+        before[rank] = state.velocity();
+        let (dv, dr) = inverses[rank].response(load.force_n * h, load.moment_nm * h);
+        state.velocity_mps += dv;
+        state.yaw_rate_radps += dr;
     }
 }
 
@@ -122,10 +117,15 @@ fn sweep(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie],
     change_mps
 }
 
-/// The same for an island of one contact: its own two speeds are all there is to follow. Where no bound is
+/// The same as [`velocities`] for an island of one contact: its own two speeds are all there is to follow. Where no bound is
 /// reached its forces follow at once.
 #[inline(always)]
-fn alone(states: &mut [BodyState], inverses: &[InverseMatrix], tie: &mut Tie, h: f64) -> f64 {
+pub(crate) fn alone(
+    states: &mut [BodyState],
+    inverses: &[InverseMatrix],
+    tie: &mut Tie,
+    h: f64,
+) -> f64 {
     let free = tie.speeds(states);
     let (tangential_n, speeds) = tie.sticking(free, h);
     let mut change_mps = 0.0;

@@ -1,0 +1,209 @@
+//! What a solved sub-step leaves: wrenches, the report of its contacts and their memory.
+
+use alloc::vec::Vec;
+
+use crate::coupled::rows::Row;
+use crate::coupled::tie::{Forces, Tie};
+use crate::memory::{Lasting, PatchMemory, remember};
+use crate::model::Model;
+use crate::number::{greater, lesser};
+use crate::overlap::Patch;
+use crate::report::{Contact, ContactWork, ForceParts, Friction, Wrench};
+use crate::touch::Scene;
+
+/// Beyond this a memory would not be restored [J].
+const MOST_TAKEN_J: f64 = 1e29;
+
+/// What contacts are booked in.
+pub(crate) struct Books<'w> {
+    /// Mean wrenches of the step as far as they are known, by rank.
+    pub(crate) pushes: &'w mut [Wrench],
+    pub(crate) contacts: &'w mut Vec<Contact>,
+    /// First of the group's contacts.
+    pub(crate) first_contact: usize,
+    pub(crate) next_patches: &'w mut Vec<PatchMemory>,
+    pub(crate) in_order: &'w mut bool,
+    pub(crate) first_sub_step: bool,
+    /// Length of the sub-step [s], and its share of the step.
+    pub(crate) h: f64,
+    pub(crate) share: f64,
+}
+
+impl Books<'_> {
+    /// Books forces, work and peaks of a solved contact, number `index` of its group, and its memory.
+    #[inline(always)]
+    pub(crate) fn book(
+        &mut self,
+        scene: &Scene<'_>,
+        index: usize,
+        patch: &Patch,
+        (tie, row): (&Tie, &Row),
+    ) {
+        let (h, share) = (self.h, self.share);
+        let normal = tie.along_n;
+        let Forces { normal_n, tangential_n, friction } = tie.forces;
+        let force_n = (normal * -normal_n + normal.quarter_turn() * tangential_n) * share;
+        let on_a = &mut self.pushes[tie.a as usize];
+        on_a.force_n += force_n;
+        on_a.moment_nm += row.arm_a_m.cross(force_n);
+        let on_b = &mut self.pushes[tie.b as usize];
+        on_b.force_n -= force_n;
+        on_b.moment_nm -= row.arm_b_m.cross(force_n);
+
+        // By the mean velocity within the sub-step.
+        let (v_normal_mps, v_tangential_mps) = tie.after_mps;
+        let closing_m = 0.5 * (tie.normal_before_mps + v_normal_mps) * h;
+        let slip_m = 0.5 * (tie.tangential_before_mps + v_tangential_mps) * h;
+
+        let shear_m = tie.shear_after_m(row.shear_m, v_tangential_mps, h);
+        let shear_stored_j = tie.shear_stored_j(shear_m);
+        let limiter_n = tie.law_n - normal_n;
+        let lasting = Lasting {
+            flags: row.flags,
+            point_in_a_m: row.point_in_a_m,
+            normal_in_a: row.normal_in_a,
+            // What the bodies move in this sub-step is found again in the next one's kinematics.
+            shear_m: shear_m - h * v_tangential_mps,
+            v_normal_0_mps: row.v_ref_mps,
+            v_tangential_0_mps: 0.0,
+            normal_force_n: normal_n,
+            tangential_force_n: tangential_n,
+            factor: row.factor,
+            taken_j: within(tie.may_give_j + normal_n * closing_m, MOST_TAKEN_J),
+            sheared_j: within(
+                tie.may_shear_j - tangential_n * slip_m,
+                lesser(shear_stored_j, MOST_TAKEN_J),
+            ),
+        };
+        remember(patch, &scene.found.places, &lasting, self.next_patches);
+        let booked = Booked {
+            normal_n,
+            tangential_n,
+            friction,
+            depth_m: row.depth_m,
+            stored_j: row.stored_j,
+            work: ContactWork {
+                normal_j: -normal_n * closing_m,
+                tangential_j: tangential_n * slip_m,
+                damper_j: -row.parts.damper_n * closing_m,
+                limiter_j: -limiter_n * closing_m,
+            },
+            parts: ForceParts { limiter_n, ..row.parts },
+            shear_m,
+            shear_stored_j,
+        };
+        if !self.first_sub_step && self.has_added(scene.model, index, patch, &booked) {
+            return;
+        }
+        *self.in_order &= self.first_sub_step;
+        self.contacts.push(booked.contact(scene, patch, (tie, row), share));
+    }
+
+    /// Adds to the step's report of this patch, if there is one among the group's: at `guess` as long as the
+    /// patches are those of the first sub-step.
+    #[inline(never)]
+    fn has_added(&mut self, model: &Model, guess: usize, patch: &Patch, booked: &Booked) -> bool {
+        let candidate = &patch.candidate;
+        let [one, two] = [candidate.a, candidate.b].map(|rank| model.id_of[rank as usize]);
+        let fender = candidate.fender(model).map(|face| face.id);
+        let wanted = (one.min(two), one.max(two), fender, patch.number);
+        let same = |c: &Contact| (c.body_1, c.body_2, c.fender, c.patch) == wanted;
+        let own = &mut self.contacts[self.first_contact..];
+        let place = match own.get(guess) {
+            Some(contact) if same(contact) => Some(guess),
+            _ => own.iter().position(same),
+        };
+        place.inspect(|&place| booked.add_to(&mut own[place], self.share)).is_some()
+    }
+}
+
+/// What a contact may give back: neither less than nothing nor more than this [J].
+#[inline]
+fn within(taken_j: f64, most_j: f64) -> f64 {
+    lesser(greater(taken_j, 0.0), most_j)
+}
+
+/// What a sub-step adds to the report of a contact.
+struct Booked {
+    normal_n: f64,
+    tangential_n: f64,
+    friction: Friction,
+    depth_m: f64,
+    stored_j: f64,
+    work: ContactWork,
+    parts: ForceParts,
+    shear_m: f64,
+    shear_stored_j: f64,
+}
+
+impl Booked {
+    /// The report of a contact that begins with this sub-step, with the body that was added first as body 1: a
+    /// change of order turns n and t round and nothing else.
+    #[inline(always)]
+    fn contact(
+        &self,
+        scene: &Scene<'_>,
+        patch: &Patch,
+        (tie, row): (&Tie, &Row),
+        share: f64,
+    ) -> Contact {
+        let model = scene.model;
+        let (a, b) = (tie.a as usize, tie.b as usize);
+        let (id_a, id_b) = (model.id_of[a], model.id_of[b]);
+        let swapped = id_a > id_b;
+        let parts = &self.parts;
+        Contact {
+            body_1: id_a.min(id_b),
+            body_2: id_a.max(id_b),
+            fender: patch.candidate.fender(model).map(|face| face.id),
+            patch: patch.number,
+            area_m2: patch.area_m2,
+            depth_m: self.depth_m,
+            point_m: scene.poses[a].position_m + row.arm_a_m,
+            arm_1_m: if swapped { row.arm_b_m } else { row.arm_a_m },
+            arm_2_m: if swapped { row.arm_a_m } else { row.arm_b_m },
+            normal: if swapped { -tie.along_n } else { tie.along_n },
+            v_normal_mps: tie.normal_before_mps,
+            v_tangential_mps: tie.tangential_before_mps,
+            shear_m: self.shear_m,
+            normal_force_n: self.normal_n * share,
+            tangential_force_n: self.tangential_n * share,
+            friction: self.friction,
+            limited: parts.limiter_n > 0.0,
+            peak_normal_force_n: self.normal_n,
+            peak_depth_m: self.depth_m,
+            parts: ForceParts {
+                spring_n: parts.spring_n * share,
+                stop_n: parts.stop_n * share,
+                damper_n: parts.damper_n * share,
+                limiter_n: parts.limiter_n * share,
+            },
+            work: self.work,
+            factor: row.factor,
+            tilt_rad: row.tilt_rad,
+            stored_j: self.stored_j,
+            peak_stored_j: self.stored_j,
+            shear_stored_j: self.shear_stored_j,
+        }
+    }
+
+    /// As a sub-step of this `share` of the step.
+    fn add_to(&self, contact: &mut Contact, share: f64) {
+        contact.normal_force_n += self.normal_n * share;
+        contact.tangential_force_n += self.tangential_n * share;
+        contact.peak_normal_force_n = greater(contact.peak_normal_force_n, self.normal_n);
+        contact.peak_depth_m = greater(contact.peak_depth_m, self.depth_m);
+        contact.peak_stored_j = greater(contact.peak_stored_j, self.stored_j);
+        contact.work.normal_j += self.work.normal_j;
+        contact.work.tangential_j += self.work.tangential_j;
+        contact.work.damper_j += self.work.damper_j;
+        contact.work.limiter_j += self.work.limiter_j;
+        contact.parts.add(&self.parts, share);
+        contact.shear_stored_j = self.shear_stored_j;
+        contact.shear_m = self.shear_m;
+        contact.limited |= self.parts.limiter_n > 0.0;
+        if self.friction == Friction::Slip {
+            contact.friction = Friction::Slip;
+        }
+    }
+}
