@@ -5,9 +5,10 @@ use crate::model::BodyId;
 use crate::vec2::Vec2;
 
 /// Whether the shear spring holds or slides (eq. 5–8).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Friction {
     /// |k_s Δs| ≤ μ_s N: no sliding.
+    #[default]
     Stick,
     /// The friction force is μ_k N against the slip.
     Slip,

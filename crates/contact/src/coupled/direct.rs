@@ -15,7 +15,7 @@
 use crate::coupled::tie::{Forces, Tie};
 use crate::mass::InverseMatrix;
 use crate::report::Friction;
-use crate::state::BodyState;
+use crate::state::{BodyState, Velocity};
 use crate::vec2::{Vec2, vec2};
 
 /// New velocities in `states` and forces in `ties`, from velocities without contact. False, and nothing
@@ -27,32 +27,35 @@ pub(crate) fn solve(
     h: f64,
 ) -> bool {
     let Some(body) = only_floating(ties) else { return false };
-    let free = states[body as usize];
     let inverse = &inverses[body as usize];
     let mut normal = Momentum::default();
     let mut tangential = Momentum::default();
     let mut stiffness = Stiffness::default();
-    for tie in &*ties {
-        let (_, tangential_mps) = tie.speeds(states);
+    for tie in ties.iter_mut() {
+        tie.after_mps = tie.speeds(states);
         let side = tie.side_of(body);
         normal.add(side.normal, -side.sign * tie.law_n);
-        tangential.add(side.tangential, side.sign * tie.spring_n(tangential_mps));
+        tangential.add(side.tangential, side.sign * tie.spring_n(tie.after_mps.1));
         stiffness.add(side.tangential, tie.spring_slope());
     }
     let pushed = normal.plus(&tangential).response(inverse, h);
-    states[body as usize] = changed(&free, stiffness.hold(inverse, h, pushed));
+    let change = stiffness.hold(inverse, h, pushed);
 
     tangential = Momentum::default();
+    let mut within_bounds = true;
     for tie in ties.iter_mut() {
-        let speeds = tie.speeds(states);
-        let tangential_n = tie.spring_n(speeds.1);
-        tie.after_mps = speeds;
-        if !tie.is_within_bounds(speeds, tangential_n, h) {
-            states[body as usize] = free;
-            return false;
-        }
         let side = tie.side_of(body);
+        let (normal_mps, tangential_mps) = tie.after_mps;
+        tie.after_mps = (
+            normal_mps + side.sign * along(side.normal, change),
+            tangential_mps + side.sign * along(side.tangential, change),
+        );
+        let tangential_n = tie.spring_n(tie.after_mps.1);
+        within_bounds &= tie.is_within_bounds(tie.after_mps, tangential_n, h);
         tangential.add(side.tangential, side.sign * tangential_n);
+    }
+    if !within_bounds {
+        return false;
     }
     for tie in ties {
         tie.forces = Forces {
@@ -62,8 +65,17 @@ pub(crate) fn solve(
         };
     }
     // By the forces themselves, so that not a bit of momentum is lost.
-    states[body as usize] = changed(&free, normal.plus(&tangential).response(inverse, h));
+    let (dv, dr) = normal.plus(&tangential).response(inverse, h);
+    let state = &mut states[body as usize];
+    state.velocity_mps += dv;
+    state.yaw_rate_radps += dr;
     true
+}
+
+/// j·v.
+#[inline]
+fn along([x, y, lever_m]: [f64; 3], (velocity_mps, turn_radps): Velocity) -> f64 {
+    vec2(x, y).dot(velocity_mps) + lever_m * turn_radps
 }
 
 /// The one body that floats, where there is no more than one.
@@ -76,15 +88,6 @@ fn only_floating(ties: &[Tie]) -> Option<u32> {
     let alike =
         |tie: &Tie| tie.floating() == [Some(first), None] || tie.floating() == [None, Some(first)];
     ties.iter().all(alike).then_some(first)
-}
-
-#[inline]
-fn changed(state: &BodyState, (dv, dr): (Vec2, f64)) -> BodyState {
-    BodyState {
-        velocity_mps: state.velocity_mps + dv,
-        yaw_rate_radps: state.yaw_rate_radps + dr,
-        ..*state
-    }
 }
 
 /// Σ F j: a force and its moment [N, N·m].

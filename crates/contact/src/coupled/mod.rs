@@ -30,7 +30,8 @@ use crate::broad;
 use crate::coupled::book::Books;
 use crate::coupled::island::Island;
 use crate::coupled::let_go::{let_go, let_go_alone};
-use crate::coupled::rows::{Begun, Taken};
+use crate::coupled::rows::{Begun, Row, Taken};
+use crate::coupled::tie::Tie;
 use crate::error::StepError;
 use crate::events::note;
 use crate::inherit::{Inherited, inherit_all};
@@ -270,27 +271,29 @@ fn contacts_of(
                 books.book(&begun.scene, index, patch, (&tie, &row));
             }
             several => {
-                rows.clear();
-                ties.clear();
-                for (patch, &inherited) in several.iter().zip(own_inherited) {
+                // Written where they are to stay.
+                if ties.len() < count {
+                    ties.resize(count, Tie::default());
+                    rows.resize(count, Row::default());
+                }
+                let (ties, rows) = (&mut ties[..count], &mut rows[..count]);
+                let both = ties.iter_mut().zip(rows.iter_mut());
+                for ((patch, &inherited), (tie, row)) in several.iter().zip(own_inherited).zip(both)
+                {
                     let taken = taken(patch, inherited);
-                    let face = patch.candidate.fender(model);
                     // Twice the same: without a fender most of it is nought, which the compiler then knows.
-                    let (tie, row) = match face {
+                    (*tie, *row) = match patch.candidate.fender(model) {
                         None => rows::collect(&begun, (events, buffers), patch, None, taken),
                         face => rows::collect(&begun, (events, buffers), patch, face, taken),
                     };
-                    ties.push(tie);
-                    rows.push(row);
                 }
                 let_go(model, rows, ties, unheld_j);
                 if solve::velocities(states, inverses, ties, trials, h) > solve::TOLD_MPS {
                     note(model, events, ties[0].a, ties[0].b, EventKind::NotConverged);
                 }
-                for (place, (patch, both)) in
-                    several.iter().zip(ties.iter().zip(&*rows)).enumerate()
-                {
-                    books.book(&begun.scene, index + place, patch, both);
+                let both = ties.iter().zip(&*rows);
+                for ((patch, both), index) in several.iter().zip(both).zip(index..) {
+                    books.book(&begun.scene, index, patch, both);
                 }
             }
         }

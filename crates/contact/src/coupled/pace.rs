@@ -41,12 +41,12 @@ pub(crate) fn sub_steps(
     let mut rate_squared = 0.0;
     let mut travel = 0.0_f64;
     let per_step = 1.0 / step_s;
+    let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
+    // What each may add to the square of the rate without more sub-steps, whatever the others add.
+    let of_each = 1.0 / (turn * turn * candidates.len() as f64);
     // In the order of the candidates.
-    for index in candidates {
-        let candidate = &work.candidates[index];
-        let count = patches.iter().take_while(|patch| patch.of as usize == index).count();
-        let (own, rest) = patches.split_at(count);
-        patches = rest;
+    for (candidate, index) in work.candidates[candidates.clone()].iter().zip(candidates.start..) {
+        let own = patches_of(&mut patches, index);
         if own.is_empty() && !may_touch(model, work, candidate, hints, step_s) {
             continue;
         }
@@ -65,16 +65,21 @@ pub(crate) fn sub_steps(
         let material = &model.materials()[candidate.material.0 as usize];
         // The chord is at most as long as the smaller body.
         let chord_m = 2.0 * lesser(a.radius_m, b.radius_m);
-        let inverse_mass = inverse_mass(a, b, own, chord_m);
-        let damping_rate = material.damping_nspm2 * chord_m * inverse_mass;
-        rate_squared +=
-            counts * material.stiffness_npm2 * chord_m * inverse_mass + damping_rate * damping_rate;
+        let rate_squared_of = |inverse_mass: f64| {
+            let damping_rate = material.damping_nspm2 * chord_m * inverse_mass;
+            counts * material.stiffness_npm2 * chord_m * inverse_mass + damping_rate * damping_rate
+        };
+        let most = rate_squared_of(2.0 * (a.lightest_inverse_mass + b.lightest_inverse_mass));
+        rate_squared += match own {
+            // Where even the largest bound is small there is no more to find out.
+            [only] if most > of_each => rate_squared_of(inverse_mass(a, b, only, chord_m)),
+            _ => most,
+        };
         let most_m = TRAVEL_PER_SUB_STEP * lesser(a.half_width_m, b.half_width_m);
         if !closes_no_more_than(most_m * per_step, work, candidate) {
             travel = travel.max(closing_mps(work, candidate) * step_s / most_m);
         }
     }
-    let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
     if rate_squared * turn * turn <= 1.0 && travel <= 1.0 {
         return 1;
     }
@@ -82,24 +87,31 @@ pub(crate) fn sub_steps(
     libm::ceil(needed.clamp(1.0, f64::from(MOST_SUB_STEPS))) as u32
 }
 
-/// A bound on the inverse mass that two bodies oppose to a contact [1/kg]. Twice that without rotation
-/// allows for a contact off the centre; where the two touch already in one place, its lever may tell that
-/// rotation adds less. The patch lies on the chord, so that it moves by half of that at most; and within the
+/// The first patches, as far as they belong to candidate number `index`; moves on to what comes after.
+#[inline(always)]
+fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
+    let of_candidate = |patch: &Patch| patch.of as usize == index;
+    let count = match &**patches {
+        [first, second, ..] if of_candidate(first) && !of_candidate(second) => 1,
+        all => all.iter().take_while(|&patch| of_candidate(patch)).count(),
+    };
+    let (own, rest) = patches.split_at(count);
+    *patches = rest;
+    own
+}
+
+/// A bound on the inverse mass that two bodies oppose to a contact in one place [1/kg]. Twice that without rotation
+/// allows for a contact off the centre; its lever may tell that rotation adds less. The patch lies on the chord, so that it moves by half of that at most; and within the
 /// smaller body, so that it comes no further from that one's centre of gravity.
-fn inverse_mass(a: &RankedBody, b: &RankedBody, own: &[Patch], chord_m: f64) -> f64 {
+fn inverse_mass(a: &RankedBody, b: &RankedBody, patch: &Patch, chord_m: f64) -> f64 {
     let of_body = |body: &RankedBody, lever_m: f64| {
-        if body.is_fixed() {
-            return 0.0;
-        }
         let by_turning = body.inverse.of_turning() * lever_m * lever_m;
         body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
     };
-    let (patch, normal) = match own {
-        [only] if only.per_chord_m > 0.0 => {
-            (only, only.chord_m.quarter_turn_back() * only.per_chord_m)
-        }
-        _ => return of_body(a, f64::INFINITY) + of_body(b, f64::INFINITY),
-    };
+    if patch.per_chord_m == 0.0 {
+        return 2.0 * (a.lightest_inverse_mass + b.lightest_inverse_mass);
+    }
+    let normal = patch.chord_m.quarter_turn_back() * patch.per_chord_m;
     let (from_a_m, from_b_m) =
         (patch.centroid_m.cross(normal), patch.b_in_a.position_m.cross(normal));
     let of_smaller_m = if a.radius_m <= b.radius_m { 0.0 } else { from_b_m };

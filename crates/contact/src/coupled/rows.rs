@@ -19,7 +19,7 @@ use crate::touch::{Scene, Touch, touch};
 use crate::vec2::Vec2;
 
 /// One contact of a sub-step: what is booked of it besides what its [`Tie`] knows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Row {
     /// As in [`Touch`].
     pub(crate) point_in_a_m: Vec2,

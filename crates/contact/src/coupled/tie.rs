@@ -9,7 +9,7 @@ use crate::vec2::Vec2;
 
 /// A contact's forces and all that a sweep needs, so that it reads nothing else but the bodies'
 /// velocities.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tie {
     /// Ranks.
     pub(crate) a: u32,
@@ -55,7 +55,7 @@ pub(crate) struct Tie {
 }
 
 /// N and T of a contact [N], and whether it slips.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Forces {
     pub(crate) normal_n: f64,
     pub(crate) tangential_n: f64,
@@ -94,7 +94,7 @@ pub(crate) struct Side {
 }
 
 /// Of a direction about A's and B's centres of gravity [m].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Levers {
     a: f64,
     b: f64,
