@@ -51,9 +51,12 @@ fn same_contact(one: &Contact, two: &Contact, back: impl Fn(Vec2) -> Vec2, sign:
     let of_depth = extent / one.depth_m * 0.1;
     close("area", one.area_m2, two.area_m2, one.area_m2 * of_depth);
     close("depth", one.depth_m, two.depth_m, one.depth_m * of_depth);
-    // The limiter works on a small difference of speeds: it magnifies the rounding of the normal.
-    let of_force = if one.limited { 1e3 * of_depth } else { of_depth };
-    close("normal force", one.normal_force_n, two.normal_force_n, one.normal_force_n * of_force);
+    // What the limiter leaves is a difference of speeds, which may be next to nothing: its rounding is that of
+    // the speeds, and of the force that would turn them round.
+    let magnified = if one.limited { 1e3 } else { 1.0 };
+    let unlimited_n = one.normal_force_n + one.parts.limiter_n;
+    let of_force = unlimited_n * of_depth * magnified;
+    close("normal force", one.normal_force_n, two.normal_force_n, of_force);
     close("V_n", one.v_normal_mps, two.v_normal_mps, 1.0 * of_depth);
     close("V_t", one.v_tangential_mps, sign * two.v_tangential_mps, of_depth);
     close("shear", one.shear_m, sign * two.shear_m, of_depth);

@@ -17,20 +17,19 @@ const LET_GO: f64 = 0.8;
 /// at δ that is held by N < f has about U (1 − N/f)² more than it needs (exactly, where it is linear);
 /// all contacts between the same two bodies, or of one body with what is fixed, let go together. As
 /// N ≤ f still, and N < f only while the contact opens, nothing is made out of nothing.
+#[inline]
 pub(crate) fn let_go(model: &Model, rows: &mut [Row], ties: &mut [Tie], unheld_j: &mut [f64]) {
     // While bodies close most of them come faster than all of it could give them.
+    if let ([row], [tie]) = (&mut *rows, &mut *ties) {
+        if rises(row.unheld_j, row, tie) {
+            raise(row.unheld_j, row, tie);
+        }
+        return;
+    }
     let all_j = rows.iter().map(|row| row.unheld_j).sum();
     let rises = |(row, tie): (&Row, &Tie)| rises(all_j, row, tie);
     if rows.iter().zip(&*ties).any(rises) {
         let_go_together(model, rows, ties, unheld_j);
-    }
-}
-
-/// The same for the one contact of an island.
-#[inline(always)]
-pub(crate) fn let_go_alone(row: &mut Row, tie: &mut Tie) {
-    if rises(row.unheld_j, row, tie) {
-        raise(row.unheld_j, row, tie);
     }
 }
 

@@ -29,7 +29,7 @@ use crate::admit;
 use crate::broad;
 use crate::coupled::book::Books;
 use crate::coupled::island::Island;
-use crate::coupled::let_go::{let_go, let_go_alone};
+use crate::coupled::let_go::let_go;
 use crate::coupled::rows::{Begun, Row, Taken};
 use crate::coupled::tie::Tie;
 use crate::error::StepError;
@@ -202,8 +202,8 @@ fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Isla
     advance_positions(model, work, h);
 }
 
-/// The contacts of a sub-step, of `h` seconds and this `share` of the step, island by island: their laws, the solve
-/// and what it leaves.
+/// The contacts of a sub-step, of `h` seconds and this `share` of the step: their laws, the solve of each island and what
+/// it leaves.
 fn contacts_of(
     model: &Model,
     past: Past<'_>,
@@ -250,54 +250,37 @@ fn contacts_of(
                     .iter()
                     .any(|&rank| teleported[rank as usize]),
     };
-    let (mut patches, mut inherited) = (&found.patches[own_patches.clone()], &inherited[..]);
-    let mut index = 0;
+    // Each stage over all contacts, so that none waits for what another's solve does; written where they are to
+    // stay.
+    let patches = &found.patches[own_patches.clone()];
+    if ties.len() < patches.len() {
+        ties.resize(patches.len(), Tie::default());
+        rows.resize(patches.len(), Row::default());
+    }
+    let (ties, rows) = (&mut ties[..patches.len()], &mut rows[..patches.len()]);
+    let both = ties.iter_mut().zip(rows.iter_mut());
+    for ((patch, &inherited), (tie, row)) in patches.iter().zip(&*inherited).zip(both) {
+        let taken = taken(patch, inherited);
+        // Twice the same: without a fender most of it is nought, which the compiler then knows.
+        (*tie, *row) = match patch.candidate.fender(model) {
+            None => rows::collect(&begun, (events, buffers), patch, None, taken),
+            face => rows::collect(&begun, (events, buffers), patch, face, taken),
+        };
+    }
+    let mut from = 0;
     for island in islands {
         let own = |patch: &&Patch| (patch.of as usize) < island.candidates.end;
-        let count = patches.iter().take_while(own).count();
-        let (own, rest) = patches.split_at(count);
-        let (own_inherited, rest_inherited) = inherited.split_at(count);
-        (patches, inherited) = (rest, rest_inherited);
-        match own {
-            [] => {}
-            [patch] if patch.candidate.face == 0 => {
-                let taken = taken(patch, own_inherited[0]);
-                let (mut tie, mut row) =
-                    rows::collect(&begun, (events, buffers), patch, None, taken);
-                let_go_alone(&mut row, &mut tie);
-                if solve::alone(states, inverses, &mut tie, h) > solve::TOLD_MPS {
-                    note(model, events, tie.a, tie.b, EventKind::NotConverged);
-                }
-                books.book(&begun.scene, index, patch, (&tie, &row));
-            }
-            several => {
-                // Written where they are to stay.
-                if ties.len() < count {
-                    ties.resize(count, Tie::default());
-                    rows.resize(count, Row::default());
-                }
-                let (ties, rows) = (&mut ties[..count], &mut rows[..count]);
-                let both = ties.iter_mut().zip(rows.iter_mut());
-                for ((patch, &inherited), (tie, row)) in several.iter().zip(own_inherited).zip(both)
-                {
-                    let taken = taken(patch, inherited);
-                    // Twice the same: without a fender most of it is nought, which the compiler then knows.
-                    (*tie, *row) = match patch.candidate.fender(model) {
-                        None => rows::collect(&begun, (events, buffers), patch, None, taken),
-                        face => rows::collect(&begun, (events, buffers), patch, face, taken),
-                    };
-                }
-                let_go(model, rows, ties, unheld_j);
-                if solve::velocities(states, inverses, ties, trials, h) > solve::TOLD_MPS {
-                    note(model, events, ties[0].a, ties[0].b, EventKind::NotConverged);
-                }
-                let both = ties.iter().zip(&*rows);
-                for ((patch, both), index) in several.iter().zip(both).zip(index..) {
-                    books.book(&begun.scene, index, patch, both);
-                }
-            }
+        let to = from + patches[from..].iter().take_while(own).count();
+        let (ties, rows) = (&mut ties[from..to], &mut rows[from..to]);
+        from = to;
+        let_go(model, rows, ties, unheld_j);
+        if solve::velocities(states, inverses, ties, trials, h) > solve::TOLD_MPS {
+            note(model, events, ties[0].a, ties[0].b, EventKind::NotConverged);
         }
-        index += count;
+    }
+    let both = ties.iter().zip(&*rows);
+    for ((patch, both), index) in patches.iter().zip(both).zip(0..) {
+        books.book(&begun.scene, index, patch, both);
     }
 }
 

@@ -44,8 +44,10 @@ pub(crate) fn velocities(
     trials: &mut Vec<Trial>,
     h: f64,
 ) -> f64 {
-    if let [only] = ties {
-        return alone(states, inverses, only, h);
+    match ties {
+        [] => return 0.0,
+        [only] => return alone(states, inverses, only, h),
+        _ => {}
     }
     if direct::solve(states, inverses, ties, h) {
         return 0.0;
@@ -120,12 +122,7 @@ fn sweep(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie],
 /// The same as [`velocities`] for an island of one contact: its own two speeds are all there is to follow. Where no bound is
 /// reached its forces follow at once.
 #[inline(always)]
-pub(crate) fn alone(
-    states: &mut [BodyState],
-    inverses: &[InverseMatrix],
-    tie: &mut Tie,
-    h: f64,
-) -> f64 {
+fn alone(states: &mut [BodyState], inverses: &[InverseMatrix], tie: &mut Tie, h: f64) -> f64 {
     let free = tie.speeds(states);
     let (tangential_n, speeds) = tie.sticking(free, h);
     let mut change_mps = 0.0;

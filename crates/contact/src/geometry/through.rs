@@ -219,3 +219,102 @@ impl Behind {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::lens::{Crossing, assemble};
+    use super::*;
+    use crate::geometry::convex::Placed;
+
+    /// A hull of 60 m whose starboard side is edge 3, and a fender's block at it.
+    fn hull_and_block() -> (ConvexPolygon, ConvexPolygon) {
+        let hull = [(-30.0, 8.0), (-30.0, -8.0), (20.0, -8.0), (30.0, 0.0), (20.0, 8.0)];
+        let block = [(-2.0, -0.5), (2.0, -0.5), (2.0, 0.5), (-2.0, 0.5)];
+        let [hull, block] = [hull.as_slice(), &block]
+            .map(|corners| corners.iter().map(|&(x, y)| vec2(x, y)).collect::<Vec<_>>());
+        (ConvexPolygon::new(&hull), ConvexPolygon::new(&block))
+    }
+
+    /// Edges of the hull and of the block at whose crossings one enters and leaves the other.
+    fn at(enter: (u32, u32), leave: (u32, u32)) -> Stretch {
+        let [enter, leave] = [enter, leave].map(|(a, b)| Crossing { a, b });
+        Stretch { enter, leave }
+    }
+
+    #[track_caller]
+    fn same(one: &Lens, other: &Lens) {
+        let apart = |p: f64, q: f64| (p - q).abs() / q.abs().max(1e-3);
+        assert!(apart(one.area_m2, other.area_m2) < 1e-13, "{one:?}, {other:?}");
+        assert!((one.centroid_m - other.centroid_m).length() < 1e-13, "{one:?}, {other:?}");
+        assert!((one.chord_m - other.chord_m).length() < 1e-13, "{one:?}, {other:?}");
+        assert!(apart(one.spread_m2, other.spread_m2) < 1e-12, "{one:?}, {other:?}");
+        assert!(apart(one.per_chord_m, other.per_chord_m) < 1e-13, "{one:?}, {other:?}");
+    }
+
+    /// As the walk round the overlap finds it, to rounding, whichever of the two has the edge.
+    #[test]
+    fn corners_through_an_edge_are_what_the_walk_finds() {
+        let (hull, block) = hull_and_block();
+        for (along_m, depth_m, heading_rad) in
+            [(3.0, 0.2, 0.0), (-21.0, 0.45, 0.07), (12.0, 0.9, -0.2), (7.0, 0.1, 0.6)]
+        {
+            let pose = Pose::new(vec2(along_m, 8.5 - depth_m), heading_rad);
+            let mut found = Vec::new();
+            // The hull's side is its last edge; which of the block's are crossed turns with it.
+            for (enter, leave) in (0..16).map(|k| (k / 4, k % 4)) {
+                let hint = at((4, enter), (4, leave));
+                found.extend(find(&hull, &block, pose, hint).map(|through| (hint, through)));
+            }
+            let [(hint, through)] = found.as_slice() else { panic!("{} at {pose:?}", found.len()) };
+            let mut corners_m = Vec::new();
+            let placed = Placed { polygon: &block, pose };
+            same(&through.lens, &assemble(&hull, &placed, &[*hint], &mut corners_m));
+            assert!((corners_m[0] - through.enters_m).length() < 1e-13);
+
+            // The same seen from the block.
+            let hull_in_block = pose.to(Pose::IDENTITY);
+            let Stretch { enter, leave } = *hint;
+            let hint = at((leave.b, leave.a), (enter.b, enter.a));
+            let Some(through) = find(&block, &hull, hull_in_block, hint) else {
+                panic!("{pose:?}")
+            };
+            let placed = Placed { polygon: &hull, pose: hull_in_block };
+            same(&through.lens, &assemble(&block, &placed, &[hint], &mut Vec::new()));
+        }
+    }
+
+    /// Else what sticks out of the other side, or past the edge's end, would be counted.
+    #[test]
+    fn corners_that_go_further_than_the_polygon_behind_are_left_to_others() {
+        let (hull, block) = hull_and_block();
+        let through = |north_m: f64, east_m: f64, hint: Stretch| {
+            let pose = Pose::new(vec2(north_m, east_m), 0.0);
+            find(&hull, &block, pose, hint).is_some()
+        };
+        let side = at((4, 1), (4, 3));
+        assert!(through(-10.0, 8.3, side) || through(-10.0, 8.3, at((4, 3), (4, 1))));
+        for hint in [side, at((4, 3), (4, 1))] {
+            assert!(!through(-31.0, 8.3, hint), "half of it is past the stern");
+            assert!(!through(-10.0, 9.0, hint), "it does not reach the side");
+        }
+        // The long side of the block goes in by the hull's port side and out by her starboard side.
+        let long: Vec<Vec2> = [(-2.0, -20.0), (2.0, -20.0), (2.0, 20.0), (-2.0, 20.0)]
+            .map(|(x, y)| vec2(x, y))
+            .into();
+        let long = ConvexPolygon::new(&long);
+        for hint in [side, at((4, 3), (4, 1))] {
+            let pose = Pose::new(vec2(-10.0, 10.0), 0.0);
+            assert!(find(&hull, &long, pose, hint).is_none());
+        }
+    }
+
+    #[test]
+    fn an_edge_along_the_edge_is_left_to_the_path_that_knows_of_such() {
+        let (hull, block) = hull_and_block();
+        let pose = Pose::new(vec2(3.0, 8.5), 0.0);
+        for (enter, leave) in (0..16).map(|k| (k / 4, k % 4)) {
+            let found = find(&hull, &block, pose, at((4, enter), (4, leave)));
+            assert!(found.is_none(), "{enter} {leave}");
+        }
+    }
+}
