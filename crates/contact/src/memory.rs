@@ -73,6 +73,34 @@ impl PatchMemory {
     /// V_n was positive at the last (sub-)step's start.
     pub(crate) const APPROACHING: u32 = 4;
 
+    /// Of a patch with this normal, at this point: all that the laws do not say.
+    #[inline(always)]
+    pub(crate) fn of(patch: &Patch, point_in_a_m: Vec2, normal_in_a: Vec2) -> PatchMemory {
+        PatchMemory {
+            a: patch.candidate.a,
+            b: patch.candidate.b,
+            face: patch.candidate.face,
+            patch: patch.number,
+            area_m2: patch.area_m2,
+            point_in_a_m,
+            point_in_b_m: patch.b_in_a.apply_inverse(point_in_a_m),
+            normal_in_a,
+            normal_in_b: patch.b_in_a.rotation.apply_inverse(normal_in_a),
+            ..PatchMemory::default()
+        }
+    }
+
+    /// Adds itself to what the next (sub-)step begins with.
+    // The extents by themselves, where there are any: copied as a whole, it would be waited for.
+    #[inline(always)]
+    pub(crate) fn add_to(self, patch: &Patch, places: &[Place], into: &mut Vec<PatchMemory>) {
+        into.push(self);
+        if let (Some(place), Some(last)) = (patch.place(), into.last_mut()) {
+            let Place { in_a, in_b } = places[place as usize];
+            (last.extent_in_a, last.extent_in_b) = (in_a, in_b);
+        }
+    }
+
     pub(crate) fn key(&self) -> (u32, u32, u32, u32) {
         (self.a, self.b, self.face, self.patch)
     }
@@ -80,60 +108,6 @@ impl PatchMemory {
     /// Which candidate it belongs to.
     pub(crate) fn candidate(&self) -> (u32, u32, u32) {
         (self.a, self.b, self.face)
-    }
-}
-
-/// What the laws leave of a patch: the fields of [`PatchMemory`] of the same names.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Lasting {
-    pub(crate) flags: u32,
-    pub(crate) point_in_a_m: Vec2,
-    pub(crate) normal_in_a: Vec2,
-    pub(crate) shear_m: f64,
-    pub(crate) v_normal_0_mps: f64,
-    pub(crate) v_tangential_0_mps: f64,
-    pub(crate) normal_force_n: f64,
-    pub(crate) tangential_force_n: f64,
-    pub(crate) factor: f64,
-    pub(crate) taken_j: f64,
-    pub(crate) sheared_j: f64,
-}
-
-/// Adds to `into` what the next (sub-)step needs to know of a patch.
-// The rare part by itself: copied as a whole, it would be waited for.
-#[inline(always)]
-pub(crate) fn remember(
-    patch: &Patch,
-    places: &[Place],
-    laws: &Lasting,
-    into: &mut Vec<PatchMemory>,
-) {
-    let b_in_a = patch.b_in_a;
-    into.push(PatchMemory {
-        a: patch.candidate.a,
-        b: patch.candidate.b,
-        face: patch.candidate.face,
-        patch: patch.number,
-        flags: laws.flags,
-        area_m2: patch.area_m2,
-        point_in_a_m: laws.point_in_a_m,
-        point_in_b_m: b_in_a.apply_inverse(laws.point_in_a_m),
-        normal_in_a: laws.normal_in_a,
-        normal_in_b: b_in_a.rotation.apply_inverse(laws.normal_in_a),
-        shear_m: laws.shear_m,
-        v_normal_0_mps: laws.v_normal_0_mps,
-        v_tangential_0_mps: laws.v_tangential_0_mps,
-        normal_force_n: laws.normal_force_n,
-        tangential_force_n: laws.tangential_force_n,
-        factor: laws.factor,
-        taken_j: laws.taken_j,
-        sheared_j: laws.sheared_j,
-        extent_in_a: Extent::default(),
-        extent_in_b: Extent::default(),
-    });
-    if let (Some(place), Some(last)) = (patch.place(), into.last_mut()) {
-        let Place { in_a, in_b } = places[place as usize];
-        (last.extent_in_a, last.extent_in_b) = (in_a, in_b);
     }
 }
 

@@ -13,7 +13,7 @@ use crate::law::normal::{factor, normal_force};
 use crate::law::shear;
 use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
-use crate::memory::{Lasting, Memory, PatchMemory, remember as remember_patch};
+use crate::memory::{Memory, PatchMemory};
 use crate::model::Model;
 use crate::overlap::{Patch, overlap};
 use crate::report::{Contact, Event, Wrench};
@@ -180,17 +180,15 @@ fn contact(
     };
     gather(&report, books.wrenches);
     books.contacts.push(report);
-    let lasting = Lasting {
+    let memory = PatchMemory {
         flags,
-        point_in_a_m: touch.point_in_a_m,
-        normal_in_a: touch.normal_in_a,
         shear_m: shear.shear_m,
         v_normal_0_mps: v.normal_0_mps,
         v_tangential_0_mps: v.tangential_0_mps,
         factor,
-        ..Lasting::default()
+        ..PatchMemory::of(patch, touch.point_in_a_m, touch.normal_in_a)
     };
-    remember_patch(patch, &scene.found.places, &lasting, books.next_patches);
+    memory.add_to(patch, &scene.found.places, books.next_patches);
 }
 
 /// Stage 6, gather: adds a contact to the wrenches of its bodies. The force on body 2 is exactly the

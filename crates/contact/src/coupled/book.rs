@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::coupled::rows::Row;
 use crate::coupled::tie::{Forces, Tie};
-use crate::memory::{Lasting, PatchMemory, remember};
+use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
@@ -58,14 +58,11 @@ impl Books<'_> {
         let shear_m = tie.shear_after_m(row.shear_m, v_tangential_mps, h);
         let shear_stored_j = tie.shear_stored_j(shear_m);
         let limiter_n = tie.law_n - normal_n;
-        let lasting = Lasting {
+        let memory = PatchMemory {
             flags: row.flags,
-            point_in_a_m: row.point_in_a_m,
-            normal_in_a: row.normal_in_a,
             // What the bodies move in this sub-step is found again in the next one's kinematics.
             shear_m: shear_m - h * v_tangential_mps,
             v_normal_0_mps: row.v_ref_mps,
-            v_tangential_0_mps: 0.0,
             normal_force_n: normal_n,
             tangential_force_n: tangential_n,
             factor: row.factor,
@@ -74,8 +71,9 @@ impl Books<'_> {
                 tie.may_shear_j - tangential_n * slip_m,
                 lesser(shear_stored_j, MOST_TAKEN_J),
             ),
+            ..PatchMemory::of(patch, row.point_in_a_m, row.normal_in_a)
         };
-        remember(patch, &scene.found.places, &lasting, self.next_patches);
+        memory.add_to(patch, &scene.found.places, self.next_patches);
         let booked = Booked {
             normal_n,
             tangential_n,

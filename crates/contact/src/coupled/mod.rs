@@ -14,7 +14,9 @@
 //! Islands know nothing of each other; neighbours that need as many sub-steps go through these stages
 //! together, so that no contact waits for what another's island does.
 
+pub(crate) mod bodies;
 pub(crate) mod book;
+pub(crate) mod contacts;
 pub(crate) mod direct;
 pub(crate) mod island;
 pub(crate) mod leap;
@@ -27,22 +29,15 @@ pub(crate) mod turning;
 
 use crate::admit;
 use crate::broad;
-use crate::coupled::book::Books;
 use crate::coupled::island::Island;
-use crate::coupled::let_go::let_go;
-use crate::coupled::rows::{Begun, Row, Taken};
-use crate::coupled::tie::Tie;
 use crate::error::StepError;
 use crate::events::note;
-use crate::inherit::{Inherited, inherit_all};
-use crate::mass::InverseMatrix;
+use crate::inherit::inherit_all;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
-use crate::overlap::{Patch, overlap};
+use crate::overlap::overlap;
 use crate::report::{EventKind, Motion, Wrench};
-use crate::state::{BodyState, Velocity};
-use crate::touch::Scene;
-use crate::vec2::Rotation;
+use crate::state::BodyState;
 use crate::workspace::Workspace;
 
 /// Islands that go through the stages together: as many as leave what the stages hand to one another near the
@@ -73,13 +68,13 @@ pub fn advance(
     work.events.clear();
     work.contacts.clear();
     admit::place(model, memory, work, states);
-    take_loads(model, work, loads, step_s);
+    bodies::take_loads(model, work, loads, step_s);
     broad::pair(model, work);
     island::split(model, work);
     work.next_patches.clear();
     work.next_hints.clear();
     advance_islands(model, memory, work, step_s);
-    drift_apart(model, work, step_s);
+    bodies::drift_apart(model, work, step_s);
     report(model, work)?;
     remember(memory, work, step_s, model, states);
     Ok(())
@@ -197,214 +192,9 @@ fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Isla
     let sub_steps = f64::from(islands[0].sub_steps);
     let h = step_s / sub_steps;
     inherit_all(model, past.patches, work);
-    solve::free_velocities(work, h);
-    contacts_of(model, past, work, islands, (h, 1.0 / sub_steps));
-    advance_positions(model, work, h);
-}
-
-/// The contacts of a sub-step, of `h` seconds and this `share` of the step: their laws, the solve of each island and what
-/// it leaves.
-fn contacts_of(
-    model: &Model,
-    past: Past<'_>,
-    work: &mut Workspace,
-    islands: &[Island],
-    (h, share): (f64, f64),
-) {
-    let Workspace {
-        found,
-        own_patches,
-        inherited,
-        shares,
-        poses,
-        states,
-        before,
-        inverses,
-        jumps,
-        teleported,
-        clip: buffers,
-        events,
-        rows,
-        ties,
-        trials,
-        unheld_j,
-        pushes,
-        contacts,
-        first_contact,
-        next_patches,
-        in_order,
-        ..
-    } = work;
-    let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
-    let begun = Begun { scene: Scene { model, found, poses }, before, inverses, elapsed_s, h };
-    let first_sub_step = contacts.len() == *first_contact;
-    let first_contact = *first_contact;
-    let mut books =
-        Books { pushes, contacts, first_contact, next_patches, in_order, first_sub_step, h, share };
-    let taken = |patch: &Patch, inherited: Inherited| Taken {
-        inherited,
-        old: inherited.of(past.patches, shares),
-        placed: past.last_step_s == 0.0
-            || *jumps
-                && [patch.candidate.a, patch.candidate.b]
-                    .iter()
-                    .any(|&rank| teleported[rank as usize]),
-    };
-    // Each stage over all contacts, so that none waits for what another's solve does; written where they are to
-    // stay.
-    let patches = &found.patches[own_patches.clone()];
-    if ties.len() < patches.len() {
-        ties.resize(patches.len(), Tie::default());
-        rows.resize(patches.len(), Row::default());
-    }
-    let (ties, rows) = (&mut ties[..patches.len()], &mut rows[..patches.len()]);
-    let both = ties.iter_mut().zip(rows.iter_mut());
-    for ((patch, &inherited), (tie, row)) in patches.iter().zip(&*inherited).zip(both) {
-        let taken = taken(patch, inherited);
-        // Twice the same: without a fender most of it is nought, which the compiler then knows.
-        (*tie, *row) = match patch.candidate.fender(model) {
-            None => rows::collect(&begun, (events, buffers), patch, None, taken),
-            face => rows::collect(&begun, (events, buffers), patch, face, taken),
-        };
-    }
-    let mut from = 0;
-    for island in islands {
-        let own = |patch: &&Patch| (patch.of as usize) < island.candidates.end;
-        let to = from + patches[from..].iter().take_while(own).count();
-        let (ties, rows) = (&mut ties[from..to], &mut rows[from..to]);
-        from = to;
-        let_go(model, rows, ties, unheld_j);
-        if solve::velocities(states, inverses, ties, trials, h) > solve::TOLD_MPS {
-            note(model, events, ties[0].a, ties[0].b, EventKind::NotConverged);
-        }
-    }
-    let both = ties.iter().zip(&*rows);
-    for ((patch, both), index) in patches.iter().zip(both).zip(0..) {
-        books.book(&begun.scene, index, patch, both);
-    }
-}
-
-/// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no
-/// push of contacts yet.
-fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
-    let count = model.ranked.len();
-    let Workspace {
-        states,
-        poses,
-        reach_m,
-        pushes,
-        motions_by_rank,
-        loads: own,
-        inverses,
-        room_mps,
-        moves,
-        before,
-        moving_walls,
-        ..
-    } = work;
-    moving_walls.clear();
-    before.resize(count, Velocity::default());
-    own.resize(count, Wrench::default());
-    inverses.resize(count, InverseMatrix::default());
-    room_mps.resize(count, 0.0);
-    moves.resize(count, false);
-    pushes.clear();
-    pushes.resize(count, Wrench::default());
-    motions_by_rank.clear();
-    motions_by_rank.resize(count, Motion::default());
-    // Of one length, so that it is asked for once.
-    let (states, poses, reach_m) = (&states[..count], &poses[..count], &mut reach_m[..count]);
-    let (own, inverses) = (&mut own[..count], &mut inverses[..count]);
-    let (room_mps, moves) = (&mut room_mps[..count], &mut moves[..count]);
-    for (rank, body) in model.ranked.iter().enumerate() {
-        let (state, fixed) = (&states[rank], body.is_fixed());
-        before[rank] = state.velocity();
-        moves[rank] = !(fixed && state.is_at_rest());
-        if !moves[rank] {
-            inverses[rank] = InverseMatrix::default();
-            room_mps[rank] = 0.0;
-            continue;
-        }
-        let (mut load, mut inverse) = (Wrench::default(), InverseMatrix::default());
-        let mut room = state.yaw_rate_radps.abs() * body.reach_m;
-        if !fixed {
-            load = loads[model.id_of[rank].0 as usize];
-            inverse = body.inverse.turned(poses[rank].rotation);
-            let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-            room += dv.length() + dr.abs() * body.reach_m;
-        } else {
-            moving_walls.push((rank as u32, *state));
-        }
-        own[rank] = load;
-        inverses[rank] = inverse;
-        room_mps[rank] = room;
-        reach_m[rank] += (state.velocity_mps.length() + room) * step_s;
-    }
-}
-
-/// Positions with the new velocities, and inverse masses as the bodies are turned then; and how far the
-/// bodies went by the mean of the velocities before and after the solve: a force times it is that force's work
-/// exactly.
-fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
-    let Workspace {
-        island_bodies,
-        before,
-        states,
-        poses,
-        headings_rad,
-        inverses,
-        motions_by_rank,
-        jumps,
-        ..
-    } = work;
-    for &rank in &*island_bodies {
-        let rank = rank as usize;
-        let (velocity_mps, yaw_rate_radps) = before[rank];
-        let (state, motion) = (&mut states[rank], &mut motions_by_rank[rank]);
-        motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
-        motion.turn_rad += 0.5 * (yaw_rate_radps + state.yaw_rate_radps) * h;
-        move_body(state, h);
-        poses[rank].position_m = state.position_m;
-        let turns = &model.ranked[rank].turns;
-        if state.yaw_rate_radps != 0.0 || turns.is_some() {
-            let rotation = Rotation::from_angle(state.heading_rad);
-            if let Some(turns) = turns {
-                turns.turn(state, poses[rank].rotation, rotation, h);
-            }
-            headings_rad[rank] = state.heading_rad;
-            poses[rank].rotation = rotation;
-            inverses[rank] = model.ranked[rank].inverse.turned(rotation);
-        }
-    }
-    *jumps = false;
-}
-
-fn move_body(state: &mut BodyState, h: f64) {
-    state.position_m += state.velocity_mps * h;
-    state.heading_rad += state.yaw_rate_radps * h;
-}
-
-/// Bodies that nothing is near: one step by their loads.
-fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
-    for (rank, body) in model.ranked.iter().enumerate() {
-        // Of most there is nothing else to ask.
-        if work.in_island[rank] || !work.moves[rank] || body.is_fixed() {
-            continue;
-        }
-        let load = work.loads[rank];
-        let inverse = &work.inverses[rank];
-        let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-        let (state, pose) = (&mut work.states[rank], work.poses[rank]);
-        let motion = &mut work.motions_by_rank[rank];
-        motion.way_m = (state.velocity_mps + dv * 0.5) * step_s;
-        motion.turn_rad = (state.yaw_rate_radps + 0.5 * dr) * step_s;
-        state.velocity_mps += dv;
-        state.yaw_rate_radps += dr;
-        move_body(state, step_s);
-        if let Some(turns) = &body.turns {
-            turns.turn(state, pose.rotation, Rotation::from_angle(state.heading_rad), step_s);
-        }
-    }
+    bodies::free_velocities(work, h);
+    contacts::act(model, past, work, islands, (h, 1.0 / sub_steps));
+    bodies::advance_positions(model, work, h);
 }
 
 /// Contacts in the order of the keys, and what there is of each body in the order in which they were added.

@@ -22,7 +22,6 @@ use crate::coupled::tie::{Forces, Tie};
 use crate::mass::InverseMatrix;
 use crate::report::Friction;
 use crate::state::BodyState;
-use crate::workspace::Workspace;
 
 /// Most sweeps over the contacts.
 const SWEEPS: u32 = 400;
@@ -57,19 +56,6 @@ pub(crate) fn velocities(
         tie.after_mps = tie.speeds(states);
     }
     change_mps
-}
-
-/// v_free = v + h M⁻¹ W. Takes note of v.
-pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
-    let Workspace { island_bodies, states, before, loads, inverses, .. } = work;
-    for &rank in &*island_bodies {
-        let rank = rank as usize;
-        let (state, load) = (&mut states[rank], &loads[rank]);
-        before[rank] = state.velocity();
-        let (dv, dr) = inverses[rank].response(load.force_n * h, load.moment_nm * h);
-        state.velocity_mps += dv;
-        state.yaw_rate_radps += dr;
-    }
 }
 
 /// Sweeps over all contacts until they have settled. Returns the last sweep's largest change of
