@@ -64,9 +64,11 @@ impl Played {
         self.pair.last_touch_s - self.pair.first_touch_s + self.setup.step_s
     }
 
-    /// Length of the first unbroken run of steps with a normal force [s].
+    /// Length of the first unbroken run of steps with a normal force [s]. What rounding leaves of one that the
+    /// limiter takes away is none.
     pub(super) fn push_duration_s(&self) -> f64 {
-        let pushes = self.trace.iter().map(|sample| sample.normal_force_n > 0.0);
+        let least_n = 1e-9 * self.pair.peak_normal_force_n;
+        let pushes = self.trace.iter().map(|sample| sample.normal_force_n > least_n);
         let steps = pushes.skip_while(|pushes| !pushes).take_while(|pushes| *pushes).count();
         steps as f64 * self.setup.step_s
     }

@@ -19,15 +19,19 @@ const SHORTEST_M: f64 = 1e-9;
 
 /// An edge of a convex polygon, and the part of it that lies behind the edge.
 ///
-/// In the edge's frame x runs along it from its start and y into the polygon.
+/// In the edge's frame x runs along it and y into the polygon. x is counted from where the polygon's origin lies,
+/// not from the edge's start: a contact amidships loses nothing to the length of the ship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Edge {
-    start_m: Vec2,
     /// Unit vector.
     along: Vec2,
-    length_m: f64,
-    /// The sides of an inscribed quadrilateral from the edge's start and end: x ≥ y times the one, and
-    /// length − x ≥ y times the other.
+    /// x of its start and end [m].
+    from_m: f64,
+    to_m: f64,
+    /// y of the polygon's origin, negated [m].
+    offset_m: f64,
+    /// The sides of an inscribed quadrilateral from the edge's start and end: x − from ≥ y times the one, and
+    /// to − x ≥ y times the other.
     from_start: f64,
     from_end: f64,
     /// And the side between them: its inner normal, not a unit vector, and −normal·x on it.
@@ -46,20 +50,24 @@ impl Edge {
         let start_m = corners_m[index];
         let chord = corners_m[after(index, count)] - start_m;
         let length_m = chord.length();
-        let along = chord * (1.0 / length_m);
+        // Divided, so that along an axis it is one exactly.
+        let along = vec2(chord.x / length_m, chord.y / length_m);
+        let (from_m, offset_m) = (along.dot(start_m), along.cross(start_m));
+        let to_m = from_m + length_m;
         // The two corners a third of the ring from either end.
         let third = (count / 3).max(1);
         let [of_start, of_end] = [index + count - third, index + 1 + third].map(|corner| {
-            let from = corners_m[corner % count] - start_m;
-            vec2(along.dot(from), along.cross(from))
+            let corner_m = corners_m[corner % count];
+            vec2(along.dot(corner_m), along.cross(corner_m) - offset_m)
         });
         let top = (of_start - of_end).quarter_turn();
         Edge {
-            start_m,
             along,
-            length_m,
-            from_start: of_start.x / of_start.y,
-            from_end: (length_m - of_end.x) / of_end.y,
+            from_m,
+            to_m,
+            offset_m,
+            from_start: (of_start.x - from_m) / of_start.y,
+            from_end: (to_m - of_end.x) / of_end.y,
             top,
             top_offset: -top.dot(of_end),
         }
@@ -68,8 +76,8 @@ impl Edge {
     /// Is a point of the edge's frame within the inscribed quadrilateral, if it is behind the edge?
     #[inline(always)]
     fn holds(&self, at_m: Vec2) -> bool {
-        (at_m.x >= self.from_start * at_m.y)
-            & (self.length_m - at_m.x >= self.from_end * at_m.y)
+        (at_m.x - self.from_m >= self.from_start * at_m.y)
+            & (self.to_m - at_m.x >= self.from_end * at_m.y)
             & (self.top.dot(at_m) + self.top_offset >= 0.0)
     }
 }
@@ -92,32 +100,29 @@ pub(crate) fn find(
     let Stretch { enter, leave } = hint;
     if enter.a == leave.a {
         let edge = a.edges().get(enter.a as usize)?;
-        let (along, start_m) = (edge.along, edge.start_m);
-        let from_start_m = b_in_a.position_m - start_m;
-        let frame = Frame {
+        let (along, place_m) = (edge.along, b_in_a.position_m);
+        let seen = Frame {
             along: b_in_a.rotation.apply_inverse(along),
-            origin_m: vec2(along.dot(from_start_m), along.cross(from_start_m)),
+            origin_m: vec2(along.dot(place_m), along.cross(place_m) - edge.offset_m),
         };
-        let behind = behind(edge, frame, b, leave.b, enter.b)?;
+        let behind = behind(edge, seen, b, leave.b, enter.b)?;
         // A's boundary runs along the edge, into B where B's runs out of A.
-        let lens = behind.lens(along, start_m, 1.0);
-        let [enters_m, leaves_m] = [behind.last_m, behind.first_m].map(|x| start_m + along * x);
-        Some(Through { lens, enters_m, leaves_m })
+        let own = Frame { along, origin_m: vec2(0.0, -edge.offset_m) };
+        Some(behind.through(own, [behind.last_m, behind.first_m]))
     } else if enter.b == leave.b {
         let edge = b.edges().get(enter.b as usize)?;
         let along = b_in_a.rotation.apply(edge.along);
-        let start_m = b_in_a.apply(edge.start_m);
-        let frame = Frame { along, origin_m: vec2(-along.dot(start_m), -along.cross(start_m)) };
-        let behind = behind(edge, frame, a, enter.a, leave.a)?;
-        let lens = behind.lens(along, start_m, -1.0);
-        let [enters_m, leaves_m] = [behind.first_m, behind.last_m].map(|x| start_m + along * x);
-        Some(Through { lens, enters_m, leaves_m })
+        let place_m = b_in_a.position_m;
+        let origin_m = vec2(-along.dot(place_m), -along.cross(place_m) - edge.offset_m);
+        let seen = Frame { along, origin_m };
+        let behind = behind(edge, seen, a, enter.a, leave.a)?;
+        Some(behind.through(seen, [behind.first_m, behind.last_m]))
     } else {
         None
     }
 }
 
-/// The edge's frame as the polygon that comes through it sees it.
+/// The edge's frame as one of the polygons sees it.
 #[derive(Clone, Copy)]
 struct Frame {
     along: Vec2,
@@ -129,6 +134,13 @@ impl Frame {
     #[inline(always)]
     fn of(self, corner_m: Vec2) -> Vec2 {
         vec2(self.along.dot(corner_m), self.along.cross(corner_m)) + self.origin_m
+    }
+
+    /// Back from the edge's frame.
+    #[inline(always)]
+    fn back(self, at_m: Vec2) -> Vec2 {
+        let Vec2 { x, y } = at_m - self.origin_m;
+        self.along * x + self.along.quarter_turn() * y
     }
 }
 
@@ -184,7 +196,8 @@ fn behind(
     let cross = from.cross(to);
     twice_m2 += cross;
     moment += (from + to) * cross;
-    let on_edge = (last_m >= 0.0) & (first_m <= edge.length_m) & (first_m - last_m > SHORTEST_M);
+    let on_edge =
+        (last_m >= edge.from_m) & (first_m <= edge.to_m) & (first_m - last_m > SHORTEST_M);
     if !(within & on_edge & (twice_m2 > 0.0)) {
         return None;
     }
@@ -203,20 +216,20 @@ fn crossing_m(outside: Vec2, inside: Vec2) -> Option<f64> {
 }
 
 impl Behind {
-    /// In the frame in which the edge lies so; `sense` is 1 where A's boundary runs along the edge.
+    /// As A sees it, whose boundary runs along the edge from the one x to the other.
     #[inline(always)]
-    fn lens(&self, along: Vec2, start_m: Vec2, sense: f64) -> Lens {
+    fn through(&self, of_a: Frame, [enters, leaves]: [f64; 2]) -> Through {
         let width_m = self.first_m - self.last_m;
-        Lens {
+        let lens = Lens {
             area_m2: self.area_m2,
-            centroid_m: start_m
-                + along * self.centroid_m.x
-                + along.quarter_turn() * self.centroid_m.y,
-            chord_m: along * (sense * width_m),
+            centroid_m: of_a.back(self.centroid_m),
+            chord_m: of_a.along * (leaves - enters),
             per_chord_m: 1.0 / width_m,
             spread_m2: self.deepest_m * width_m,
             collinear: false,
-        }
+        };
+        let [enters_m, leaves_m] = [enters, leaves].map(|x| of_a.back(vec2(x, 0.0)));
+        Through { lens, enters_m, leaves_m }
     }
 }
 
