@@ -14,7 +14,7 @@ use super::warm::FLAT;
 use crate::number::greater;
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// Shorter edges and chords have no direction to speak of [m].
+/// A shorter chord has no direction to speak of [m].
 const SHORTEST_M: f64 = 1e-9;
 
 /// An edge of a convex polygon, and the part of it that lies behind the edge.
