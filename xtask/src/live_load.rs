@@ -7,8 +7,8 @@ use crate::command::{cargo, run};
 /// Length of a run where none is said: that of continuous integration [s].
 pub(crate) const SECONDS: u64 = 20;
 
-/// Prints late ticks, delays and memory; an error where a tick was missed (unless times are only `told`, as they are where
-/// they may not gate) or memory grew.
+/// Prints late ticks, delays and memory; an error where a tick was missed (unless times are only `told`, as they
+/// are where they may not gate) or memory grew.
 pub(crate) fn live_load(seconds: u64, told: bool) -> Result<(), String> {
     let test = ["test", "--release", "--package", "fenderline", "--test", "live_load", "--"];
     let mut command = cargo(test);

@@ -42,8 +42,8 @@ impl Inherited {
     }
 }
 
-/// For every patch of this step what it inherits of those of the `last`, in `work.inherited`; and the events of contacts that
-/// ended and patches that split.
+/// For every patch of this step what it inherits of those of the `last`, in `work.inherited`; and the events of
+/// contacts that ended and patches that split.
 pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Workspace) {
     work.inherited.clear();
     work.shares.clear();

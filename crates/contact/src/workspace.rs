@@ -44,6 +44,7 @@ pub struct Workspace {
     pub(crate) own_patches: Range<usize>,
     /// Pairs that were near each other a while ago.
     pub(crate) near: NearList,
+    /// Their overlaps.
     pub(crate) found: Overlap,
     /// What each patch takes over from the last step.
     pub(crate) inherited: Vec<Inherited>,
@@ -54,7 +55,7 @@ pub struct Workspace {
     pub(crate) next_hints: Vec<HintMemory>,
     // What only the coupled method needs.
     pub(crate) states_after: Vec<BodyState>,
-    /// How far each body went, by rank and then by id; and velocities before a solve, for the island.
+    /// How far each body went, by rank and then by id; and velocities before a solve, by rank.
     pub(crate) motions_by_rank: Vec<Motion>,
     pub(crate) motions: Vec<Motion>,
     pub(crate) before: Vec<Velocity>,
@@ -84,6 +85,7 @@ pub struct Workspace {
     pub(crate) first_contact: usize,
     /// Islands, and so what they leave, are in the order of the candidates' keys.
     pub(crate) in_order: bool,
+    /// The contacts of a sub-step, and beyond them places for more.
     pub(crate) rows: Vec<Row>,
     /// The same contacts as the solve sees them.
     pub(crate) ties: Vec<Tie>,
@@ -177,7 +179,7 @@ impl Workspace {
     /// Did one of two bodies jump before this (sub-)step?
     #[inline]
     pub(crate) fn jumped(&self, a: u32, b: u32) -> bool {
-        self.jumps && (self.teleported[a as usize] || self.teleported[b as usize])
+        self.jumps && either(&self.teleported, a, b)
     }
 
     /// States at the end of the last step by [`crate::advance`], one a body: what a host that lets
@@ -210,4 +212,10 @@ impl Workspace {
     pub fn events(&self) -> &[Event] {
         &self.events
     }
+}
+
+/// Is it so of one of the two ranks?
+#[inline]
+pub(crate) fn either(of_rank: &[bool], a: u32, b: u32) -> bool {
+    of_rank[a as usize] || of_rank[b as usize]
 }

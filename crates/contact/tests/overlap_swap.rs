@@ -12,6 +12,11 @@ fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(cases) }
 }
 
+/// A power of two, so that positions stay on their grid.
+const STEP_S: f64 = 0.0625;
+/// What two bodies of 1,000 t oppose to a contact at most.
+const EFFECTIVE_KG: f64 = 0.5e6;
+
 /// Two bodies, five steps with the speeds given; the contacts and wrenches of the last.
 fn five_steps(
     a: (&[Vec2], BodyState),
@@ -22,9 +27,9 @@ fn five_steps(
     let mut run = Run::new(model(bodies, PAPER));
     let (mut one, mut two) = (a.1, b.1);
     for _ in 0..5 {
-        run.step(&[one, two], 0.0625);
-        one = moved(one, 0.0625);
-        two = moved(two, 0.0625);
+        run.step(&[one, two], STEP_S);
+        one = moved(one, STEP_S);
+        two = moved(two, STEP_S);
     }
     (run.work.contacts().to_vec(), run.work.wrenches().to_vec())
 }
@@ -51,11 +56,10 @@ fn same_contact(one: &Contact, two: &Contact, back: impl Fn(Vec2) -> Vec2, sign:
     let of_depth = extent / one.depth_m * 0.1;
     close("area", one.area_m2, two.area_m2, one.area_m2 * of_depth);
     close("depth", one.depth_m, two.depth_m, one.depth_m * of_depth);
-    // What the limiter leaves is a difference of speeds, which may be next to nothing: its rounding is that of
-    // the speeds, and of the force that would turn them round.
-    let magnified = if one.limited { 1e3 } else { 1.0 };
-    let unlimited_n = one.normal_force_n + one.parts.limiter_n;
-    let of_force = unlimited_n * of_depth * magnified;
+    // A limited force turns speeds round, (V_n + γ V_n⁰)/(K Δt), and may be next to nothing: it is known as well as
+    // the force that takes 1 m/s off the two bodies, as the speeds below are.
+    let of_speeds_n = if one.limited { EFFECTIVE_KG / STEP_S } else { 0.0 };
+    let of_force = (one.normal_force_n + of_speeds_n) * of_depth;
     close("normal force", one.normal_force_n, two.normal_force_n, of_force);
     close("V_n", one.v_normal_mps, two.v_normal_mps, 1.0 * of_depth);
     close("V_t", one.v_tangential_mps, sign * two.v_tangential_mps, of_depth);

@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::report::{Contact, ContactWork, ForceParts, Friction, Wrench};
-use crate::touch::Scene;
+use crate::touch::{Scene, Touch};
 
 /// Beyond this a memory would not be restored [J].
 const MOST_TAKEN_J: f64 = 1e29;
@@ -135,8 +135,7 @@ struct Booked {
 }
 
 impl Booked {
-    /// The report of a contact that begins with this sub-step, with the body that was added first as body 1: a
-    /// change of order turns n and t round and nothing else.
+    /// The report of a contact that begins with this sub-step.
     #[inline(always)]
     fn contact(
         &self,
@@ -145,31 +144,16 @@ impl Booked {
         (tie, row): (&Tie, &Row),
         share: f64,
     ) -> Contact {
-        let model = scene.model;
-        let (a, b) = (tie.a as usize, tie.b as usize);
-        let (id_a, id_b) = (model.id_of[a], model.id_of[b]);
-        let swapped = id_a > id_b;
+        let face = patch.candidate.fender(scene.model);
+        let a_position_m = scene.poses[tie.a as usize].position_m;
         let parts = &self.parts;
         Contact {
-            body_1: id_a.min(id_b),
-            body_2: id_a.max(id_b),
-            fender: patch.candidate.fender(model).map(|face| face.id),
-            patch: patch.number,
-            area_m2: patch.area_m2,
-            depth_m: self.depth_m,
-            point_m: scene.poses[a].position_m + row.arm_a_m,
-            arm_1_m: if swapped { row.arm_b_m } else { row.arm_a_m },
-            arm_2_m: if swapped { row.arm_a_m } else { row.arm_b_m },
-            normal: if swapped { -tie.along_n } else { tie.along_n },
-            v_normal_mps: tie.normal_before_mps,
-            v_tangential_mps: tie.tangential_before_mps,
             shear_m: self.shear_m,
             normal_force_n: self.normal_n * share,
             tangential_force_n: self.tangential_n * share,
             friction: self.friction,
             limited: parts.limiter_n > 0.0,
             peak_normal_force_n: self.normal_n,
-            peak_depth_m: self.depth_m,
             parts: ForceParts {
                 spring_n: parts.spring_n * share,
                 stop_n: parts.stop_n * share,
@@ -178,10 +162,10 @@ impl Booked {
             },
             work: self.work,
             factor: row.factor,
-            tilt_rad: row.tilt_rad,
             stored_j: self.stored_j,
             peak_stored_j: self.stored_j,
             shear_stored_j: self.shear_stored_j,
+            ..touch_of(tie, row).contact(scene.model, a_position_m, patch, face)
         }
     }
 
@@ -203,5 +187,20 @@ impl Booked {
         if self.friction == Friction::Slip {
             contact.friction = Friction::Slip;
         }
+    }
+}
+
+/// What the report of a contact tells of its kinematics.
+#[inline(always)]
+fn touch_of(tie: &Tie, row: &Row) -> Touch {
+    Touch {
+        normal: tie.along_n,
+        arm_a_m: row.arm_a_m,
+        arm_b_m: row.arm_b_m,
+        depth_m: row.depth_m,
+        tilt_rad: row.tilt_rad,
+        v_normal_mps: tie.normal_before_mps,
+        v_tangential_mps: tie.tangential_before_mps,
+        ..Touch::default()
     }
 }

@@ -13,10 +13,10 @@ use crate::model::Model;
 use crate::overlap::Patch;
 use crate::report::EventKind;
 use crate::touch::Scene;
-use crate::workspace::Workspace;
+use crate::workspace::{Workspace, either};
 
-/// The contacts of a sub-step, of `h` seconds and this `share` of the step: their laws, the solve of each island and what
-/// it leaves.
+/// The contacts of a sub-step, of `h` seconds and this `share` of the step: their laws, the solve of each island
+/// and what it leaves.
 pub(crate) fn act(
     model: &Model,
     past: Past<'_>,
@@ -58,10 +58,7 @@ pub(crate) fn act(
         inherited,
         old: inherited.of(past.patches, shares),
         placed: past.last_step_s == 0.0
-            || *jumps
-                && [patch.candidate.a, patch.candidate.b]
-                    .iter()
-                    .any(|&rank| teleported[rank as usize]),
+            || *jumps && either(teleported, patch.candidate.a, patch.candidate.b),
     };
     // Each stage over all contacts, so that none waits for what another's solve does; written where they are to
     // stay.

@@ -18,7 +18,7 @@ use crate::report::Friction;
 use crate::state::{BodyState, Velocity};
 use crate::vec2::{Vec2, vec2};
 
-/// New velocities in `states` and forces in `ties`, from velocities without contact. False, and nothing
+/// New velocities in `states` and forces in `ties`, from velocities without contact. False, and neither
 /// changed, where a bound would be passed or more than one body floats.
 pub(crate) fn solve(
     states: &mut [BodyState],

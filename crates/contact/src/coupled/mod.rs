@@ -40,10 +40,6 @@ use crate::report::{EventKind, Motion, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
-/// Islands that go through the stages together: as many as leave what the stages hand to one another near the
-/// processor.
-const BLOCK: usize = 64;
-
 /// Contact forces for the step of `step_s` seconds that begins at `states`, by the coupled method,
 /// and the states at its end. `states` and `loads` are in the order in which bodies were added;
 /// `loads` is all that acts on each body in this step except contact, about its centre of gravity:
@@ -88,13 +84,7 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
     }
     let jumps = work.jumps;
     if work.in_order {
-        let mut rest = memory.past();
-        let mut blocks = islands.chunks_mut(BLOCK).peekable();
-        while let Some(block) = blocks.next() {
-            let next = blocks.peek().map(|next| work.candidates[next[0].candidates.start].key());
-            work.jumps = jumps;
-            advance_in_order(model, rest.before(next), work, block, step_s);
-        }
+        advance_in_order(model, memory.past(), work, &mut islands, step_s);
     } else {
         let mut gathered = core::mem::take(&mut work.gathered_memory);
         for island in &mut islands {

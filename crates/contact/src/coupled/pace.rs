@@ -72,7 +72,9 @@ pub(crate) fn sub_steps(
         let most = rate_squared_of(2.0 * (a.lightest_inverse_mass + b.lightest_inverse_mass));
         rate_squared += match own {
             // Where even the largest bound is small there is no more to find out.
-            [only] if most > of_each => rate_squared_of(inverse_mass(a, b, only, chord_m)),
+            [only] if most > of_each && only.per_chord_m > 0.0 => {
+                rate_squared_of(inverse_mass(a, b, only, chord_m))
+            }
             _ => most,
         };
         let most_m = TRAVEL_PER_SUB_STEP * lesser(a.half_width_m, b.half_width_m);
@@ -100,17 +102,15 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
     own
 }
 
-/// A bound on the inverse mass that two bodies oppose to a contact in one place [1/kg]. Twice that without rotation
-/// allows for a contact off the centre; its lever may tell that rotation adds less. The patch lies on the chord, so that it moves by half of that at most; and within the
-/// smaller body, so that it comes no further from that one's centre of gravity.
+/// A bound on the inverse mass that two bodies oppose to a contact in one place, which has a chord [1/kg]. Twice
+/// that without rotation allows for a contact off the centre; its lever may tell that rotation adds less. The
+/// patch lies on the chord, so that it moves by half of that at most; and within the smaller body, so that it
+/// comes no further from that one's centre of gravity.
 fn inverse_mass(a: &RankedBody, b: &RankedBody, patch: &Patch, chord_m: f64) -> f64 {
     let of_body = |body: &RankedBody, lever_m: f64| {
         let by_turning = body.inverse.of_turning() * lever_m * lever_m;
         body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
     };
-    if patch.per_chord_m == 0.0 {
-        return 2.0 * (a.lightest_inverse_mass + b.lightest_inverse_mass);
-    }
     let normal = patch.chord_m.quarter_turn_back() * patch.per_chord_m;
     let (from_a_m, from_b_m) =
         (patch.centroid_m.cross(normal), patch.b_in_a.position_m.cross(normal));

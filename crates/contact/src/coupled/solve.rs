@@ -105,8 +105,8 @@ fn sweep(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie],
     change_mps
 }
 
-/// The same as [`velocities`] for an island of one contact: its own two speeds are all there is to follow. Where no bound is
-/// reached its forces follow at once.
+/// The same as [`velocities`] for an island of one contact: its own two speeds are all there is to follow. Where
+/// no bound is reached its forces follow at once.
 #[inline(always)]
 fn alone(states: &mut [BodyState], inverses: &[InverseMatrix], tie: &mut Tie, h: f64) -> f64 {
     let free = tie.speeds(states);

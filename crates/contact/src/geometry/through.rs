@@ -324,10 +324,13 @@ mod tests {
     #[test]
     fn an_edge_along_the_edge_is_left_to_the_path_that_knows_of_such() {
         let (hull, block) = hull_and_block();
-        let pose = Pose::new(vec2(3.0, 8.5), 0.0);
-        for (enter, leave) in (0..16).map(|k| (k / 4, k % 4)) {
-            let found = find(&hull, &block, pose, at((4, enter), (4, leave)));
-            assert!(found.is_none(), "{enter} {leave}");
+        // On it, and turned so little that it crosses it flat.
+        for heading_rad in [0.0, 1e-10, -1e-10] {
+            let pose = Pose::new(vec2(3.0, 8.5), heading_rad);
+            for (enter, leave) in (0..16).map(|k| (k / 4, k % 4)) {
+                let found = find(&hull, &block, pose, at((4, enter), (4, leave)));
+                assert!(found.is_none(), "{enter} {leave} at {heading_rad}");
+            }
         }
     }
 }

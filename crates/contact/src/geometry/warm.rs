@@ -14,7 +14,7 @@
 use alloc::vec::Vec;
 
 use super::convex::{ConvexPolygon, Placed, after, before};
-use super::lens::{Crossing, Located, Stretch, point_along, ring_distance};
+use super::lens::{Crossing, Located, Stretch, point_along, ring_distance, trace};
 use crate::vec2::Vec2;
 
 /// Steps that a walk may take before the cold path is the cheaper one.
@@ -81,7 +81,7 @@ pub(crate) fn find(
         return None;
     }
     let start = outline_m.len();
-    trace(a, b, &found, b_chain, (&leave, &enter), outline_m);
+    trace(a, b, &found, enter.at.b, outline_m);
     let (of_a, of_b) = outline_m[start..].split_at(1 + a_chain);
     let certified = far_part_of_b(b, &enter, &leave).holds(|k| b.vertex(k), &of_a[1..])
         && far_part_of_a(a, &enter, &leave).holds(|k| a.closed()[k], &of_b[1..]);
@@ -90,38 +90,6 @@ pub(crate) fn find(
         return None;
     }
     Some(found)
-}
-
-/// Appends the lens: from where `a` enters along it to where it leaves, and back along `b`, of whose chain the
-/// walks know both ends.
-#[inline(always)]
-fn trace(
-    a: &ConvexPolygon,
-    b: &Placed<'_>,
-    found: &Located,
-    b_chain: usize,
-    (leave, enter): (&Edges, &Edges),
-    outline_m: &mut Vec<Vec2>,
-) {
-    outline_m.push(found.enters_m);
-    let mut i = enter.at.a as usize;
-    while i != leave.at.a as usize {
-        i = after(i, a.count());
-        outline_m.push(a.closed()[i]);
-    }
-    outline_m.push(found.leaves_m);
-    if b_chain == 0 {
-        return;
-    }
-    outline_m.push(leave.b_end);
-    let mut j = leave.at.b as usize;
-    for _ in 2..b_chain {
-        j = after(j, b.count());
-        outline_m.push(b.vertex(j + 1));
-    }
-    if b_chain > 1 {
-        outline_m.push(enter.b_start);
-    }
 }
 
 /// Walks to the crossing where `a` enters (or leaves) `b`.
