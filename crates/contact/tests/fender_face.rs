@@ -67,8 +67,19 @@ fn model(law: FenderLaw, quay_first: bool) -> (Model, BodyId, BodyId) {
     (builder.build().expect("a good model"), quay, ship)
 }
 
-/// Stored energy, and the trial force and moment on the ship about her centre of gravity.
+/// Stored energy, and the trial force and moment on the ship about her centre of gravity; as deep as the fender
+/// projects at most: twice that deep its zone ends.
 fn pressed(model: &Model, pose: [f64; 3], origin_m: Vec2) -> Option<(f64, [f64; 3])> {
+    pressed_up_to(1.2, model, pose, origin_m)
+}
+
+/// The same for another depth.
+fn pressed_up_to(
+    most_m: f64,
+    model: &Model,
+    pose: [f64; 3],
+    origin_m: Vec2,
+) -> Option<(f64, [f64; 3])> {
     let (mut memory, mut work) = (Memory::new(model), Workspace::new(model));
     let states = [
         BodyState { position_m: origin_m, ..BodyState::default() },
@@ -79,8 +90,7 @@ fn pressed(model: &Model, pose: [f64; 3], origin_m: Vec2) -> Option<(f64, [f64; 
         },
     ];
     step(model, &mut memory, &mut work, &states, 0.1).expect("a good step");
-    // As deep as it projects at most: twice that deep its zone ends.
-    let on_fender = |c: &&Contact| c.fender.is_some() && c.depth_m <= 1.2;
+    let on_fender = |c: &&Contact| c.fender.is_some() && c.depth_m <= most_m;
     let contact = work.contacts().iter().find(on_fender)?;
     // Body 1 is the quay: the force on the ship is +N n.
     let force = contact.normal * (contact.parts.spring_n + contact.parts.stop_n);
@@ -122,7 +132,8 @@ proptest! {
             let stored = |sign: f64| {
                 let mut moved = pose;
                 moved[axis] += sign * by;
-                pressed(&model, moved, Vec2::ZERO).map_or(0.0, |(stored_j, _)| stored_j)
+                // A little deeper than the pose itself may be.
+                pressed_up_to(1.3, &model, moved, Vec2::ZERO).map_or(0.0, |(stored_j, _)| stored_j)
             };
             let gradient = -(stored(1.0) - stored(-1.0)) / (2.0 * by);
             // A moment's lever is up to 30 m.
