@@ -18,8 +18,8 @@ pub(crate) const LARGEST_LOAD: f64 = 1e15;
 pub(crate) const LONGEST_STEP_S: f64 = 1e6;
 pub(crate) const SHORTEST_STEP_S: f64 = 1e-9;
 
-/// Checks what the host gave.
-pub(crate) fn admit(
+/// Checks what the host gave, but for the states themselves: [`place`] does that.
+pub(crate) fn admit_call(
     model: &Model,
     memory: &Memory,
     states: &[BodyState],
@@ -34,6 +34,22 @@ pub(crate) fn admit(
     if !(SHORTEST_STEP_S..=LONGEST_STEP_S).contains(&step_s) {
         return Err(StepError::BadTimeStep { step_s });
     }
+    Ok(())
+}
+
+/// Checks all that the host gave.
+pub(crate) fn admit(
+    model: &Model,
+    memory: &Memory,
+    states: &[BodyState],
+    step_s: f64,
+) -> Result<(), StepError> {
+    admit_call(model, memory, states, step_s)?;
+    admit_states(model, states)
+}
+
+/// Checks the states of all bodies.
+fn admit_states(model: &Model, states: &[BodyState]) -> Result<(), StepError> {
     match states.iter().position(|state| !is_sound(state)) {
         None => Ok(()),
         Some(index) => Err(unsound(model, index, &states[index])),
@@ -94,14 +110,22 @@ fn unsound(model: &Model, index: usize, state: &BodyState) -> StepError {
 }
 
 /// Checks the loads that the coupled method is given.
-pub(crate) fn admit_loads(model: &Model, loads: &[Wrench]) -> Result<(), StepError> {
-    if loads.len() != model.bodies().len() {
-        return Err(StepError::WrongCount { bodies: model.bodies().len(), states: loads.len() });
+pub(crate) fn admit_loads(
+    model: &Model,
+    states: &[BodyState],
+    loads: &[Wrench],
+) -> Result<(), StepError> {
+    if loads.len() == model.bodies().len() && loads.iter().all(is_sound_load) {
+        return Ok(());
     }
-    match loads.iter().position(|load| !is_sound_load(load)) {
-        None => Ok(()),
-        Some(index) => Err(unsound_load(model, index, &loads[index])),
-    }
+    // A state that is not sound is told of first.
+    admit_states(model, states)?;
+    Err(match loads.iter().position(|load| !is_sound_load(load)) {
+        Some(index) if loads.len() == model.bodies().len() => {
+            unsound_load(model, index, &loads[index])
+        }
+        _ => StepError::WrongCount { bodies: model.bodies().len(), states: loads.len() },
+    })
 }
 
 /// Is every part of a load finite and within its bounds?
@@ -129,57 +153,145 @@ fn unsound_load(model: &Model, index: usize, load: &Wrench) -> StepError {
 /// Puts states and poses in the order of the ranks, and finds bodies that jumped.
 pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
     let count = model.ranked.len();
-    let Workspace { states: own, poses, headings_rad, teleported, jumps, reach_m, events, .. } =
-        work;
-    if headings_rad.len() != count {
-        headings_rad.clear();
-        headings_rad.resize(count, 0.0);
-        poses.clear();
-        poses.resize(count, Pose::IDENTITY);
-    }
-    own.resize(count, BodyState::default());
-    teleported.resize(count, false);
-    reach_m.resize(count, 0.0);
-    *jumps = false;
+    make_room(work, count);
+    let Workspace { states: own, poses, headings_rad, teleported, active, reach_m, .. } =
+        &mut *work;
+    active.clear();
+    active.extend(0..count as u32);
+    let mut jumps = false;
     // In one pass: the bodies of a large model are far from the processor.
-    let of_body = own.iter_mut().zip(poses).zip(headings_rad).zip(teleported).zip(reach_m);
-    for (rank, (body, ((((own, pose), heading_rad), teleported), reach_m))) in
-        model.ranked.iter().zip(of_body).enumerate()
+    let of_rank = own.iter_mut().zip(poses).zip(headings_rad).zip(teleported).zip(reach_m);
+    for ((rank, body), ((((own, pose), heading_rad), teleported), reach_m)) in
+        model.ranked.iter().enumerate().zip(of_rank)
     {
-        let id = model.id_of[rank];
-        let state = states[id.0 as usize];
-        *own = state;
-        *reach_m = body.reach_m;
-        pose.position_m = state.position_m;
-        // Quays and fenders on them never turn: spare their sine and cosine.
-        if state.heading_rad.to_bits() != heading_rad.to_bits() {
-            *heading_rad = state.heading_rad;
-            pose.rotation = Rotation::from_angle(state.heading_rad);
-        }
-        *teleported = memory
-            .last_states
-            .get(rank)
-            .is_some_and(|last| jumped(last, &state, memory.last_step_s, body.radius_m));
-        if *teleported {
-            *jumps = true;
-            let bodies = [id, id];
-            events.push(Event { bodies, kind: EventKind::Teleported });
+        let state = states[model.id_of[rank].0 as usize];
+        (*own, *reach_m) = (state, body.reach_m);
+        put(pose, heading_rad, &state);
+        *teleported = jumped(memory, rank, &state, body.radius_m);
+        jumps |= *teleported;
+    }
+    tell_of_jumps(model, work, jumps);
+}
+
+/// Admits and places the bodies but those that stand as they stood at the last step, as quays and fenders on them
+/// do: these are left as they are. `work.active` are the others.
+///
+/// # Errors
+/// A state that is not sound; nothing but what stages work with has changed then.
+pub(crate) fn place_active(
+    model: &Model,
+    memory: &Memory,
+    work: &mut Workspace,
+    states: &[BodyState],
+) -> Result<(), StepError> {
+    let known = work.advanced.take() == Some(model.fingerprint);
+    if !known || memory.last_states.len() != model.ranked.len() {
+        admit_states(model, states)?;
+        place(model, memory, work, states);
+        return Ok(());
+    }
+    find_active(model, memory, work, states);
+    let Workspace { states: own, poses, headings_rad, teleported, active, reach_m, .. } =
+        &mut *work;
+    let state_of = |rank: u32| &states[model.id_of[rank as usize].0 as usize];
+    if !active.iter().all(|&rank| is_sound(state_of(rank))) {
+        return admit_states(model, states);
+    }
+    let mut jumps = false;
+    for &rank in &*active {
+        let (state, rank) = (*state_of(rank), rank as usize);
+        let body = &model.ranked[rank];
+        (own[rank], reach_m[rank]) = (state, body.reach_m);
+        put(&mut poses[rank], &mut headings_rad[rank], &state);
+        teleported[rank] = jumped(memory, rank, &state, body.radius_m);
+        jumps |= teleported[rank];
+    }
+    tell_of_jumps(model, work, jumps);
+    Ok(())
+}
+
+/// Lists all bodies but those that stand, and did not jump there, as they stood both when this workspace and when
+/// the memory saw them last.
+fn find_active(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
+    let Workspace { states: own, teleported, moves, active, .. } = work;
+    active.clear();
+    let seen = own.iter().zip(&memory.last_states);
+    let stood = moves.iter().zip(&*teleported).map(|(moves, teleported)| !(moves | teleported));
+    for ((rank, id), ((own, last), stood)) in (0..).zip(&model.id_of).zip(seen.zip(stood)) {
+        let state = &states[id.0 as usize];
+        if !(stood && own.is_same(state) && last.is_same(state)) {
+            active.push(rank);
         }
     }
 }
 
-/// Did the body move by more than its two velocities explain? The allowance, a tenth of its size,
+/// The pose of a body. What does not turn is spared its sine and cosine.
+#[inline(always)]
+fn put(pose: &mut Pose, heading_rad: &mut f64, state: &BodyState) {
+    pose.position_m = state.position_m;
+    if state.heading_rad.to_bits() != heading_rad.to_bits() {
+        *heading_rad = state.heading_rad;
+        pose.rotation = Rotation::from_angle(state.heading_rad);
+    }
+}
+
+/// Makes room for so many bodies, of which nothing is known.
+#[cold]
+fn make_room(work: &mut Workspace, count: usize) {
+    if work.headings_rad.len() != count {
+        work.headings_rad.clear();
+        work.headings_rad.resize(count, 0.0);
+        work.poses.clear();
+        work.poses.resize(count, Pose::IDENTITY);
+    }
+    work.states.resize(count, BodyState::default());
+    work.teleported.resize(count, false);
+    work.reach_m.resize(count, 0.0);
+}
+
+/// Whether bodies jumped, and the events of it.
+fn tell_of_jumps(model: &Model, work: &mut Workspace, jumps: bool) {
+    work.jumps = jumps;
+    work.events.clear();
+    if jumps {
+        for (&id, &teleported) in model.id_of.iter().zip(&work.teleported) {
+            if teleported {
+                work.events.push(Event { bodies: [id, id], kind: EventKind::Teleported });
+            }
+        }
+    }
+}
+
+/// Takes note of the states at the start of a step, for the next one.
+pub(crate) fn remember_states(
+    model: &Model,
+    memory: &mut Memory,
+    active: &[u32],
+    states: &[BodyState],
+) {
+    if memory.last_states.len() != model.id_of.len() {
+        memory.last_states.clear();
+        memory.last_states.extend(model.id_of.iter().map(|id| states[id.0 as usize]));
+        return;
+    }
+    for &rank in active {
+        memory.last_states[rank as usize] = states[model.id_of[rank as usize].0 as usize];
+    }
+}
+
+/// Did the body of this rank move by more than its two velocities explain? The allowance, a tenth of its size,
 /// is for hosts whose integrators differ from ours.
 #[inline(always)]
-fn jumped(last: &BodyState, now: &BodyState, step_s: f64, radius_m: f64) -> bool {
+fn jumped(memory: &Memory, rank: usize, now: &BodyState, radius_m: f64) -> bool {
+    let Some(last) = memory.last_states.get(rank) else { return false };
     let moved = now.position_m - last.position_m;
-    let mean = (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);
+    let mean = (now.velocity_mps + last.velocity_mps) * (0.5 * memory.last_step_s);
     let unexplained = moved - mean;
     // Most bodies are well within the second half of the allowance, and need no roots.
     let near_m = 0.09 * radius_m;
     if unexplained.length_squared() <= near_m * near_m {
         return false;
     }
-    let change = (now.velocity_mps - last.velocity_mps).length() * step_s;
+    let change = (now.velocity_mps - last.velocity_mps).length() * memory.last_step_s;
     unexplained.length() > change + 0.1 * radius_m
 }

@@ -2,51 +2,56 @@
 //! first and then the second body).
 
 use crate::fender::RankedFender;
-use crate::model::{MaterialId, Model};
-use crate::workspace::{Candidate, Workspace};
+use crate::model::Model;
+use crate::pairing::RankedPair;
+use crate::workspace::{Candidate, Pairing, Workspace};
 
 /// Leaves the candidates of this step in `work.candidates`.
 pub(crate) fn pair(model: &Model, work: &mut Workspace) {
     work.candidates.clear();
-    for pair in &model.pairs {
+    for (pair, number) in model.pairs.iter().zip(0..) {
         if near(work, pair.a, pair.b) {
-            push(model, work, pair.a, pair.b, pair.material);
+            push(model, work, pair, number);
         }
     }
     if let Some(material) = model.every_other_pair {
         let mut list = core::mem::take(&mut work.near);
-        list.refresh(model, &work.poses, &work.reach_m);
-        for &(a, b) in list.pairs() {
-            if near(work, a, b) {
-                push(model, work, a, b, material);
+        list.refresh(model, material, &work.poses, &work.reach_m, &work.active);
+        for (pair, number) in list.pairs().iter().zip(model.pairs.len() as u32..) {
+            if near(work, pair.a, pair.b) {
+                push(model, work, pair, number);
             }
         }
         work.near = list;
         if !model.pairs.is_empty() {
-            work.candidates.sort_unstable_by_key(Candidate::key);
+            work.candidates.sort_unstable_by_key(|pairing| pairing.candidate.key());
         }
     }
 }
 
 /// The candidates of a pair, in their order: outline against outline, and each body's fenders that are
 /// near against the other's outline (faces are numbered by the rank of their bodies).
-#[inline]
-fn push(model: &Model, work: &mut Workspace, a: u32, b: u32, material: MaterialId) {
-    work.candidates.push(Candidate { a, b, face: 0, material, island: 0 });
+#[inline(always)]
+fn push(model: &Model, work: &mut Workspace, pair: &RankedPair, number: u32) {
+    let &RankedPair { a, b, material, island } = pair;
+    let candidate = Candidate { a, b, face: 0, material };
+    work.candidates.push(Pairing { candidate, island, pair: number });
     if !model.faces.is_empty() {
-        push_faces(model, work, a, b);
+        push_faces(model, work, pair, number);
     }
 }
 
 /// The candidates of a pair that have to do with the fenders of either.
-fn push_faces(model: &Model, work: &mut Workspace, a: u32, b: u32) {
+#[inline(never)]
+fn push_faces(model: &Model, work: &mut Workspace, pair: &RankedPair, number: u32) {
+    let &RankedPair { a, b, island, .. } = pair;
     for (host, other) in [(a, b), (b, a)] {
         let (from, to) = model.ranked[host as usize].faces;
         for index in from..to {
             let face = &model.faces[index as usize];
             if face_near(model, work, face, other) {
-                let material = face.material;
-                work.candidates.push(Candidate { a, b, face: index + 1, material, island: 0 });
+                let candidate = Candidate { a, b, face: index + 1, material: face.material };
+                work.candidates.push(Pairing { candidate, island, pair: number });
             }
         }
     }

@@ -58,6 +58,7 @@ mod near;
 mod number;
 pub mod outline;
 mod overlap;
+mod pairing;
 mod report;
 mod snapshot;
 mod state;

@@ -10,6 +10,7 @@ use crate::fender::{self, Fender, FenderId, FenderLaw, RankedFender};
 use crate::geometry::convex::ConvexPolygon;
 use crate::mass::InverseMatrix;
 use crate::outline::Outline;
+use crate::pairing::{Bounds, RankedPair};
 
 /// Index of a body, in the order in which bodies were added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -153,6 +154,7 @@ pub struct Model {
     pub(crate) id_of: Vec<BodyId>,
     /// Named pairs, sorted by rank.
     pub(crate) pairs: Vec<RankedPair>,
+    pub(crate) pair_bounds: Vec<Bounds>,
     /// Material of all other pairs.
     pub(crate) every_other_pair: Option<MaterialId>,
     /// Distinguishes models, for memory and snapshots.
@@ -182,14 +184,6 @@ pub(crate) struct RankedBody {
     pub(crate) half_width_m: f64,
     /// Masses in surge, sway and yaw of a body whose momentum the engine turns with it.
     pub(crate) turns: Option<Turning>,
-}
-
-/// Two bodies by rank, the lower first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct RankedPair {
-    pub(crate) a: u32,
-    pub(crate) b: u32,
-    pub(crate) material: MaterialId,
 }
 
 /// Collects the parts of a [`Model`].
@@ -276,7 +270,7 @@ impl ModelBuilder {
         }
         let Ranks { mut ranked, rank_of, id_of } = rank(&bodies)?;
         let faces = rank_fenders(&fenders, &materials, &mut ranked, &rank_of)?;
-        let pairs = rank_pairs(&bodies, &materials, &pairs, &rank_of)?;
+        let pairs = rank_pairs(&bodies, &materials, &pairs, (&ranked, &rank_of))?;
         if let Some(MaterialId(index)) = every_other_pair
             && index as usize >= materials.len()
         {
@@ -292,9 +286,11 @@ impl ModelBuilder {
             rank_of,
             id_of,
             pairs,
+            pair_bounds: Vec::new(),
             every_other_pair,
             fingerprint: 0,
         };
+        model.pair_bounds = model.pairs.iter().map(|pair| Bounds::of(&model, pair)).collect();
         model.fingerprint = fingerprint(&model);
         Ok(model)
     }
@@ -466,7 +462,7 @@ fn rank_pairs(
     bodies: &[Body],
     materials: &[Material],
     pairs: &[Pair],
-    rank_of: &[u32],
+    (by_rank, rank_of): (&[RankedBody], &[u32]),
 ) -> Result<Vec<RankedPair>, ModelError> {
     let mut ranked = Vec::with_capacity(pairs.len());
     for pair in pairs {
@@ -486,14 +482,14 @@ fn rank_pairs(
         if first.mobility == Mobility::Fixed && second.mobility == Mobility::Fixed {
             return Err(bad_pair(first, second, "both are fixed: no force would move either"));
         }
-        let (a, b) = (one.min(two), one.max(two));
-        ranked.push(RankedPair { a, b, material: pair.material });
+        let [a, b] = [one.min(two), one.max(two)].map(|rank| (rank, &by_rank[rank as usize]));
+        ranked.push(RankedPair::new(a, b, pair.material));
     }
     ranked.sort_by_key(|p| (p.a, p.b));
-    let by_rank = |rank: u32| bodies.iter().zip(rank_of).find(|(_, r)| **r == rank).map(|(b, _)| b);
+    let of_rank = |rank: u32| bodies.iter().zip(rank_of).find(|(_, r)| **r == rank).map(|(b, _)| b);
     for two in ranked.windows(2) {
         if (two[0].a, two[0].b) == (two[1].a, two[1].b)
-            && let (Some(a), Some(b)) = (by_rank(two[0].a), by_rank(two[0].b))
+            && let (Some(a), Some(b)) = (of_rank(two[0].a), of_rank(two[0].b))
         {
             return Err(bad_pair(a, b, "named twice"));
         }

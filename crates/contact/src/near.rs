@@ -7,7 +7,8 @@
 
 use alloc::vec::Vec;
 
-use crate::model::Model;
+use crate::model::{MaterialId, Model};
+use crate::pairing::{Bounds, RankedPair};
 use crate::vec2::{Pose, Vec2};
 
 /// What a body's circle in the list is larger than its own, as a share. More makes the list longer, less
@@ -24,8 +25,9 @@ pub(crate) struct NearList {
     fingerprint: u64,
     /// By rank.
     circles: Vec<Circle>,
-    /// Ranks, the lower first, in order.
-    pairs: Vec<(u32, u32)>,
+    /// In the order of their ranks.
+    pairs: Vec<RankedPair>,
+    bounds: Vec<Bounds>,
     /// The bodies by the southern ends of their circles.
     by_x: Vec<(f64, u32)>,
 }
@@ -55,20 +57,31 @@ impl Circle {
 impl NearList {
     /// The pairs, among them all that no `Pair` of the model names, that are not both fixed and whose
     /// circles of `reach_m` meet.
-    pub(crate) fn pairs(&self) -> &[(u32, u32)] {
+    pub(crate) fn pairs(&self) -> &[RankedPair] {
         &self.pairs
     }
 
-    /// Brings the list up to date for bodies at `poses` that reach so far, both by rank.
-    pub(crate) fn refresh(&mut self, model: &Model, poses: &[Pose], reach_m: &[f64]) {
+    /// Of these.
+    pub(crate) fn bounds(&self) -> &[Bounds] {
+        &self.bounds
+    }
+
+    /// Brings the list up to date for bodies at `poses` that reach so far, both by rank. Those that are not
+    /// `active` stand as they stood when it was last brought up to date.
+    pub(crate) fn refresh(
+        &mut self,
+        model: &Model,
+        material: MaterialId,
+        poses: &[Pose],
+        reach_m: &[f64],
+        active: &[u32],
+    ) {
         let good = self.fingerprint == model.fingerprint
             && self.circles.len() == poses.len()
-            && self
-                .circles
-                .iter()
-                .zip(poses)
-                .zip(reach_m)
-                .all(|((circle, pose), &reach_m)| circle.holds(pose.position_m, reach_m));
+            && active.iter().all(|&rank| {
+                let rank = rank as usize;
+                self.circles[rank].holds(poses[rank].position_m, reach_m[rank])
+            });
         if !good {
             self.fingerprint = model.fingerprint;
             self.circles.clear();
@@ -76,13 +89,13 @@ impl NearList {
                 center_m: pose.position_m,
                 radius_m: reach_m * (1.0 + SLACK),
             }));
-            self.sweep(model);
+            self.sweep(model, material);
         }
     }
 
     /// Sweep and prune: the bodies are kept sorted by the southern ends of their circles, which moves
     /// little from list to list, so that an insertion sort costs one pass.
-    fn sweep(&mut self, model: &Model) {
+    fn sweep(&mut self, model: &Model, material: MaterialId) {
         let count = self.circles.len();
         if self.by_x.len() != count {
             self.by_x.clear();
@@ -103,15 +116,17 @@ impl NearList {
                 }
                 if circle.meets(&self.circles[two as usize]) {
                     let (a, b) = (one.min(two), one.max(two));
-                    let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
-                    let both_fixed = fixed(a) && fixed(b);
+                    let [body_a, body_b] = [a, b].map(|rank| &model.ranked[rank as usize]);
+                    let both_fixed = body_a.is_fixed() && body_b.is_fixed();
                     if !both_fixed && !named(model, a, b) {
-                        self.pairs.push((a, b));
+                        self.pairs.push(RankedPair::new((a, body_a), (b, body_b), material));
                     }
                 }
             }
         }
-        self.pairs.sort_unstable();
+        self.pairs.sort_unstable_by_key(|pair| (pair.a, pair.b));
+        self.bounds.clear();
+        self.bounds.extend(self.pairs.iter().map(|pair| Bounds::of(model, pair)));
     }
 }
 

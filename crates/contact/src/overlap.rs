@@ -113,7 +113,7 @@ pub(crate) fn overlap(
 ) {
     work.found.clear();
     for index in work.own_candidates.clone() {
-        let candidate = work.candidates[index];
+        let candidate = work.candidates[index].candidate;
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let b_in_a = work.poses[a].to(work.poses[b]);
         let (pieces_a, pieces_b) = pieces_of(model, &candidate);

@@ -31,6 +31,25 @@ impl BodyState {
         (self.velocity_mps, self.yaw_rate_radps)
     }
 
+    /// Is it the same to the bit?
+    #[inline]
+    pub(crate) fn is_same(&self, other: &BodyState) -> bool {
+        let bits = |state: &BodyState| {
+            let BodyState { position_m, heading_rad, velocity_mps, yaw_rate_radps } = *state;
+            [
+                position_m.x,
+                position_m.y,
+                heading_rad,
+                velocity_mps.x,
+                velocity_mps.y,
+                yaw_rate_radps,
+            ]
+            .map(f64::to_bits)
+        };
+        // All are compared, without a branch for each.
+        bits(self).iter().zip(bits(other)).fold(0, |apart, (one, two)| apart | (one ^ two)) == 0
+    }
+
     /// Neither goes nor turns.
     #[inline]
     pub(crate) fn is_at_rest(&self) -> bool {

@@ -40,7 +40,7 @@ pub fn step(
     step_s: f64,
 ) -> Result<(), StepError> {
     admit::admit(model, memory, states, step_s)?;
-    work.events.clear();
+    work.advanced = None;
     admit::place(model, memory, work, states);
     broad::pair(model, work);
     work.own_candidates = 0..work.candidates.len();

@@ -16,6 +16,7 @@ use crate::memory::{HintMemory, PatchMemory};
 use crate::model::{MaterialId, Model};
 use crate::near::NearList;
 use crate::overlap::Overlap;
+use crate::pairing::Bounds;
 use crate::report::{Contact, Event, Motion, Wrench};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::Pose;
@@ -24,6 +25,9 @@ use crate::vec2::Pose;
 /// can be shared between runs of the same model or thrown away at any time.
 #[derive(Clone, Debug)]
 pub struct Workspace {
+    /// The model of the last step, where that was one of [`crate::advance`] and went through: what there is of
+    /// its bodies is then what that step left.
+    pub(crate) advanced: Option<u64>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) wrenches: Vec<Wrench>,
     pub(crate) events: Vec<Event>,
@@ -32,13 +36,17 @@ pub struct Workspace {
     /// Poses by rank, with the heading each rotation was computed from.
     pub(crate) poses: Vec<Pose>,
     pub(crate) headings_rad: Vec<f64>,
+    /// Ranks, in order, of the bodies that do not stand as they stood at the last step.
+    pub(crate) active: Vec<u32>,
+    /// By rank: all but what is fixed and at rest.
+    pub(crate) moves: Vec<bool>,
     /// Bodies that jumped, by rank.
     pub(crate) teleported: Vec<bool>,
     /// Whether there are any; not after the first sub-step.
     pub(crate) jumps: bool,
     /// How far from its centre of gravity each body may reach in this step, by rank [m].
     pub(crate) reach_m: Vec<f64>,
-    pub(crate) candidates: Vec<Candidate>,
+    pub(crate) candidates: Vec<Pairing>,
     /// Those that the stages work on, and their patches: all, or those of some islands.
     pub(crate) own_candidates: Range<usize>,
     pub(crate) own_patches: Range<usize>,
@@ -59,15 +67,15 @@ pub struct Workspace {
     pub(crate) motions_by_rank: Vec<Motion>,
     pub(crate) motions: Vec<Motion>,
     pub(crate) before: Vec<Velocity>,
-    /// Loads, and mean contact wrenches as far as they are known, by rank.
+    /// Loads by rank.
     pub(crate) loads: Vec<Wrench>,
-    pub(crate) pushes: Vec<Wrench>,
-    /// What acceleration and rotation may add to the speed of a body's points in this step [m/s].
+    /// The most that any point of a body may move at in this step, by rank, and what of it acceleration and
+    /// rotation add [m/s].
+    pub(crate) fastest_mps: Vec<f64>,
     pub(crate) room_mps: Vec<f64>,
     pub(crate) islands: Vec<Island>,
     pub(crate) island_root: Vec<u32>,
-    /// By rank: all but what is fixed and at rest; and those of them that are in islands.
-    pub(crate) moves: Vec<bool>,
+    /// By rank: those that move and are in islands.
     pub(crate) in_island: Vec<bool>,
     /// What is fixed and moves, by rank, where it was shown.
     pub(crate) moving_walls: Vec<(u32, BodyState)>,
@@ -106,8 +114,19 @@ pub(crate) struct Candidate {
     /// against the other's outline.
     pub(crate) face: u32,
     pub(crate) material: MaterialId,
-    /// A body of its island, the same for all of it, by the coupled method.
+}
+
+/// A candidate, and what is known of its bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pairing {
+    pub(crate) candidate: Candidate,
+    /// A body of its island, the same for all of it, by the coupled method; until that is known [`JOINED`] where
+    /// both bodies float.
+    ///
+    /// [`JOINED`]: crate::pairing::JOINED
     pub(crate) island: u32,
+    /// Number of its pair: in `Model::pairs`, or beyond them in the list of those that are near.
+    pub(crate) pair: u32,
 }
 
 impl Candidate {
@@ -128,12 +147,15 @@ impl Workspace {
     pub fn new(model: &Model) -> Workspace {
         let count = model.bodies().len();
         Workspace {
+            advanced: None,
             contacts: Vec::new(),
             wrenches: vec![Wrench::default(); count],
             events: Vec::new(),
             states: Vec::with_capacity(count),
             poses: Vec::with_capacity(count),
             headings_rad: Vec::with_capacity(count),
+            active: Vec::with_capacity(count),
+            moves: Vec::with_capacity(count),
             teleported: Vec::with_capacity(count),
             reach_m: Vec::with_capacity(count),
             jumps: false,
@@ -152,11 +174,10 @@ impl Workspace {
             motions: Vec::with_capacity(count),
             before: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
-            pushes: Vec::with_capacity(count),
+            fastest_mps: Vec::with_capacity(count),
             room_mps: Vec::with_capacity(count),
             islands: Vec::new(),
             island_root: Vec::new(),
-            moves: Vec::new(),
             in_island: Vec::new(),
             moving_walls: Vec::new(),
             island_bodies: Vec::new(),
@@ -174,6 +195,13 @@ impl Workspace {
             inverses: Vec::with_capacity(count),
             unheld_j: vec![0.0; count],
         }
+    }
+
+    /// Bounds of the pair of that number.
+    #[inline]
+    pub(crate) fn bounds_of<'m>(&'m self, model: &'m Model, pair: u32) -> &'m Bounds {
+        let (pair, named) = (pair as usize, &model.pair_bounds);
+        if pair < named.len() { &named[pair] } else { &self.near.bounds()[pair - named.len()] }
     }
 
     /// Did one of two bodies jump before this (sub-)step?

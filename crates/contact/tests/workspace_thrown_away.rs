@@ -119,3 +119,67 @@ fn a_workspace_thrown_away_every_step_changes_no_bit_of_the_coupled_method() {
         states.copy_from_slice(work.states_after());
     });
 }
+
+/// What the host does with what is fixed: body 6 and the quay stand, go for a while and stand again, and are put
+/// elsewhere at once.
+fn move_what_is_fixed(states: &mut [BodyState], index: usize) {
+    let goes_mps = if (30..60).contains(&(index % 80)) { 0.3 } else { 0.0 };
+    for body in [0, 6] {
+        states[body].velocity_mps = vec2(0.0, -goes_mps);
+        states[body].position_m.y -= goes_mps * STEP_S;
+    }
+    if index % 7 == 6 {
+        states[6].position_m.x += 3.0;
+        states[0].heading_rad += 0.01;
+    }
+}
+
+/// Other uses of a workspace: a run by the paper's method, a run in which what is fixed is elsewhere, and a step
+/// that fails after some bodies have been looked at.
+fn use_otherwise(
+    model: &Model,
+    other: &mut Memory,
+    work: &mut Workspace,
+    states: &[BodyState],
+    loads: &[Wrench],
+    index: usize,
+) {
+    let mut states = states.to_vec();
+    if index.is_multiple_of(2) {
+        states[0].position_m.y -= 1.0;
+        states[6].position_m.x += 0.5;
+    }
+    match index % 5 {
+        1 => step(model, other, work, &states, STEP_S).expect("good states"),
+        2 => advance(model, other, work, &states, loads, STEP_S).expect("good states"),
+        3 => {
+            let last = states.len() - 1;
+            states[last].yaw_rate_radps = f64::NAN;
+            advance(model, other, work, &states, loads, STEP_S).expect_err("not a number");
+        }
+        _ => {}
+    }
+}
+
+/// Bodies that stand as they stood are left as they are in the workspace; it told of one where it had stood
+/// before, when another use had come between.
+#[test]
+fn a_workspace_used_otherwise_in_between_tells_where_a_quay_stood_before() {
+    let (model, mut states, loads) = crowd();
+    let (mut memory, mut own) = (Memory::new(&model), Workspace::new(&model));
+    let (mut same_memory, mut other_memory) = (Memory::new(&model), Memory::new(&model));
+    for index in 0..STEPS {
+        move_what_is_fixed(&mut states, index);
+        use_otherwise(&model, &mut other_memory, &mut own, &states, &loads, index);
+        let mut fresh = Workspace::new(&model);
+        let found =
+            [(&mut memory, &mut own), (&mut same_memory, &mut fresh)].map(|(memory, work)| {
+                advance(&model, memory, work, &states, &loads, STEP_S)
+                    .expect("good states and loads");
+                let told = (work.contacts(), work.wrenches(), work.events());
+                format!("{told:?} {:?} {:?} {memory:?}", work.states_after(), work.motions())
+            });
+        assert!(found[0] == found[1], "step {index}");
+        states.copy_from_slice(own.states_after());
+    }
+}

@@ -7,62 +7,61 @@ use crate::state::{BodyState, Velocity};
 use crate::vec2::Rotation;
 use crate::workspace::Workspace;
 
-/// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no
-/// push of contacts yet.
+/// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no wrench of
+/// contacts yet. Of bodies that stand as they stood nothing changes.
 pub(crate) fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
     let count = model.ranked.len();
-    let Workspace {
-        states,
-        poses,
-        reach_m,
-        pushes,
-        motions_by_rank,
-        loads: own,
-        inverses,
-        room_mps,
-        moves,
-        before,
-        moving_walls,
-        ..
-    } = work;
-    moving_walls.clear();
-    before.resize(count, Velocity::default());
-    own.resize(count, Wrench::default());
-    inverses.resize(count, InverseMatrix::default());
-    room_mps.resize(count, 0.0);
-    moves.resize(count, false);
-    pushes.clear();
-    pushes.resize(count, Wrench::default());
-    motions_by_rank.clear();
-    motions_by_rank.resize(count, Motion::default());
+    make_room(work, count);
+    work.moving_walls.clear();
+    work.wrenches.clear();
+    work.wrenches.resize(count, Wrench::default());
+    let Workspace { active, states, poses, moves, before, loads: own, inverses, .. } = work;
+    let Workspace { motions_by_rank, room_mps, fastest_mps, reach_m, moving_walls, .. } = work;
     // Of one length, so that it is asked for once.
-    let (states, poses, reach_m) = (&states[..count], &poses[..count], &mut reach_m[..count]);
-    let (own, inverses) = (&mut own[..count], &mut inverses[..count]);
-    let (room_mps, moves) = (&mut room_mps[..count], &mut moves[..count]);
-    for (rank, body) in model.ranked.iter().enumerate() {
-        let (state, fixed) = (&states[rank], body.is_fixed());
-        before[rank] = state.velocity();
-        moves[rank] = !(fixed && state.is_at_rest());
-        if !moves[rank] {
-            inverses[rank] = InverseMatrix::default();
-            room_mps[rank] = 0.0;
-            continue;
-        }
+    let (states, poses, moves) = (&states[..count], &poses[..count], &mut moves[..count]);
+    let (before, own, inverses) = (&mut before[..count], &mut own[..count], &mut inverses[..count]);
+    let (motions, room_mps) = (&mut motions_by_rank[..count], &mut room_mps[..count]);
+    let (fastest_mps, reach_m) = (&mut fastest_mps[..count], &mut reach_m[..count]);
+    let (ranked, id_of) = (&model.ranked[..count], &model.id_of[..count]);
+    for &rank in &*active {
+        let rank = rank as usize;
+        let (body, state) = (&ranked[rank], &states[rank]);
         let (mut load, mut inverse) = (Wrench::default(), InverseMatrix::default());
         let mut room = state.yaw_rate_radps.abs() * body.reach_m;
-        if !fixed {
-            load = loads[model.id_of[rank].0 as usize];
+        moves[rank] = !(body.is_fixed() && state.is_at_rest());
+        if !body.is_fixed() {
+            load = loads[id_of[rank].0 as usize];
             inverse = body.inverse.turned(poses[rank].rotation);
             let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
             room += dv.length() + dr.abs() * body.reach_m;
-        } else {
+        } else if moves[rank] {
             moving_walls.push((rank as u32, *state));
         }
+        let fastest = state.velocity_mps.length() + room;
+        before[rank] = state.velocity();
         own[rank] = load;
         inverses[rank] = inverse;
+        motions[rank] = Motion::default();
         room_mps[rank] = room;
-        reach_m[rank] += (state.velocity_mps.length() + room) * step_s;
+        fastest_mps[rank] = fastest;
+        reach_m[rank] += fastest * step_s;
     }
+}
+
+/// Makes room for so many bodies.
+fn make_room(work: &mut Workspace, count: usize) {
+    if work.motions.len() == count {
+        return;
+    }
+    work.moves.resize(count, false);
+    work.before.resize(count, Velocity::default());
+    work.loads.resize(count, Wrench::default());
+    work.inverses.resize(count, InverseMatrix::default());
+    work.room_mps.resize(count, 0.0);
+    work.fastest_mps.resize(count, 0.0);
+    work.motions_by_rank.resize(count, Motion::default());
+    work.states_after.resize(count, BodyState::default());
+    work.motions.resize(count, Motion::default());
 }
 
 /// v_free = v + h M⁻¹ W. Takes note of v.
@@ -122,9 +121,10 @@ fn move_body(state: &mut BodyState, h: f64) {
 
 /// Bodies that nothing is near: one step by their loads.
 pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
-    for (rank, body) in model.ranked.iter().enumerate() {
-        // Of most there is nothing else to ask.
-        if work.in_island[rank] || !work.moves[rank] || body.is_fixed() {
+    for &rank in &work.active {
+        let rank = rank as usize;
+        let body = &model.ranked[rank];
+        if work.in_island[rank] || body.is_fixed() {
             continue;
         }
         let load = work.loads[rank];

@@ -16,8 +16,8 @@ const MOST_TAKEN_J: f64 = 1e29;
 
 /// What contacts are booked in.
 pub(crate) struct Books<'w> {
-    /// Mean wrenches of the step as far as they are known, by rank.
-    pub(crate) pushes: &'w mut [Wrench],
+    /// Mean wrenches of the step as far as they are known, by id.
+    pub(crate) wrenches: &'w mut [Wrench],
     pub(crate) contacts: &'w mut Vec<Contact>,
     /// First of the group's contacts.
     pub(crate) first_contact: usize,
@@ -43,10 +43,11 @@ impl Books<'_> {
         let normal = tie.along_n;
         let Forces { normal_n, tangential_n, friction } = tie.forces;
         let force_n = (normal * -normal_n + normal.quarter_turn() * tangential_n) * share;
-        let on_a = &mut self.pushes[tie.a as usize];
+        let [id_a, id_b] = [tie.a, tie.b].map(|rank| scene.model.id_of[rank as usize]);
+        let on_a = &mut self.wrenches[id_a.0 as usize];
         on_a.force_n += force_n;
         on_a.moment_nm += row.arm_a_m.cross(force_n);
-        let on_b = &mut self.pushes[tie.b as usize];
+        let on_b = &mut self.wrenches[id_b.0 as usize];
         on_b.force_n -= force_n;
         on_b.moment_nm -= row.arm_b_m.cross(force_n);
 

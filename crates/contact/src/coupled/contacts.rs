@@ -41,7 +41,7 @@ pub(crate) fn act(
         ties,
         trials,
         unheld_j,
-        pushes,
+        wrenches,
         contacts,
         first_contact,
         next_patches,
@@ -52,8 +52,16 @@ pub(crate) fn act(
     let begun = Begun { scene: Scene { model, found, poses }, before, inverses, elapsed_s, h };
     let first_sub_step = contacts.len() == *first_contact;
     let first_contact = *first_contact;
-    let mut books =
-        Books { pushes, contacts, first_contact, next_patches, in_order, first_sub_step, h, share };
+    let mut books = Books {
+        wrenches,
+        contacts,
+        first_contact,
+        next_patches,
+        in_order,
+        first_sub_step,
+        h,
+        share,
+    };
     let taken = |patch: &Patch, inherited: Inherited| Taken {
         inherited,
         old: inherited.of(past.patches, shares),

@@ -8,8 +8,9 @@ use crate::coupled::pace;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
 use crate::overlap::Patch;
+use crate::pairing::JOINED;
 use crate::report::Motion;
-use crate::workspace::{Candidate, Workspace};
+use crate::workspace::{Pairing, Workspace};
 
 /// Bodies that may touch each other: a range of `Workspace::candidates`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,11 +52,11 @@ impl IslandMemory {
     }
 
     /// Gathers what the last step left of an island.
-    pub(crate) fn gather(&mut self, memory: &Memory, candidates: &[Candidate]) {
+    pub(crate) fn gather(&mut self, memory: &Memory, candidates: &[Pairing]) {
         self.patches.clear();
         self.hints.clear();
-        for candidate in candidates {
-            let key = candidate.key();
+        for pairing in candidates {
+            let key = pairing.candidate.key();
             self.patches.extend(run_of(&memory.patches, key, PatchMemory::candidate));
             self.hints.extend(run_of(&memory.hints, key, HintMemory::candidate));
         }
@@ -74,44 +75,49 @@ fn run_of<T: Copy>(
 
 /// Splits the candidates into islands, in the order of their first candidates.
 pub(crate) fn split(model: &Model, work: &mut Workspace) {
-    work.islands.clear();
     work.in_island.clear();
     work.in_island.resize(model.ranked.len(), false);
-    work.in_order = true;
-    if work.candidates.is_empty() {
-        return;
+    if work.candidates.iter().any(|pairing| pairing.island == JOINED) {
+        join(model, work);
     }
+    work.in_order = part(&work.candidates, &mut work.islands);
+    if !work.in_order {
+        // By island; the candidates' own order within.
+        work.candidates.sort_unstable_by_key(|p| (p.island, p.candidate.key()));
+        part(&work.candidates, &mut work.islands);
+    }
+}
+
+/// Parts candidates where one island ends and the next begins; and whether they are in the order of the islands.
+fn part(candidates: &[Pairing], islands: &mut Vec<Island>) -> bool {
+    islands.clear();
+    let Some(first) = candidates.first() else { return true };
+    let (mut from, mut last, mut in_order) = (0, first.island, true);
+    for (index, pairing) in candidates.iter().enumerate() {
+        if pairing.island != last {
+            islands.push(Island::of(from..index));
+            in_order &= last < pairing.island;
+            (from, last) = (index, pairing.island);
+        }
+    }
+    islands.push(Island::of(from..candidates.len()));
+    in_order
+}
+
+/// Finds the islands where bodies that float may touch each other: each goes by the lowest rank of them.
+fn join(model: &Model, work: &mut Workspace) {
     let root = &mut work.island_root;
     root.clear();
     root.extend(0..model.ranked.len() as u32);
-    for candidate in &mut work.candidates {
-        let [a, b] = [candidate.a, candidate.b];
-        let fixed = [a, b].map(|rank| model.ranked[rank as usize].is_fixed());
-        candidate.island = if fixed[0] { b } else { a };
-        if !fixed[0] && !fixed[1] {
-            let (one, two) = (find(root, a), find(root, b));
+    for Pairing { candidate, island, .. } in &work.candidates {
+        if *island == JOINED {
+            let (one, two) = (find(root, candidate.a), find(root, candidate.b));
             root[one.max(two) as usize] = one.min(two);
         }
     }
-    // By island; the candidates' own order within.
-    let mut last = 0;
-    for candidate in &mut work.candidates {
-        candidate.island = find(root, candidate.island);
-        work.in_order &= last <= candidate.island;
-        last = candidate.island;
+    for Pairing { candidate, island, .. } in &mut work.candidates {
+        *island = find(root, if *island == JOINED { candidate.a } else { *island });
     }
-    if !work.in_order {
-        work.candidates.sort_unstable_by_key(|c| (c.island, c.key()));
-    }
-    let mut from = 0;
-    let mut last = work.candidates[0].island;
-    for (index, candidate) in work.candidates.iter().enumerate() {
-        if candidate.island != last {
-            work.islands.push(Island::of(from..index));
-            (from, last) = (index, candidate.island);
-        }
-    }
-    work.islands.push(Island::of(from..work.candidates.len()));
 }
 
 impl Island {
@@ -158,7 +164,7 @@ pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
     work.first_contact = work.contacts.len();
     let Workspace { candidates, own_candidates, moves, in_island, island_bodies, .. } = work;
     island_bodies.clear();
-    for candidate in &candidates[own_candidates.clone()] {
+    for Pairing { candidate, .. } in &candidates[own_candidates.clone()] {
         for rank in [candidate.a, candidate.b] {
             let place = rank as usize;
             if moves[place] && !in_island[place] {

@@ -36,7 +36,7 @@ use crate::inherit::inherit_all;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
 use crate::overlap::overlap;
-use crate::report::{EventKind, Motion, Wrench};
+use crate::report::{EventKind, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
@@ -59,11 +59,10 @@ pub fn advance(
     loads: &[Wrench],
     step_s: f64,
 ) -> Result<(), StepError> {
-    admit::admit(model, memory, states, step_s)?;
-    admit::admit_loads(model, loads)?;
-    work.events.clear();
+    admit::admit_call(model, memory, states, step_s)?;
+    admit::admit_loads(model, states, loads)?;
+    admit::place_active(model, memory, work, states)?;
     work.contacts.clear();
-    admit::place(model, memory, work, states);
     bodies::take_loads(model, work, loads, step_s);
     broad::pair(model, work);
     island::split(model, work);
@@ -72,7 +71,8 @@ pub fn advance(
     advance_islands(model, memory, work, step_s);
     bodies::drift_apart(model, work, step_s);
     report(model, work)?;
-    remember(memory, work, step_s, model, states);
+    remember(model, memory, work, states, step_s);
+    work.advanced = Some(model.fingerprint);
     Ok(())
 }
 
@@ -105,7 +105,7 @@ fn end_what_left(model: &Model, memory: &Memory, work: &mut Workspace) {
         return;
     }
     for patch in &memory.patches {
-        if !work.candidates.iter().any(|candidate| candidate.key() == patch.candidate()) {
+        if !work.candidates.iter().any(|pairing| pairing.candidate.key() == patch.candidate()) {
             note(model, &mut work.events, patch.a, patch.b, EventKind::ContactEnded);
         }
     }
@@ -133,7 +133,8 @@ fn advance_in_order(
     while from < islands.len() {
         let alike = |island: &&Island| island.sub_steps == islands[from].sub_steps;
         let to = from + islands[from..].iter().take_while(alike).count();
-        let next = islands.get(to).map(|island| work.candidates[island.candidates.start].key());
+        let next =
+            islands.get(to).map(|island| work.candidates[island.candidates.start].candidate.key());
         work.jumps = jumps;
         island::enter(work, &islands[from..to]);
         advance_group(model, rest.before(next), work, &islands[from..to], step_s);
@@ -187,7 +188,8 @@ fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Isla
     bodies::advance_positions(model, work, h);
 }
 
-/// Contacts in the order of the keys, and what there is of each body in the order in which they were added.
+/// Contacts in the order of the keys, and what there is of each body in the order in which they were added: of
+/// those that stand as they stood, the last step's is still right.
 ///
 /// # Errors
 /// A number that is none: the step is too long for its sub-steps, of which there is a bound.
@@ -199,18 +201,13 @@ fn report(model: &Model, work: &mut Workspace) -> Result<(), StepError> {
     if !work.in_order {
         work.contacts.sort_unstable_by_key(key);
     }
-    let count = model.ranked.len();
-    let Workspace { wrenches, states_after, motions, pushes, states, motions_by_rank, .. } = work;
-    wrenches.resize(count, Wrench::default());
-    states_after.resize(count, BodyState::default());
-    motions.resize(count, Motion::default());
-    let by_rank = pushes.iter().zip(states.iter()).zip(motions_by_rank.iter());
+    let Workspace { wrenches, states_after, motions, states, motions_by_rank, active, .. } = work;
     let mut nothing = 0.0;
-    for (id, ((push, state), motion)) in model.id_of.iter().zip(by_rank) {
-        let id = id.0 as usize;
-        wrenches[id] = *push;
+    for &rank in &*active {
+        let (id, rank) = (model.id_of[rank as usize].0 as usize, rank as usize);
+        let (state, push) = (&states[rank], &wrenches[id]);
         states_after[id] = *state;
-        motions[id] = *motion;
+        motions[id] = motions_by_rank[rank];
         // Nothing times nothing, unless it is infinite or none. Without a branch for each.
         let sum = state.position_m + state.velocity_mps + push.force_n;
         nothing += 0.0 * (sum.x + sum.y + state.heading_rad + state.yaw_rate_radps);
@@ -238,11 +235,11 @@ fn overflow(model: &Model, work: &Workspace) -> StepError {
 
 /// The step is done: what it found becomes the memory of the next.
 fn remember(
+    model: &Model,
     memory: &mut Memory,
     work: &mut Workspace,
-    step_s: f64,
-    model: &Model,
     states: &[BodyState],
+    step_s: f64,
 ) {
     if !work.in_order {
         work.next_patches.sort_unstable_by_key(PatchMemory::key);
@@ -250,7 +247,6 @@ fn remember(
     }
     core::mem::swap(&mut memory.patches, &mut work.next_patches);
     core::mem::swap(&mut memory.hints, &mut work.next_hints);
-    memory.last_states.clear();
-    memory.last_states.extend(model.id_of.iter().map(|id| states[id.0 as usize]));
+    admit::remember_states(model, memory, &work.active, states);
     memory.last_step_s = step_s;
 }

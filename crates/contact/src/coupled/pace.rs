@@ -9,7 +9,8 @@ use crate::memory::HintMemory;
 use crate::model::{Model, RankedBody};
 use crate::number::lesser;
 use crate::overlap::{Patch, pieces_of};
-use crate::workspace::{Candidate, Workspace};
+use crate::pairing::longest_chord_m;
+use crate::workspace::{Candidate, Pairing, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
 /// costs at most (ωh)²/2 of the depth: 0.5 % here, and less as the bounds on ω below are wide.
@@ -45,7 +46,8 @@ pub(crate) fn sub_steps(
     // What each may add to the square of the rate without more sub-steps, whatever the others add.
     let of_each = 1.0 / (turn * turn * candidates.len() as f64);
     // In the order of the candidates.
-    for (candidate, index) in work.candidates[candidates.clone()].iter().zip(candidates.start..) {
+    for (pairing, index) in work.candidates[candidates.clone()].iter().zip(candidates.start..) {
+        let Pairing { candidate, pair, .. } = pairing;
         let own = patches_of(&mut patches, index);
         if own.is_empty() && !may_touch(model, work, candidate, hints, step_s) {
             continue;
@@ -60,25 +62,19 @@ pub(crate) fn sub_steps(
             travel = travel.max(closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m));
             continue;
         }
-        let a = &model.ranked[candidate.a as usize];
-        let b = &model.ranked[candidate.b as usize];
-        let material = &model.materials()[candidate.material.0 as usize];
-        // The chord is at most as long as the smaller body.
-        let chord_m = 2.0 * lesser(a.radius_m, b.radius_m);
-        let rate_squared_of = |inverse_mass: f64| {
-            let damping_rate = material.damping_nspm2 * chord_m * inverse_mass;
-            counts * material.stiffness_npm2 * chord_m * inverse_mass + damping_rate * damping_rate
-        };
-        let most = rate_squared_of(2.0 * (a.lightest_inverse_mass + b.lightest_inverse_mass));
+        let bounds = work.bounds_of(model, *pair);
+        let most = counts * bounds.spring_rate_squared + bounds.damping_rate_squared;
         rate_squared += match own {
             // Where even the largest bound is small there is no more to find out.
             [only] if most > of_each && only.per_chord_m > 0.0 => {
-                rate_squared_of(inverse_mass(a, b, only, chord_m))
+                let (spring, damper) = bounds.rates_squared(inverse_mass(model, only));
+                counts * spring + damper
             }
             _ => most,
         };
-        let most_m = TRAVEL_PER_SUB_STEP * lesser(a.half_width_m, b.half_width_m);
-        if !closes_no_more_than(most_m * per_step, work, candidate) {
+        let most_m = TRAVEL_PER_SUB_STEP * bounds.half_width_m;
+        let (a, b) = (candidate.a as usize, candidate.b as usize);
+        if work.fastest_mps[a] + work.fastest_mps[b] > most_m * per_step {
             travel = travel.max(closing_mps(work, candidate) * step_s / most_m);
         }
     }
@@ -102,11 +98,14 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
     own
 }
 
-/// A bound on the inverse mass that two bodies oppose to a contact in one place, which has a chord [1/kg]. Twice
-/// that without rotation allows for a contact off the centre; its lever may tell that rotation adds less. The
-/// patch lies on the chord, so that it moves by half of that at most; and within the smaller body, so that it
-/// comes no further from that one's centre of gravity.
-fn inverse_mass(a: &RankedBody, b: &RankedBody, patch: &Patch, chord_m: f64) -> f64 {
+/// A bound on the inverse mass that two bodies oppose to a contact of theirs [1/kg]. Twice that without rotation
+/// allows for a contact off the centre; its lever may tell that rotation adds less. The patch lies on the chord,
+/// so that it moves by half of that at most; and within the smaller body, so that it comes no further from that
+/// one's centre of gravity.
+#[inline(never)]
+fn inverse_mass(model: &Model, patch: &Patch) -> f64 {
+    let [a, b] = [patch.candidate.a, patch.candidate.b].map(|rank| &model.ranked[rank as usize]);
+    let chord_m = longest_chord_m(a, b);
     let of_body = |body: &RankedBody, lever_m: f64| {
         let by_turning = body.inverse.of_turning() * lever_m * lever_m;
         body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
@@ -124,6 +123,7 @@ fn inverse_mass(a: &RankedBody, b: &RankedBody, patch: &Patch, chord_m: f64) -> 
 
 /// Bounds on the squares of the rates of a fender and its hull by spring and stop, for all deflections that
 /// this step can reach, and by the damper [1/s²].
+#[inline(never)]
 fn rates_squared_of_face(
     model: &Model,
     work: &Workspace,
@@ -159,6 +159,7 @@ fn rates_squared_of_face(
 }
 
 /// Could the pair touch in this step? By the gaps between its pieces.
+#[inline(never)]
 fn may_touch(
     model: &Model,
     work: &Workspace,
@@ -180,16 +181,6 @@ fn may_touch(
             gap_m(shape_a, shape_b, b_in_a, hint) <= reach_m
         })
     })
-}
-
-/// Is [`closing_mps`] no more than this? Without its root, which would be waited for. Where it is nearly as much
-/// it does not matter what the answer is.
-#[inline]
-fn closes_no_more_than(most_mps: f64, work: &Workspace, candidate: &Candidate) -> bool {
-    let (a, b) = (candidate.a as usize, candidate.b as usize);
-    let apart = work.states[a].velocity_mps - work.states[b].velocity_mps;
-    let left_mps = most_mps - (work.room_mps[a] + work.room_mps[b]);
-    left_mps >= 0.0 && apart.length_squared() <= left_mps * left_mps
 }
 
 /// A bound on how fast any two points of the pair approach each other in this step [m/s].

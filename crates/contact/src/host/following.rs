@@ -156,7 +156,7 @@ impl FollowingHost {
     ) -> Result<&'w [Wrench], StepError> {
         admit::admit(model, &self.memory, states_shown, step_s)?;
         if let Some(loads) = told_loads {
-            admit::admit_loads(model, loads)?;
+            admit::admit_loads(model, states_shown, loads)?;
         }
         self.observe(model, work, states_shown);
         self.predict(model, work, told_loads);
