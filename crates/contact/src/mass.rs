@@ -83,6 +83,20 @@ impl InverseMatrix {
         )
     }
 
+    /// `factor` times it.
+    #[inline]
+    pub(crate) fn times(&self, factor: f64) -> InverseMatrix {
+        let InverseMatrix { xx, xy, yy, xr, yr, rr } = *self;
+        InverseMatrix {
+            xx: xx * factor,
+            xy: xy * factor,
+            yy: yy * factor,
+            xr: xr * factor,
+            yr: yr * factor,
+            rr: rr * factor,
+        }
+    }
+
     /// The matrix that this is the inverse of; `None` for a fixed body.
     pub(crate) fn matrix(&self) -> Option<[[f64; 3]; 3]> {
         let InverseMatrix { xx, xy, yy, xr, yr, rr } = *self;

@@ -53,7 +53,9 @@ impl BodyState {
     /// Neither goes nor turns.
     #[inline]
     pub(crate) fn is_at_rest(&self) -> bool {
-        (self.velocity_mps == Vec2::ZERO) & (self.yaw_rate_radps == 0.0)
+        // All bits but the signs are nought: asked of all three at once.
+        let Vec2 { x, y } = self.velocity_mps;
+        (x.to_bits() | y.to_bits() | self.yaw_rate_radps.to_bits()) << 1 == 0
     }
 
     /// Velocity of the body's material point at earth-fixed `point_m` (eq. 14) [m/s].

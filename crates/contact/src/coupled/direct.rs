@@ -2,124 +2,157 @@
 //!
 //! With N_i = f_i, and T_i the implicit shear spring's force while it sticks, which is a line in V_t⁺,
 //!
-//! T_i = T_i(V_t free) − c_i j_t·Δv,  c_i = ϑ² k_s h,
+//! T_i = T_i(V_t⁺ = 0) − c_i V_t,i⁺,  c_i = ϑ² k_s h,
 //!
-//! the velocities of an island's one floating body follow from a system of three equations, whatever the number
-//! of its contacts:
+//! the velocities v⁺ of an island's one floating body follow from a system of three equations, whatever the number
+//! of its contacts, here with walls that stand still:
 //!
-//! (1 + h M⁻¹ Σ c_i j_t j_tᵀ) Δv = h M⁻¹ Σ (−f_i j_n + T_i(V_t free) j_t).
+//! (1 + h M⁻¹ Σ c_i j_t j_tᵀ) v⁺ = v_free + h M⁻¹ Σ (−f_i j_n + T_i(0) j_t).
 //!
 //! It is the sweeps' answer where none of the bounds on N and T is reached with it, which is then asked of
 //! each contact; else the sweeps have to find which are.
 
-use crate::coupled::tie::{Forces, Tie};
+use crate::coupled::tie::{Grip, Side, Tie};
 use crate::mass::InverseMatrix;
-use crate::report::Friction;
 use crate::state::{BodyState, Velocity};
 use crate::vec2::{Vec2, vec2};
 
-/// New velocities in `states` and forces in `ties`, from velocities without contact. False, and neither
-/// changed, where a bound would be passed or more than one body floats.
+/// New velocities in `states` and forces in `ties`, from velocities without contact. False where a bound would be
+/// passed or more than one body floats: `states` are unchanged then.
+// Apart: it needs all registers.
+#[inline(never)]
 pub(crate) fn solve(
     states: &mut [BodyState],
     inverses: &[InverseMatrix],
     ties: &mut [Tie],
     h: f64,
 ) -> bool {
-    let Some(body) = only_floating(ties) else { return false };
-    let inverse = &inverses[body as usize];
-    let mut normal = Momentum::default();
-    let mut tangential = Momentum::default();
+    let Some(body) = ties.first().and_then(Tie::only_floating) else { return false };
+    let of_force = inverses[body as usize].times(h);
+    let mut push = Push::default();
     let mut stiffness = Stiffness::default();
+    let mut walls_rest = true;
     for tie in ties.iter_mut() {
-        tie.after_mps = tie.speeds(states);
-        let side = tie.side_of(body);
-        normal.add(side.normal, -side.sign * tie.law_n);
-        tangential.add(side.tangential, side.sign * tie.spring_n(tie.after_mps.1));
-        stiffness.add(side.tangential, tie.spring_slope());
-    }
-    let pushed = normal.plus(&tangential).response(inverse, h);
-    let change = stiffness.hold(inverse, h, pushed);
-
-    tangential = Momentum::default();
-    let mut within_bounds = true;
-    for tie in ties.iter_mut() {
-        let side = tie.side_of(body);
-        let (normal_mps, tangential_mps) = tie.after_mps;
-        tie.after_mps = (
-            normal_mps + side.sign * along(side.normal, change),
-            tangential_mps + side.sign * along(side.tangential, change),
-        );
-        let tangential_n = tie.spring_n(tie.after_mps.1);
-        within_bounds &= tie.is_within_bounds(tie.after_mps, tangential_n, h);
-        tangential.add(side.tangential, side.sign * tangential_n);
-    }
-    if !within_bounds {
-        return false;
-    }
-    for tie in ties {
-        tie.forces = Forces {
-            normal_n: tie.law_n,
-            tangential_n: tie.spring_n(tie.after_mps.1),
-            friction: Friction::Stick,
+        if tie.only_floating() != Some(body) {
+            return false;
+        }
+        // Twice the same, so that no sign is asked for.
+        let wall = match tie.floating_side() {
+            Side::A => {
+                take(tie, Side::A, &mut push, &mut stiffness);
+                tie.b
+            }
+            Side::B => {
+                take(tie, Side::B, &mut push, &mut stiffness);
+                tie.a
+            }
         };
+        walls_rest &= states[wall as usize].is_at_rest();
     }
-    // By the forces themselves, so that not a bit of momentum is lost.
-    let (dv, dr) = normal.plus(&tangential).response(inverse, h);
+    if !walls_rest {
+        take_walls(states, ties, &mut push);
+    }
     let state = &mut states[body as usize];
+    let (free_mps, free_radps) = state.velocity();
+    let (dv, dr) = push.response(&of_force);
+    let found = stiffness.hold(&of_force, (free_mps + dv, free_radps + dr));
+    for tie in ties {
+        let sticks = match tie.floating_side() {
+            Side::A => stick(tie, Side::A, found, &mut push, h),
+            Side::B => stick(tie, Side::B, found, &mut push, h),
+        };
+        if !sticks {
+            return false;
+        }
+    }
+    // By the forces themselves: no momentum is lost but by rounding, however stiff the springs.
+    let (dv, dr) = push.response(&of_force);
     state.velocity_mps += dv;
     state.yaw_rate_radps += dr;
     true
 }
 
-/// j·v.
-#[inline]
-fn along([x, y, lever_m]: [f64; 3], (velocity_mps, turn_radps): Velocity) -> f64 {
-    vec2(x, y).dot(velocity_mps) + lever_m * turn_radps
+/// Takes in a contact whose body on this side floats: its forces if both its bodies stood still, and what its
+/// shear spring loses with the velocity of that body.
+#[inline(always)]
+fn take(tie: &mut Tie, side: Side, push: &mut Push, stiffness: &mut Stiffness) {
+    let (grip, sign) = (tie.grip(side), side.sign());
+    push.add(&grip, sign * tie.law_n, sign * tie.spring_at_rest_n());
+    stiffness.add(&grip, tie.spring_slope());
+    tie.after_mps = (0.0, 0.0);
 }
 
-/// The one body that floats, where there is no more than one.
-#[inline]
-fn only_floating(ties: &[Tie]) -> Option<u32> {
-    let first = match ties.first()?.floating() {
-        [Some(rank), None] | [None, Some(rank)] => rank,
-        _ => return None,
-    };
-    let alike =
-        |tie: &Tie| tie.floating() == [Some(first), None] || tie.floating() == [None, Some(first)];
-    ties.iter().all(alike).then_some(first)
+/// And what their other bodies do to them, which do not float but may move, as lock gates do.
+#[cold]
+#[inline(never)]
+fn take_walls(states: &[BodyState], ties: &mut [Tie], push: &mut Push) {
+    for tie in ties {
+        let side = tie.floating_side();
+        let (wall, sign) = match side {
+            Side::A => (tie.b, 1.0),
+            Side::B => (tie.a, -1.0),
+        };
+        let (normal_mps, tangential_mps) =
+            tie.grip(side.other()).speeds(states[wall as usize].velocity());
+        tie.after_mps = (-sign * normal_mps, -sign * tangential_mps);
+        push.shear(&tie.grip(side), tie.spring_slope() * tangential_mps);
+    }
 }
 
-/// Σ F j: a force and its moment [N, N·m].
+/// Its forces and speeds if the body moves so. False where a bound would be passed.
+#[inline(always)]
+fn stick(tie: &mut Tie, side: Side, moves: Velocity, push: &mut Push, h: f64) -> bool {
+    let (grip, sign) = (tie.grip(side), side.sign());
+    let (normal_mps, tangential_mps) = grip.speeds(moves);
+    let speeds = (tie.after_mps.0 + sign * normal_mps, tie.after_mps.1 + sign * tangential_mps);
+    let tangential_n = tie.spring_n(speeds.1);
+    if !tie.is_within_bounds(speeds, tangential_n, h) {
+        return false;
+    }
+    tie.stick(speeds, tangential_n);
+    push.lose_shear(&grip, tie.spring_slope() * tangential_mps);
+    true
+}
+
+/// Σ (−N n + T t) and its moment on the floating body, with N and T as they act on it: as B it feels their
+/// opposites.
 #[derive(Clone, Copy, Default)]
-struct Momentum {
-    force_n: Vec2,
+struct Push {
+    /// Σ N n and Σ T n: what is turned is turned once for all.
+    normal_n: Vec2,
+    tangential_n: Vec2,
     moment_nm: f64,
 }
 
-impl Momentum {
-    #[inline]
-    fn add(&mut self, [x, y, lever_m]: [f64; 3], force_n: f64) {
-        self.force_n += vec2(x, y) * force_n;
-        self.moment_nm += lever_m * force_n;
+impl Push {
+    #[inline(always)]
+    fn add(&mut self, grip: &Grip, normal_n: f64, tangential_n: f64) {
+        self.normal_n += grip.along_n * normal_n;
+        self.moment_nm -= grip.lever_n_m * normal_n;
+        self.shear(grip, tangential_n);
     }
 
-    #[inline]
-    fn plus(&self, other: &Momentum) -> Momentum {
-        Momentum {
-            force_n: self.force_n + other.force_n,
-            moment_nm: self.moment_nm + other.moment_nm,
-        }
+    #[inline(always)]
+    fn shear(&mut self, grip: &Grip, tangential_n: f64) {
+        self.tangential_n += grip.along_n * tangential_n;
+        self.moment_nm += grip.lever_t_m * tangential_n;
     }
 
-    /// h M⁻¹ of it: a change of velocity and yaw rate.
-    #[inline]
-    fn response(&self, inverse: &InverseMatrix, h: f64) -> (Vec2, f64) {
-        inverse.response(self.force_n * h, self.moment_nm * h)
+    #[inline(always)]
+    fn lose_shear(&mut self, grip: &Grip, tangential_n: f64) {
+        self.tangential_n -= grip.along_n * tangential_n;
+        self.moment_nm -= grip.lever_t_m * tangential_n;
+    }
+
+    /// The change of velocity and yaw rate by it, with h M⁻¹.
+    #[inline(always)]
+    fn response(&self, of_force: &InverseMatrix) -> (Vec2, f64) {
+        let force_n = self.tangential_n.quarter_turn() - self.normal_n;
+        of_force.response(force_n, self.moment_nm)
     }
 }
 
-/// Σ c j jᵀ, symmetric: columns of x, y and yaw.
+/// C = Σ c j_t j_tᵀ, symmetric, but with n for t: it is turned once for all.
 #[derive(Clone, Copy, Default)]
 struct Stiffness {
     xx: f64,
@@ -131,8 +164,9 @@ struct Stiffness {
 }
 
 impl Stiffness {
-    #[inline]
-    fn add(&mut self, [x, y, lever_m]: [f64; 3], slope: f64) {
+    #[inline(always)]
+    fn add(&mut self, grip: &Grip, slope: f64) {
+        let (Vec2 { x, y }, lever_m) = (grip.along_n, grip.lever_t_m);
         let (of_x, of_y, of_r) = (slope * x, slope * y, slope * lever_m);
         self.xx += of_x * x;
         self.xy += of_x * y;
@@ -144,14 +178,15 @@ impl Stiffness {
 
     /// v of (1 + h M⁻¹ C) v = `free`, by Cramer's rule: M + h C is positive definite.
     #[inline]
-    fn hold(&self, inverse: &InverseMatrix, h: f64, (dv, dr): (Vec2, f64)) -> (Vec2, f64) {
+    fn hold(&self, of_force: &InverseMatrix, (dv, dr): (Vec2, f64)) -> (Vec2, f64) {
         let column = |x: f64, y: f64, r: f64| {
-            let (linear, turn) = inverse.response(vec2(x, y) * h, r * h);
+            let (linear, turn) = of_force.response(vec2(x, y), r);
             [linear.x, linear.y, turn]
         };
-        let mut a = column(self.xx, self.xy, self.xr);
-        let mut b = column(self.xy, self.yy, self.yr);
-        let mut c = column(self.xr, self.yr, self.rr);
+        // t = (−n_y, n_x).
+        let mut a = column(self.yy, -self.xy, -self.yr);
+        let mut b = column(-self.xy, self.xx, self.xr);
+        let mut c = column(-self.yr, self.xr, self.rr);
         a[0] += 1.0;
         b[1] += 1.0;
         c[2] += 1.0;
@@ -177,7 +212,9 @@ fn cross(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
 mod tests {
     use super::*;
     use crate::coupled::rows::Laws;
+    use crate::coupled::tie::Forces;
     use crate::model::Material;
+    use crate::report::Friction;
     use crate::touch::Touch;
     use alloc::vec::Vec;
 
@@ -205,6 +242,7 @@ mod tests {
         let ties = (0..4).map(|k| {
             let touch = Touch {
                 normal: vec2(0.0, 1.0),
+                arm_a_m: vec2(-80.0 + 60.0 * f64::from(k), 4.0),
                 arm_b_m: vec2(-90.0 + 60.0 * f64::from(k), -23.0),
                 shear_m: 1e-3 * f64::from(k - 1),
                 v_normal_mps: 0.05,
@@ -228,15 +266,26 @@ mod tests {
     /// To rounding: each contact's forces are those that it would have with all others' as they are.
     #[test]
     fn the_direct_solve_is_where_a_sweep_changes_nothing() {
-        let (mut states, inverses, mut ties) = ship_on_fenders(0.5);
-        let before = states[1];
-        assert!(solve(&mut states, &inverses, &mut ties, H));
-        assert!(states[1].velocity_mps.y > before.velocity_mps.y, "the fenders push");
-        for tie in &ties {
-            let relaxed = tie.relaxed(tie.speeds(&states), H);
-            assert_eq!(relaxed.friction, Friction::Stick);
-            assert_eq!(relaxed.normal_n, tie.law_n);
-            assert!((relaxed.tangential_n - tie.forces.tangential_n).abs() < 1e-6, "{tie:?}");
+        let moving = BodyState {
+            velocity_mps: vec2(4e-3, 1e-2),
+            yaw_rate_radps: 2e-4,
+            ..Default::default()
+        };
+        for wall in [BodyState::default(), moving] {
+            let (mut states, inverses, mut ties) = ship_on_fenders(0.5);
+            states[0] = wall;
+            let before = states[1];
+            assert!(solve(&mut states, &inverses, &mut ties, H));
+            assert!(states[1].velocity_mps.y > before.velocity_mps.y, "the fenders push");
+            for tie in &ties {
+                let (normal_mps, tangential_mps) = tie.speeds(&states);
+                assert!((tie.after_mps.0 - normal_mps).abs() < 1e-15, "{tie:?}");
+                assert!((tie.after_mps.1 - tangential_mps).abs() < 1e-15, "{tie:?}");
+                let relaxed = tie.relaxed((normal_mps, tangential_mps), H);
+                assert_eq!(relaxed.friction, Friction::Stick);
+                assert_eq!(relaxed.normal_n, tie.law_n);
+                assert!((relaxed.tangential_n - tie.forces.tangential_n).abs() < 1e-6, "{tie:?}");
+            }
         }
     }
 
@@ -246,7 +295,8 @@ mod tests {
         let (mut tried, mut tried_ties) = (states.clone(), ties.clone());
         assert!(!solve(&mut tried, &inverses, &mut tried_ties, H), "friction cannot hold");
         assert_eq!(tried, states);
-        for (one, other) in tried_ties.iter().zip(&ties) {
+        for (one, other) in tried_ties.iter_mut().zip(&ties) {
+            one.begin();
             assert_eq!(one.forces, other.forces);
         }
     }

@@ -18,9 +18,8 @@ use alloc::vec::Vec;
 
 use crate::coupled::direct;
 use crate::coupled::leap::{Trial, leap};
-use crate::coupled::tie::{Forces, Tie};
+use crate::coupled::tie::Tie;
 use crate::mass::InverseMatrix;
-use crate::report::Friction;
 use crate::state::BodyState;
 
 /// Most sweeps over the contacts.
@@ -84,8 +83,9 @@ fn together(
 }
 
 /// The impulses of the forces that all contacts begin with.
-fn push_all(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &[Tie], h: f64) {
+fn push_all(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie], h: f64) {
     for tie in ties {
+        tie.begin();
         tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
     }
 }
@@ -113,8 +113,7 @@ fn alone(states: &mut [BodyState], inverses: &[InverseMatrix], tie: &mut Tie, h:
     let (tangential_n, speeds) = tie.sticking(free, h);
     let mut change_mps = 0.0;
     if tie.is_within_bounds(speeds, tangential_n, h) {
-        tie.forces = Forces { normal_n: tie.law_n, tangential_n, friction: Friction::Stick };
-        tie.after_mps = speeds;
+        tie.stick(speeds, tangential_n);
     } else {
         change_mps = alone_within_bounds(tie, free, h);
     }
@@ -145,7 +144,9 @@ fn alone_within_bounds(tie: &mut Tie, free: (f64, f64), h: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::coupled::rows::Laws;
+    use crate::coupled::tie::Forces;
     use crate::model::Material;
+    use crate::report::Friction;
     use crate::touch::Touch;
     use crate::vec2::vec2;
 
@@ -189,7 +190,7 @@ mod tests {
         assert!(last_mps <= SETTLED_MPS, "{last_mps}");
 
         let (mut swept, _, mut swept_ties) = ship_on_fenders();
-        push_all(&mut swept, &inverses, &swept_ties, H);
+        push_all(&mut swept, &inverses, &mut swept_ties, H);
         let mut count = 0;
         while sweep(&mut swept, &inverses, &mut swept_ties, H) > SETTLED_MPS {
             count += 1;

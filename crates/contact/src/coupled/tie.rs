@@ -3,7 +3,7 @@
 use crate::coupled::rows::Laws;
 use crate::mass::{InverseMatrix, Seen};
 use crate::report::Friction;
-use crate::state::BodyState;
+use crate::state::{BodyState, Velocity};
 use crate::touch::Touch;
 use crate::vec2::Vec2;
 
@@ -48,7 +48,8 @@ pub(crate) struct Tie {
     shear_stiffness_npm: f64,
     friction_static: f64,
     friction_dynamic: f64,
-    /// The forces [N].
+    /// The forces that sweeps begin with, and those that are found [N].
+    begins_with: Forces,
     pub(crate) forces: Forces,
     /// V_n⁺ and V_t⁺ with them, when they are found [m/s].
     pub(crate) after_mps: (f64, f64),
@@ -83,14 +84,30 @@ pub(crate) struct Line {
     pub(crate) tangential_slope: f64,
 }
 
-/// One body's part in V_n and V_t: ±j·v, with its velocities (north, east, yaw).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Side {
-    /// 1 for A, −1 for B.
-    pub(crate) sign: f64,
-    /// j of V_n and of V_t.
-    pub(crate) normal: [f64; 3],
-    pub(crate) tangential: [f64; 3],
+/// Which of a contact's two bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    A,
+    B,
+}
+
+impl Side {
+    #[inline(always)]
+    pub(crate) fn other(self) -> Side {
+        match self {
+            Side::A => Side::B,
+            Side::B => Side::A,
+        }
+    }
+
+    /// 1 for A, −1 for B: velocities and forces are those of A relative to B.
+    #[inline(always)]
+    pub(crate) fn sign(self) -> f64 {
+        match self {
+            Side::A => 1.0,
+            Side::B => -1.0,
+        }
+    }
 }
 
 /// Of a direction about A's and B's centres of gravity [m].
@@ -106,11 +123,47 @@ impl Levers {
         Levers { a: touch.arm_a_m.cross(along), b: touch.arm_b_m.cross(along) }
     }
 
+    #[inline(always)]
+    fn of(&self, side: Side) -> f64 {
+        match side {
+            Side::A => self.a,
+            Side::B => self.b,
+        }
+    }
+
     /// j of A and B: the speed along the direction is j·v.
     #[inline]
     fn rows(&self, along: Vec2) -> [[f64; 3]; 2] {
         let Vec2 { x, y } = along;
         [[x, y, self.a], [-x, -y, -self.b]]
+    }
+}
+
+/// How a contact moves one of its bodies: n and the levers of n and t.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grip {
+    pub(crate) along_n: Vec2,
+    pub(crate) lever_n_m: f64,
+    pub(crate) lever_t_m: f64,
+}
+
+impl Grip {
+    /// V_n and V_t where only that body moves, as A [m/s].
+    #[inline(always)]
+    pub(crate) fn speeds(&self, (velocity_mps, turn_radps): Velocity) -> (f64, f64) {
+        (
+            velocity_mps.dot(self.along_n) + turn_radps * self.lever_n_m,
+            velocity_mps.dot(self.along_n.quarter_turn()) + turn_radps * self.lever_t_m,
+        )
+    }
+
+    /// −N n + T t and its moment.
+    #[inline(always)]
+    fn wrench(&self, normal_n: f64, tangential_n: f64) -> (Vec2, f64) {
+        (
+            self.along_n.quarter_turn() * tangential_n - self.along_n * normal_n,
+            self.lever_t_m * tangential_n - self.lever_n_m * normal_n,
+        )
     }
 }
 
@@ -123,7 +176,7 @@ impl Tie {
         (b, inverse_b): (u32, &InverseMatrix),
         touch: &Touch,
         laws: &Laws,
-        forces: Forces,
+        begins_with: Forces,
         h: f64,
     ) -> Tie {
         let along_n = touch.normal;
@@ -167,9 +220,16 @@ impl Tie {
             shear_stiffness_npm: material.shear_stiffness_npm,
             friction_static: material.friction_static,
             friction_dynamic: material.friction_dynamic,
-            forces,
+            begins_with,
+            forces: begins_with,
             after_mps: (0.0, 0.0),
         }
+    }
+
+    /// Forgets what forces were tried.
+    #[inline]
+    pub(crate) fn begin(&mut self) {
+        self.forces = self.begins_with;
     }
 
     /// V_n and V_t of the two bodies as they move now [m/s].
@@ -194,18 +254,16 @@ impl Tie {
         normal_ns: f64,
         tangential_ns: f64,
     ) {
-        let along = self.along_n.quarter_turn() * tangential_ns - self.along_n * normal_ns;
-        let moment = |n_m: f64, t_m: f64| t_m * tangential_ns - n_m * normal_ns;
         if self.a_floats {
-            let moment_nms = moment(self.levers_n_m.a, self.levers_t_m.a);
-            let (dv, dr) = inverses[self.a as usize].response(along, moment_nms);
+            let (impulse, moment) = self.grip(Side::A).wrench(normal_ns, tangential_ns);
+            let (dv, dr) = inverses[self.a as usize].response(impulse, moment);
             let state = &mut states[self.a as usize];
             state.velocity_mps += dv;
             state.yaw_rate_radps += dr;
         }
         if self.b_floats {
-            let moment_nms = moment(self.levers_n_m.b, self.levers_t_m.b);
-            let (dv, dr) = inverses[self.b as usize].response(along, moment_nms);
+            let (impulse, moment) = self.grip(Side::B).wrench(normal_ns, tangential_ns);
+            let (dv, dr) = inverses[self.b as usize].response(impulse, moment);
             let state = &mut states[self.b as usize];
             state.velocity_mps -= dv;
             state.yaw_rate_radps -= dr;
@@ -301,6 +359,12 @@ impl Tie {
         self.spring_at_rest_n - self.spring_slope * after_mps
     }
 
+    /// At V_t⁺ = 0 [N].
+    #[inline]
+    pub(crate) fn spring_at_rest_n(&self) -> f64 {
+        self.spring_at_rest_n
+    }
+
     /// What it loses with V_t⁺ [N·s/m].
     #[inline]
     pub(crate) fn spring_slope(&self) -> f64 {
@@ -328,10 +392,17 @@ impl Tie {
     ) -> bool {
         let gives_j = -0.5 * h * self.law_n * (self.normal_before_mps + normal_mps);
         let shear_gives_j = 0.5 * h * tangential_n * (self.tangential_before_mps + tangential_mps);
-        (normal_mps + self.rebound_mps >= 0.0)
-            & (gives_j <= self.may_give_j)
-            & (tangential_n.abs() <= self.friction_static * self.law_n)
-            & (shear_gives_j <= self.may_shear_j)
+        normal_mps >= -self.rebound_mps
+            && gives_j <= self.may_give_j
+            && tangential_n.abs() <= self.friction_static * self.law_n
+            && shear_gives_j <= self.may_shear_j
+    }
+
+    /// Its forces are N = f and this T of the spring that sticks, its speeds these.
+    #[inline(always)]
+    pub(crate) fn stick(&mut self, speeds: (f64, f64), tangential_n: f64) {
+        self.forces = Forces { normal_n: self.law_n, tangential_n, friction: Friction::Stick };
+        self.after_mps = speeds;
     }
 
     /// The ranks of its bodies that float, A's and B's.
@@ -340,16 +411,30 @@ impl Tie {
         [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
     }
 
-    /// How it sees the body of that rank, one of its two.
+    /// The rank of the one of its bodies that floats.
     #[inline(always)]
-    pub(crate) fn side_of(&self, rank: u32) -> Side {
-        let Vec2 { x, y } = self.along_n;
-        let (sign, lever_n_m, lever_t_m) = if rank == self.a {
-            (1.0, self.levers_n_m.a, self.levers_t_m.a)
-        } else {
-            (-1.0, self.levers_n_m.b, self.levers_t_m.b)
-        };
-        Side { sign, normal: [x, y, lever_n_m], tangential: [-y, x, lever_t_m] }
+    pub(crate) fn only_floating(&self) -> Option<u32> {
+        match (self.a_floats, self.b_floats) {
+            (true, false) => Some(self.a),
+            (false, true) => Some(self.b),
+            _ => None,
+        }
+    }
+
+    /// Where only one of its bodies floats, which one.
+    #[inline(always)]
+    pub(crate) fn floating_side(&self) -> Side {
+        if self.a_floats { Side::A } else { Side::B }
+    }
+
+    /// Its grip on one of its bodies.
+    #[inline(always)]
+    pub(crate) fn grip(&self, side: Side) -> Grip {
+        Grip {
+            along_n: self.along_n,
+            lever_n_m: self.levers_n_m.of(side),
+            lever_t_m: self.levers_t_m.of(side),
+        }
     }
 
     /// V_n = j·v, with the velocities (north, east, yaw) of A and B.
