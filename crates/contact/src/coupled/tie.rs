@@ -246,7 +246,8 @@ impl Tie {
     }
 
     /// Gives the two bodies an impulse of N and T and its opposite [N·s]: on A it is −N n + T t.
-    #[inline]
+    // Always inlined: what asks for it has mostly just looked at the same bodies.
+    #[inline(always)]
     pub(crate) fn push(
         &self,
         states: &mut [BodyState],
@@ -375,10 +376,13 @@ impl Tie {
     /// without either.
     #[inline]
     pub(crate) fn sticking(&self, free: (f64, f64), h: f64) -> (f64, (f64, f64)) {
-        let (_, without_mps) = self.speeds_after(free, (self.law_n, 0.0), h);
-        let share = 1.0 / (1.0 + self.spring_slope * h * self.tangential);
-        let tangential_n = self.spring_n(without_mps) * share;
-        (tangential_n, self.speeds_after(free, (self.law_n, tangential_n), h))
+        let normal_ns = h * self.law_n;
+        let without_mps = free.1 - normal_ns * self.cross;
+        let tangential_n =
+            self.spring_n(without_mps) / (1.0 + self.spring_slope * h * self.tangential);
+        let tangential_ns = h * tangential_n;
+        let normal_mps = free.0 + (tangential_ns * self.cross - normal_ns * self.normal);
+        (tangential_n, (normal_mps, without_mps + tangential_ns * self.tangential))
     }
 
     /// Do N = f and a T of the spring that sticks keep to all bounds, if with them, and all others' forces,
