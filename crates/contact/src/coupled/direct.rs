@@ -152,7 +152,7 @@ impl Push {
     }
 }
 
-/// C = Σ c j_t j_tᵀ, symmetric, but with n for t: it is turned once for all.
+/// C = Σ c j_t j_tᵀ, symmetric: columns of x, y and yaw.
 #[derive(Clone, Copy, Default)]
 struct Stiffness {
     xx: f64,
@@ -166,13 +166,14 @@ struct Stiffness {
 impl Stiffness {
     #[inline(always)]
     fn add(&mut self, grip: &Grip, slope: f64) {
+        // t = (−n_y, n_x).
         let (Vec2 { x, y }, lever_m) = (grip.along_n, grip.lever_t_m);
         let (of_x, of_y, of_r) = (slope * x, slope * y, slope * lever_m);
-        self.xx += of_x * x;
-        self.xy += of_x * y;
-        self.yy += of_y * y;
-        self.xr += of_x * lever_m;
-        self.yr += of_y * lever_m;
+        self.xx += of_y * y;
+        self.xy -= of_x * y;
+        self.yy += of_x * x;
+        self.xr -= of_y * lever_m;
+        self.yr += of_x * lever_m;
         self.rr += of_r * lever_m;
     }
 
@@ -183,10 +184,9 @@ impl Stiffness {
             let (linear, turn) = of_force.response(vec2(x, y), r);
             [linear.x, linear.y, turn]
         };
-        // t = (−n_y, n_x).
-        let mut a = column(self.yy, -self.xy, -self.yr);
-        let mut b = column(-self.xy, self.xx, self.xr);
-        let mut c = column(-self.yr, self.xr, self.rr);
+        let mut a = column(self.xx, self.xy, self.xr);
+        let mut b = column(self.xy, self.yy, self.yr);
+        let mut c = column(self.xr, self.yr, self.rr);
         a[0] += 1.0;
         b[1] += 1.0;
         c[2] += 1.0;
