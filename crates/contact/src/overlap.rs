@@ -1,6 +1,7 @@
 //! Stage 3, overlap: area, centroid, normal and depth of every patch of contact.
 
 use alloc::vec::Vec;
+use core::slice;
 
 use crate::face::{self, Press};
 use crate::fender::RankedFender;
@@ -11,7 +12,7 @@ use crate::memory::{Extent, HintMemory, PatchMemory};
 use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
-use crate::workspace::{Candidate, Workspace};
+use crate::workspace::{Candidate, Pairing, Workspace};
 
 /// Corners nearer than this are the same corner of two lenses that share a seam [m]. Seam corners
 /// are computed twice, to about 1e-12 m; features of a hull are centimetres.
@@ -111,26 +112,20 @@ pub(crate) fn overlap(
     work: &mut Workspace,
     next_hints: &mut Vec<HintMemory>,
 ) {
-    work.found.clear();
-    for index in work.own_candidates.clone() {
-        let candidate = work.candidates[index].candidate;
-        let (a, b) = (candidate.a as usize, candidate.b as usize);
-        let b_in_a = work.poses[a].to(work.poses[b]);
-        let (pieces_a, pieces_b) = pieces_of(model, &candidate);
-        if let ([piece_a], [piece_b]) = (pieces_a, pieces_b) {
-            let of = index as u32;
-            clip_convex(piece_a, piece_b, (candidate, of), b_in_a, (&mut hints, next_hints), work);
-            continue;
+    let Workspace { candidates, poses, found, clip: buffers, own_candidates, .. } = work;
+    found.clear();
+    // As many as there are bodies: their ranks are checked once.
+    let poses = &poses[..model.ranked.len()];
+    let own = own_candidates.clone();
+    for (of, Pairing { candidate, .. }) in (own.start as u32..).zip(&candidates[own]) {
+        let b_in_a = poses[candidate.a as usize].to(poses[candidate.b as usize]);
+        let (pieces_a, pieces_b) = pieces_of(model, candidate);
+        let hints = (&mut hints, &mut *next_hints);
+        if let ([a], [b]) = (pieces_a, pieces_b) {
+            clip_convex([a, b], (candidate, of), b_in_a, hints, buffers, found);
+        } else {
+            clip_several([pieces_a, pieces_b], (candidate, of), b_in_a, hints, buffers, found);
         }
-        let (first, first_patch) = (work.found.lenses.len(), work.found.patches.len());
-        clip_pieces(pieces_a, pieces_b, candidate, b_in_a, (&mut hints, next_hints), work);
-        let found = &mut work.found;
-        match found.lenses.len() - first {
-            0 => {}
-            1 => new_patch(candidate, b_in_a, 0, first, first + 1, found),
-            _ => connect(candidate, b_in_a, first, found),
-        }
-        found.patches[first_patch..].iter_mut().for_each(|patch| patch.of = index as u32);
     }
     work.own_patches = 0..work.found.patches.len();
 }
@@ -140,39 +135,64 @@ type Hints<'h, 'm> = (&'h mut &'m [HintMemory], &'h mut Vec<HintMemory>);
 
 /// Clips one convex piece against another: they have one patch at most, and which it was in the last
 /// step needs no asking.
-#[inline]
+#[inline(always)]
 fn clip_convex(
-    a: &ConvexPolygon,
-    b: &ConvexPolygon,
-    (candidate, of): (Candidate, u32),
+    [a, b]: [&ConvexPolygon; 2],
+    (candidate, of): (&Candidate, u32),
     b_in_a: Pose,
     (hints, next_hints): Hints<'_, '_>,
-    work: &mut Workspace,
+    buffers: &mut ClipBuffers,
+    found: &mut Overlap,
 ) {
-    let Workspace { found: Overlap { patches, outline_m, .. }, clip: buffers, .. } = work;
+    let Overlap { patches, outline_m, .. } = found;
     let from = outline_m.len();
-    let hint = next_hint(hints, next_hints, &candidate, (0, 0));
+    let hint = next_hint(hints, next_hints, candidate, (0, 0));
     // Two outlines are told from one another by their chord: nobody asks for the corners where there is one.
     let corners = if candidate.face == 0 { Corners::WithoutChord } else { Corners::Always };
-    let found = clip::clip(a, b, b_in_a, hint, buffers, (corners, outline_m));
-    drop_empty(next_hints);
-    match found {
-        Some(clip) => patches.push(Patch {
-            candidate,
-            of,
-            number: 0,
-            b_in_a,
-            area_m2: clip.lens.area_m2,
-            centroid_m: clip.lens.centroid_m,
-            chord_m: clip.lens.chord_m,
-            per_chord_m: clip.lens.per_chord_m,
-            contained: clip.contained,
-            spread_m2: clip.lens.spread_m2,
-            parts: Parts::One { from: from as u32, to: outline_m.len() as u32 },
-            place: NOWHERE,
-        }),
-        None => outline_m.truncate(from),
+    let wanted = (corners, &mut *outline_m);
+    let clip = match clip::clip_through(a, b, b_in_a, *hint) {
+        Some(through) => through.clip(a, b, b_in_a, wanted),
+        None => {
+            let clip = clip::clip_otherwise(a, b, b_in_a, hint, buffers, wanted);
+            drop_empty(next_hints);
+            let Some(clip) = clip else { return outline_m.truncate(from) };
+            clip
+        }
+    };
+    patches.push(Patch {
+        candidate: *candidate,
+        of,
+        number: 0,
+        b_in_a,
+        area_m2: clip.lens.area_m2,
+        centroid_m: clip.lens.centroid_m,
+        chord_m: clip.lens.chord_m,
+        per_chord_m: clip.lens.per_chord_m,
+        contained: clip.contained,
+        spread_m2: clip.lens.spread_m2,
+        parts: Parts::One { from: from as u32, to: outline_m.len() as u32 },
+        place: NOWHERE,
+    });
+}
+
+/// Clips bodies of several convex pieces, which may have several patches.
+#[inline(never)]
+fn clip_several(
+    pieces: [&[ConvexPolygon]; 2],
+    (candidate, of): (&Candidate, u32),
+    b_in_a: Pose,
+    hints: Hints<'_, '_>,
+    buffers: &mut ClipBuffers,
+    found: &mut Overlap,
+) {
+    let (first, first_patch) = (found.lenses.len(), found.patches.len());
+    clip_pieces(pieces, candidate, b_in_a, hints, buffers, found);
+    match found.lenses.len() - first {
+        0 => {}
+        1 => new_patch(*candidate, b_in_a, 0, first, first + 1, found),
+        _ => connect(*candidate, b_in_a, first, found),
     }
+    found.patches[first_patch..].iter_mut().for_each(|patch| patch.of = of);
 }
 
 /// The convex pieces of both sides of a candidate: of an outline, or the one of a fender.
@@ -183,7 +203,7 @@ pub(crate) fn pieces_of<'m>(
 ) -> (&'m [ConvexPolygon], &'m [ConvexPolygon]) {
     let of_body = |rank: u32| model.ranked[rank as usize].pieces.as_slice();
     let of_side = |rank: u32| match candidate.fender(model) {
-        Some(face) if face.host == rank => core::slice::from_ref(&face.zone),
+        Some(face) if face.host == rank => slice::from_ref(&face.zone),
         _ => of_body(rank),
     };
     (of_side(candidate.a), of_side(candidate.b))
@@ -191,67 +211,70 @@ pub(crate) fn pieces_of<'m>(
 
 /// Clips every piece of A against every piece of B that is near it.
 fn clip_pieces(
-    pieces_a: &[ConvexPolygon],
-    pieces_b: &[ConvexPolygon],
-    candidate: Candidate,
+    [pieces_a, pieces_b]: [&[ConvexPolygon]; 2],
+    candidate: &Candidate,
     b_in_a: Pose,
     (hints, next_hints): Hints<'_, '_>,
-    work: &mut Workspace,
+    buffers: &mut ClipBuffers,
+    Overlap { outline_m, lenses, .. }: &mut Overlap,
 ) {
-    for (piece_a, a) in pieces_a.iter().enumerate() {
-        for (piece_b, b) in pieces_b.iter().enumerate() {
-            let pieces = (piece_a as u32, piece_b as u32);
-            let Workspace { found: Overlap { outline_m, .. }, clip: buffers, .. } = work;
+    for (piece_a, a) in (0..).zip(pieces_a) {
+        for (piece_b, b) in (0..).zip(pieces_b) {
             let start = outline_m.len();
-            let hint = next_hint(hints, next_hints, &candidate, pieces);
-            let wanted = (Corners::Always, outline_m);
+            let hint = next_hint(hints, next_hints, candidate, (piece_a, piece_b));
+            let wanted = (Corners::Always, &mut *outline_m);
             let found = clip::clip(a, b, b_in_a, hint, buffers, wanted);
             drop_empty(next_hints);
             match found {
-                Some(clip) => work.found.lenses.push(PieceLens {
+                Some(clip) => lenses.push(PieceLens {
                     lens: clip.lens,
                     contained: clip.contained,
-                    piece_a: pieces.0,
-                    piece_b: pieces.1,
-                    vertices: (start as u32, work.found.outline_m.len() as u32),
+                    piece_a,
+                    piece_b,
+                    vertices: (start as u32, outline_m.len() as u32),
                     patch: 0,
                 }),
-                None => work.found.outline_m.truncate(start),
+                None => outline_m.truncate(start),
             }
         }
     }
 }
 
-/// The last step's hint for these pieces; both lists are sorted, so that one pass finds all.
-#[inline]
-fn take_hint(hints: &mut &[HintMemory], of: &Candidate, (piece_a, piece_b): (u32, u32)) -> Hint {
-    let wanted = (of.a, of.b, of.face, piece_a, piece_b);
-    while let [first, rest @ ..] = *hints {
-        if first.key() == wanted {
-            *hints = rest;
-            return first.hint;
-        }
-        if first.key() > wanted {
-            break;
-        }
-        *hints = rest;
-    }
-    Hint::None
-}
-
-/// A place for the next step's hint, with the last one's in it.
-// The clip writes there at once: copied as a whole, it would be waited for.
-#[inline]
+/// A place for the next step's hint, with the last one's in it. Both lists are sorted, so that one pass finds all.
+#[inline(always)]
 fn next_hint<'h>(
     hints: &mut &[HintMemory],
     next_hints: &'h mut Vec<HintMemory>,
     of: &Candidate,
     (piece_a, piece_b): (u32, u32),
 ) -> &'h mut Hint {
-    let hint = take_hint(hints, of, (piece_a, piece_b));
-    next_hints.push(HintMemory { a: of.a, b: of.b, face: of.face, piece_a, piece_b, hint });
+    let wanted = (of.a, of.b, of.face, piece_a, piece_b);
+    match *hints {
+        // Whoever was near in the last step is near in this one.
+        [first, rest @ ..] if first.key() == wanted => {
+            next_hints.extend_from_slice(slice::from_ref(first));
+            *hints = rest;
+        }
+        _ => next_hints.push(search_hint(hints, wanted)),
+    }
     let last = next_hints.len() - 1;
     &mut next_hints[last].hint
+}
+
+/// The last step's hint for these pieces, or an empty one.
+#[inline(never)]
+fn search_hint(hints: &mut &[HintMemory], wanted: (u32, u32, u32, u32, u32)) -> HintMemory {
+    while let [first, rest @ ..] = *hints {
+        if first.key() > wanted {
+            break;
+        }
+        *hints = rest;
+        if first.key() == wanted {
+            return *first;
+        }
+    }
+    let (a, b, face, piece_a, piece_b) = wanted;
+    HintMemory { a, b, face, piece_a, piece_b, hint: Hint::None }
 }
 
 /// Takes the place away again where nothing is worth remembering.

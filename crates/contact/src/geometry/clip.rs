@@ -112,14 +112,39 @@ pub(crate) fn clip(
     b_in_a: Pose,
     hint: &mut Hint,
     buffers: &mut ClipBuffers,
+    wanted: (Corners, &mut Vec<Vec2>),
+) -> Option<Clip> {
+    match clip_through(a, b, b_in_a, *hint) {
+        Some(through) => Some(through.clip(a, b, b_in_a, wanted)),
+        None => clip_otherwise(a, b, b_in_a, hint, buffers, wanted),
+    }
+}
+
+/// The overlap of the commonest kind, if the last one was and it still is: the hint remains as it is.
+#[inline(always)]
+pub(crate) fn clip_through(
+    a: &ConvexPolygon,
+    b: &ConvexPolygon,
+    b_in_a: Pose,
+    hint: Hint,
+) -> Option<Through> {
+    if let Hint::Lens(stretch) = hint { through::find(a, b, b_in_a, stretch) } else { None }
+}
+
+/// As [`clip`] where [`clip_through`] finds nothing.
+// Apart, for the commonest kind not to make room for what it does not need.
+#[inline(never)]
+pub(crate) fn clip_otherwise(
+    a: &ConvexPolygon,
+    b: &ConvexPolygon,
+    b_in_a: Pose,
+    hint: &mut Hint,
+    buffers: &mut ClipBuffers,
     (corners, outline_m): (Corners, &mut Vec<Vec2>),
 ) -> Option<Clip> {
     let placed = Placed { polygon: b, pose: b_in_a };
     match *hint {
         Hint::Lens(stretch) => {
-            if let Some(through) = through::find(a, b, b_in_a, stretch) {
-                return Some(through.clip(a, &placed, stretch, (corners, outline_m)));
-            }
             let start = outline_m.len();
             if let Some(found) = warm::find(a, &placed, stretch, outline_m) {
                 *hint = Hint::Lens(found.at);
@@ -127,7 +152,7 @@ pub(crate) fn clip(
                     && let Some(through) = through::find(a, b, b_in_a, found.at)
                 {
                     outline_m.truncate(start);
-                    return Some(through.clip(a, &placed, found.at, (corners, outline_m)));
+                    return Some(through.clip(a, b, b_in_a, (corners, outline_m)));
                 }
                 let chord_m = found.leaves_m - found.enters_m;
                 let lens = measure(&outline_m[start..], chord_m, false);
@@ -154,19 +179,24 @@ pub(crate) fn clip(
 impl Through {
     /// With the corners as far as they are asked for.
     #[inline(always)]
-    fn clip(
+    pub(crate) fn clip(
         &self,
         a: &ConvexPolygon,
-        b: &Placed<'_>,
-        at: Stretch,
+        b: &ConvexPolygon,
+        b_in_a: Pose,
         (corners, outline_m): (Corners, &mut Vec<Vec2>),
     ) -> Clip {
         if corners == Corners::Always {
-            let found = Located { at, enters_m: self.enters_m, leaves_m: self.leaves_m };
-            trace(a, b, &found, at.enter.b, outline_m);
+            let placed = Placed { polygon: b, pose: b_in_a };
+            trace_through(a, &placed, &self.located(), outline_m);
         }
         Clip { lens: self.lens, contained: false }
     }
+}
+
+#[inline(never)]
+fn trace_through(a: &ConvexPolygon, b: &Placed<'_>, found: &Located, outline_m: &mut Vec<Vec2>) {
+    trace(a, b, found, found.at.enter.b, outline_m);
 }
 
 /// The least-penetration axis of two overlapping polygons: body 1's outward normal in its frame.
@@ -224,7 +254,7 @@ fn cold(
                 hint = Hint::Lens(*stretch);
                 // As the warm path does, so that they give the same bits.
                 if let Some(through) = through::find(a, b.polygon, b.pose, *stretch) {
-                    let clip = through.clip(a, b, *stretch, (Corners::Always, outline_m));
+                    let clip = through.clip(a, b.polygon, b.pose, (Corners::Always, outline_m));
                     return (Some(clip), hint);
                 }
             }
@@ -285,15 +315,15 @@ fn still_apart(
             return None;
         }
         // In the second polygon's frame: two points to place rather than three.
-        let start = b.pose.apply_inverse(a.closed()[edge]);
-        let end = b.pose.apply_inverse(a.closed()[edge + 1]);
-        deepest_outside(start, end, |j| b.polygon.closed()[j], support, m)
+        let start = b.pose.apply_inverse(a.corner(edge));
+        let end = b.pose.apply_inverse(a.corner(edge + 1));
+        deepest_outside(start, end, |j| b.polygon.corner(j), support, m)
     } else {
         let (n, m) = (b.count(), a.count());
         if edge >= n || support >= m {
             return None;
         }
-        deepest_outside(b.vertex(edge), b.vertex(edge + 1), |j| a.closed()[j], support, m)
+        deepest_outside(b.vertex(edge), b.vertex(edge + 1), |j| a.corner(j), support, m)
     }
 }
 

@@ -13,8 +13,8 @@ const STRAIGHT: f64 = 1e-12;
 /// A convex polygon in its body's frame, walked in the positive sense.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConvexPolygon {
-    /// The vertices, the first repeated at the end so that edge `i` runs from `i` to `i + 1`.
-    closed: Vec<Vec2>,
+    /// The vertices twice round, so that edge `i` runs from `i` to `i + 1` and any part of the ring stands together.
+    twice_round: Vec<Vec2>,
     /// Edge `i` runs from corner `i` on.
     edges: Vec<Edge>,
     /// First edge whose direction has an angle in [0, 2π): where a walk by angle starts.
@@ -32,43 +32,60 @@ impl ConvexPolygon {
     /// With fewer than three corners: an [`crate::Outline`] never has such a piece.
     #[must_use]
     pub fn new(vertices_m: &[Vec2]) -> ConvexPolygon {
-        let mut closed = without_straight_vertices(vertices_m);
-        assert!(closed.len() >= 3, "a convex piece has at least three corners");
-        closed.push(closed[0]);
-        let (low, high) = bounds(&closed);
+        let corners = without_straight_vertices(vertices_m);
+        let count = corners.len();
+        assert!(count >= 3, "a convex piece has at least three corners");
+        let twice_round = corners.repeat(2);
+        let closed = &twice_round[..=count];
+        let (low, high) = bounds(closed);
         let center_m = (low + high) * 0.5;
         let radius_m =
             closed.iter().fold(0.0, |r, &v| f64::max(r, (v - center_m).length())) * (1.0 + 1e-12);
         let directions = |i: usize| closed[i + 1] - closed[i];
-        let count = closed.len() - 1;
         let first_by_angle = (0..count)
             .find(|&i| {
                 let before = directions((i + count - 1) % count);
                 upper_half(directions(i)) && !upper_half(before)
             })
             .unwrap_or(0) as u32;
-        let area_m2 = signed_area(&closed[..count]);
-        let edges = Edge::of_all(&closed[..count]);
-        ConvexPolygon { closed, edges, first_by_angle, center_m, radius_m, area_m2 }
+        let (area_m2, edges) = (signed_area(&corners), Edge::of_all(&corners));
+        ConvexPolygon { twice_round, edges, first_by_angle, center_m, radius_m, area_m2 }
     }
 
     /// Number of corners.
     #[must_use]
     #[inline]
     pub fn count(&self) -> usize {
-        self.closed.len() - 1
+        self.twice_round.len() / 2
     }
 
     /// The corners in the positive sense [m].
     #[must_use]
     pub fn vertices(&self) -> &[Vec2] {
-        &self.closed[..self.count()]
+        &self.twice_round[..self.count()]
     }
 
     /// The corners with the first repeated at the end [m].
     #[inline]
     pub(crate) fn closed(&self) -> &[Vec2] {
-        &self.closed
+        &self.twice_round[..=self.count()]
+    }
+
+    /// A corner, by its number or that and the count [m].
+    #[inline]
+    pub(crate) fn corner(&self, index: usize) -> Vec2 {
+        self.twice_round[index]
+    }
+
+    /// The corners from the start of an edge round to the end of another [m].
+    #[inline(always)]
+    pub(crate) fn chain(&self, first: u32, last: u32) -> Option<&[Vec2]> {
+        let (first, last, count) = (first as usize, last as usize, self.count());
+        if first >= count || last >= count {
+            return None;
+        }
+        let last = if first < last { last } else { last + count };
+        self.twice_round.get(first..last + 2)
     }
 
     /// The edges, each with what lies behind it.
@@ -150,7 +167,7 @@ impl Placed<'_> {
     /// Vertex `i` of the closed list, in the first polygon's frame.
     #[inline]
     pub(crate) fn vertex(&self, i: usize) -> Vec2 {
-        self.pose.apply(self.polygon.closed[i])
+        self.pose.apply(self.polygon.corner(i))
     }
 
     #[inline]

@@ -17,9 +17,9 @@ pub(crate) fn gap_m(a: &ConvexPolygon, b: &ConvexPolygon, b_in_a: Pose, hint: Hi
         Hint::Apart { on_a, edge, support } => {
             let (edge, support) = (edge as usize, support as usize);
             let (start, end, nearest) = if on_a {
-                (a.closed()[edge], a.closed()[edge + 1], placed.vertex(support))
+                (a.corner(edge), a.corner(edge + 1), placed.vertex(support))
             } else {
-                (placed.vertex(edge), placed.vertex(edge + 1), a.closed()[support])
+                (placed.vertex(edge), placed.vertex(edge + 1), a.corner(support))
             };
             let along = end - start;
             (-along.cross(nearest - start) / along.length()).max(0.0)

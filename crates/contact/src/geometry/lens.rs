@@ -94,7 +94,7 @@ pub(crate) fn trace(
     let mut i = enter.a as usize;
     while i != leave.a as usize {
         i = after(i, a.count());
-        outline_m.push(a.closed()[i]);
+        outline_m.push(a.corner(i));
     }
     outline_m.push(stretch.leaves_m);
     let mut j = leave.b as usize;
@@ -114,7 +114,7 @@ pub(crate) fn ring_distance(from: u32, to: u32, count: usize) -> usize {
 /// Where the first polygon's boundary crosses the second's, on the two edges of `crossing` [m].
 fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 {
     let (i, j) = (crossing.a as usize, crossing.b as usize);
-    let (a0, a1) = (a.closed()[i], a.closed()[i + 1]);
+    let (a0, a1) = (a.corner(i), a.corner(i + 1));
     let (b0, b1) = (b.vertex(j), b.vertex(j + 1));
     let edge = b1 - b0;
     let (side_start, side_end) = (edge.cross(a0 - b0), edge.cross(a1 - b0));

@@ -3,16 +3,17 @@
 //!
 //! Seen along that edge the overlap is what of the first polygon lies behind the edge's line. The ring of a
 //! convex polygon crosses a line twice at most, so that two crossings and the corners between them are all of
-//! it, if they lie within the polygon whose edge it is: that the two crossings lie on the edge, and that the
-//! corners lie within a quadrilateral inscribed behind it, is enough. Where it is not so [`super::warm`] answers.
+//! it, if they lie within the polygon whose edge it is: that the two crossings lie on the edge, and that what lies
+//! between the two lines that cross there, as deep as the deepest corner, lies within a trapezoid inscribed behind
+//! it, is enough. Where it is not so [`super::warm`] answers.
 
 use alloc::vec::Vec;
 
 use super::convex::{ConvexPolygon, after};
-use super::lens::{Lens, Stretch};
+use super::lens::{Lens, Located, Stretch};
 use super::warm::FLAT;
-use crate::number::greater;
-use crate::vec2::{Pose, Vec2, vec2};
+use crate::number::{greater, lesser};
+use crate::vec2::{Pose, Rotation, Vec2, vec2};
 
 /// A shorter chord has no direction to speak of [m].
 const SHORTEST_M: f64 = 1e-9;
@@ -21,22 +22,17 @@ const SHORTEST_M: f64 = 1e-9;
 ///
 /// In the edge's frame x runs along it and y into the polygon. x is counted from where the polygon's origin lies,
 /// not from the edge's start: a contact amidships loses nothing to the length of the ship.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Edge {
-    /// Unit vector.
-    along: Vec2,
+    frame: Frame,
     /// x of its start and end [m].
     from_m: f64,
     to_m: f64,
-    /// y of the polygon's origin, negated [m].
-    offset_m: f64,
-    /// The sides of an inscribed quadrilateral from the edge's start and end: x − from ≥ y times the one, and
-    /// to − x ≥ y times the other.
+    /// The sides of an inscribed trapezoid: x − from ≥ y times the one, and to − x ≥ y times the other.
     from_start: f64,
     from_end: f64,
-    /// And the side between them: its inner normal, not a unit vector, and −normal·x on it.
-    top: Vec2,
-    top_offset: f64,
+    /// And its height [m].
+    height_m: f64,
 }
 
 impl Edge {
@@ -52,41 +48,118 @@ impl Edge {
         let length_m = chord.length();
         // Divided, so that along an axis it is one exactly.
         let along = vec2(chord.x / length_m, chord.y / length_m);
-        let (from_m, offset_m) = (along.dot(start_m), along.cross(start_m));
+        let from_m = along.dot(start_m);
         let to_m = from_m + length_m;
+        let frame = Frame {
+            of_x: vec2(along.x, -along.y),
+            of_y: vec2(along.y, along.x),
+            origin_m: vec2(0.0, -along.cross(start_m)),
+        };
         // The two corners a third of the ring from either end.
         let third = (count / 3).max(1);
-        let [of_start, of_end] = [index + count - third, index + 1 + third].map(|corner| {
-            let corner_m = corners_m[corner % count];
-            vec2(along.dot(corner_m), along.cross(corner_m) - offset_m)
-        });
-        let top = (of_start - of_end).quarter_turn();
+        let [of_start, of_end] = [index + count - third, index + 1 + third]
+            .map(|corner| frame.of(corners_m[corner % count]));
         Edge {
-            along,
+            frame,
             from_m,
             to_m,
-            offset_m,
             from_start: (of_start.x - from_m) / of_start.y,
             from_end: (to_m - of_end.x) / of_end.y,
-            top,
-            top_offset: -top.dot(of_end),
+            height_m: lesser(of_start.y, of_end.y),
         }
     }
 
-    /// Is a point of the edge's frame within the inscribed quadrilateral, if it is behind the edge?
+    /// Does all that a convex polygon has behind the edge, so deep, between these two crossings, lie within the
+    /// trapezoid? It lies between the lines that cross there.
     #[inline(always)]
-    fn holds(&self, at_m: Vec2) -> bool {
-        (at_m.x - self.from_m >= self.from_start * at_m.y)
-            & (self.to_m - at_m.x >= self.from_end * at_m.y)
-            & (self.top.dot(at_m) + self.top_offset >= 0.0)
+    fn holds(&self, first: &Crosses, last: &Crosses, deepest_m: f64) -> bool {
+        let to_start = greater(self.from_start - last.slope, 0.0) * deepest_m;
+        let to_end = greater(self.from_end + first.slope, 0.0) * deepest_m;
+        last.x_m - self.from_m >= to_start
+            && self.to_m - first.x_m >= to_end
+            && deepest_m <= self.height_m
     }
 }
 
-/// An overlap of this kind, in A's frame, and where A's boundary enters and leaves it [m].
+/// The edge's frame as one of the polygons sees it.
+// By columns, as the processor multiplies two numbers at once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Frame {
+    /// The unit vectors of the polygon's frame, and its origin [m], in the edge's.
+    of_x: Vec2,
+    of_y: Vec2,
+    origin_m: Vec2,
+}
+
+impl Frame {
+    #[inline(always)]
+    fn turned(&self, v: Vec2) -> Vec2 {
+        self.of_x * v.x + self.of_y * v.y
+    }
+
+    #[inline(always)]
+    fn of(&self, corner_m: Vec2) -> Vec2 {
+        self.turned(corner_m) + self.origin_m
+    }
+
+    /// Back from the edge's frame.
+    #[inline(always)]
+    fn back(&self, at_m: Vec2) -> Vec2 {
+        let v = at_m - self.origin_m;
+        vec2(self.of_x.dot(v), self.of_y.dot(v))
+    }
+
+    /// Unit vector along the edge.
+    #[inline(always)]
+    fn along(&self) -> Vec2 {
+        vec2(self.of_x.x, self.of_y.x)
+    }
+
+    /// As a polygon at `pose` sees it.
+    #[inline(always)]
+    fn seen_from(&self, pose: Pose) -> Frame {
+        let Rotation { cos, sin } = pose.rotation;
+        Frame {
+            of_x: self.of_x * cos + self.of_y * sin,
+            of_y: self.of_y * cos - self.of_x * sin,
+            origin_m: self.of(pose.position_m),
+        }
+    }
+
+    /// As one sees it in whose frame its own polygon is at `pose`.
+    #[inline(always)]
+    fn placed_at(&self, pose: Pose) -> Frame {
+        let Rotation { cos, sin } = pose.rotation;
+        let (of_x, of_y) = (self.of_x * cos - self.of_y * sin, self.of_x * sin + self.of_y * cos);
+        let turned = Frame { of_x, of_y, ..*self };
+        Frame { origin_m: self.origin_m - turned.turned(pose.position_m), ..turned }
+    }
+
+    /// The same with x counted from another place.
+    #[inline(always)]
+    fn counted_from(&self, x_m: f64) -> Frame {
+        Frame { origin_m: vec2(self.origin_m.x - x_m, self.origin_m.y), ..*self }
+    }
+}
+
+/// An overlap of this kind.
 pub(crate) struct Through {
     pub(crate) lens: Lens,
-    pub(crate) enters_m: Vec2,
-    pub(crate) leaves_m: Vec2,
+    at: Stretch,
+    /// The edge's frame as A sees it, and x where A's boundary enters and leaves the overlap [m].
+    of_a: Frame,
+    enters_m: f64,
+    leaves_m: f64,
+}
+
+impl Through {
+    /// Where A's boundary enters the overlap and leaves it, in A's frame.
+    #[inline(always)]
+    pub(crate) fn located(&self) -> Located {
+        let [enters_m, leaves_m] =
+            [self.enters_m, self.leaves_m].map(|x| self.of_a.back(vec2(x, 0.0)));
+        Located { at: self.at, enters_m, leaves_m }
+    }
 }
 
 /// The overlap of `a` and `b`, placed in `a`'s frame, if the last one was of this kind and it still is.
@@ -100,56 +173,26 @@ pub(crate) fn find(
     let Stretch { enter, leave } = hint;
     if enter.a == leave.a {
         let edge = a.edges().get(enter.a as usize)?;
-        let (along, place_m) = (edge.along, b_in_a.position_m);
-        let seen = Frame {
-            along: b_in_a.rotation.apply_inverse(along),
-            origin_m: vec2(along.dot(place_m), along.cross(place_m) - edge.offset_m),
-        };
-        let behind = behind(edge, seen, b, leave.b, enter.b)?;
+        let behind = behind(edge, edge.frame.seen_from(b_in_a), b, leave.b, enter.b)?;
         // A's boundary runs along the edge, into B where B's runs out of A.
-        let own = Frame { along, origin_m: vec2(0.0, -edge.offset_m) };
-        Some(behind.through(own, [behind.last_m, behind.first_m]))
+        Some(behind.through(hint, edge.frame, [behind.last_m, 0.0]))
     } else if enter.b == leave.b {
         let edge = b.edges().get(enter.b as usize)?;
-        let along = b_in_a.rotation.apply(edge.along);
-        let place_m = b_in_a.position_m;
-        let origin_m = vec2(-along.dot(place_m), -along.cross(place_m) - edge.offset_m);
-        let seen = Frame { along, origin_m };
-        let behind = behind(edge, seen, a, enter.a, leave.a)?;
-        Some(behind.through(seen, [behind.first_m, behind.last_m]))
+        let of_a = edge.frame.placed_at(b_in_a);
+        let behind = behind(edge, of_a, a, enter.a, leave.a)?;
+        Some(behind.through(hint, of_a, [0.0, behind.last_m]))
     } else {
         None
     }
 }
 
-/// The edge's frame as one of the polygons sees it.
-#[derive(Clone, Copy)]
-struct Frame {
-    along: Vec2,
-    /// Origin of the polygon's frame in the edge's [m].
-    origin_m: Vec2,
-}
-
-impl Frame {
-    #[inline(always)]
-    fn of(self, corner_m: Vec2) -> Vec2 {
-        vec2(self.along.dot(corner_m), self.along.cross(corner_m)) + self.origin_m
-    }
-
-    /// Back from the edge's frame.
-    #[inline(always)]
-    fn back(self, at_m: Vec2) -> Vec2 {
-        let Vec2 { x, y } = at_m - self.origin_m;
-        self.along * x + self.along.quarter_turn() * y
-    }
-}
-
-/// What lies behind an edge, in its frame.
+/// What lies behind an edge, in its frame, with x counted from where the polygon comes in through the edge.
 struct Behind {
-    /// Where the polygon comes in through the edge and goes out again [m]: first > last.
+    /// Where it comes in, x counted as in [`Edge`] [m].
     first_m: f64,
+    /// Where it goes out again [m]; negative.
     last_m: f64,
-    area_m2: f64,
+    twice_m2: f64,
     centroid_m: Vec2,
     deepest_m: f64,
 }
@@ -164,72 +207,71 @@ fn behind(
     first: u32,
     last: u32,
 ) -> Option<Behind> {
-    let (corners_m, count) = (polygon.closed(), polygon.count());
-    let (first, last) = (first as usize, last as usize);
-    if first >= count || last >= count || first == last {
-        return None;
-    }
-    let outside = frame.of(corners_m[first]);
-    let mut here = frame.of(corners_m[first + 1]);
-    let first_m = crossing_m(outside, here)?;
-    let mut within = edge.holds(here);
-    let mut deepest_m = here.y;
+    let [outside, inside, more @ .., beyond] = polygon.chain(first, last)? else { return None };
+    let mut from = frame.of(*inside);
+    let first = crossing(frame.of(*outside), from)?;
+    // About the first crossing: what is small is measured against what is near.
+    let frame = frame.counted_from(first.x_m);
+    from.x -= first.x_m;
+    let mut deepest_m = from.y;
     let mut twice_m2 = 0.0;
     let mut moment = Vec2::ZERO;
-    // About the first crossing: what is small is measured against what is near.
-    let mut from = vec2(here.x - first_m, here.y);
-    let mut index = after(first, count);
-    while index != last {
-        here = frame.of(corners_m[index + 1]);
-        index = after(index, count);
-        within &= edge.holds(here);
-        deepest_m = greater(here.y, deepest_m);
-        let to = vec2(here.x - first_m, here.y);
+    for &corner in more {
+        let to = frame.of(corner);
+        deepest_m = greater(deepest_m, to.y);
         let cross = from.cross(to);
         twice_m2 += cross;
         moment += (from + to) * cross;
         from = to;
     }
-    let beyond = frame.of(corners_m[last + 1]);
-    let last_m = crossing_m(beyond, here)?;
-    let to = vec2(last_m - first_m, 0.0);
-    let cross = from.cross(to);
+    let last = crossing(frame.of(*beyond), from)?;
+    let last_m = last.x_m;
+    // The crossing itself has y = 0.
+    let cross = -(from.y * last_m);
     twice_m2 += cross;
-    moment += (from + to) * cross;
-    let on_edge =
-        (last_m >= edge.from_m) & (first_m <= edge.to_m) & (first_m - last_m > SHORTEST_M);
-    if !(within & on_edge & (twice_m2 > 0.0)) {
+    moment += vec2(from.x + last_m, from.y) * cross;
+    let last = Crosses { x_m: first.x_m + last_m, ..last };
+    if !(edge.holds(&first, &last, deepest_m) && last_m < -SHORTEST_M && twice_m2 > 0.0) {
         return None;
     }
-    let centroid_m = vec2(first_m, 0.0) + moment * (1.0 / (3.0 * twice_m2));
-    Some(Behind { first_m, last_m, area_m2: 0.5 * twice_m2, centroid_m, deepest_m })
+    let centroid_m = moment * (1.0 / (3.0 * twice_m2));
+    Some(Behind { first_m: first.x_m, last_m, twice_m2, centroid_m, deepest_m })
+}
+
+/// Where an edge crosses the line, and how much x changes with y along it.
+struct Crosses {
+    x_m: f64,
+    slope: f64,
 }
 
 /// Where an edge crosses the line, if it does, from a corner outside to one behind it. Flat ones are left to
 /// the cold path, which knows of edges that lie on one another.
 #[inline(always)]
-fn crossing_m(outside: Vec2, inside: Vec2) -> Option<f64> {
-    let along = inside - outside;
+fn crossing(outside: Vec2, inside: Vec2) -> Option<Crosses> {
     let crosses = (outside.y < 0.0) & (inside.y >= 0.0);
-    let steep = along.y * along.y > FLAT * FLAT * along.length_squared();
-    (crosses & steep).then(|| outside.x - along.x * (outside.y / along.y))
+    let along = inside - outside;
+    let slope = along.x / along.y;
+    if !(crosses && slope.abs() < 1.0 / FLAT) {
+        return None;
+    }
+    Some(Crosses { x_m: inside.x - inside.y * slope, slope })
 }
 
 impl Behind {
     /// As A sees it, whose boundary runs along the edge from the one x to the other.
     #[inline(always)]
-    fn through(&self, of_a: Frame, [enters, leaves]: [f64; 2]) -> Through {
-        let width_m = self.first_m - self.last_m;
+    fn through(&self, at: Stretch, of_a: Frame, [enters_m, leaves_m]: [f64; 2]) -> Through {
+        let of_a = of_a.counted_from(self.first_m);
+        let width_m = -self.last_m;
         let lens = Lens {
-            area_m2: self.area_m2,
+            area_m2: 0.5 * self.twice_m2,
             centroid_m: of_a.back(self.centroid_m),
-            chord_m: of_a.along * (leaves - enters),
+            chord_m: of_a.along() * (leaves_m - enters_m),
             per_chord_m: 1.0 / width_m,
             spread_m2: self.deepest_m * width_m,
             collinear: false,
         };
-        let [enters_m, leaves_m] = [enters, leaves].map(|x| of_a.back(vec2(x, 0.0)));
-        Through { lens, enters_m, leaves_m }
+        Through { lens, at, of_a, enters_m, leaves_m }
     }
 }
 
@@ -282,7 +324,7 @@ mod tests {
             let mut corners_m = Vec::new();
             let placed = Placed { polygon: &block, pose };
             same(&through.lens, &assemble(&hull, &placed, &[*hint], &mut corners_m));
-            assert!((corners_m[0] - through.enters_m).length() < 1e-13);
+            assert!((corners_m[0] - through.located().enters_m).length() < 1e-13);
 
             // The same seen from the block.
             let hull_in_block = pose.to(Pose::IDENTITY);

@@ -84,7 +84,7 @@ pub(crate) fn find(
     trace(a, b, &found, enter.at.b, outline_m);
     let (of_a, of_b) = outline_m[start..].split_at(1 + a_chain);
     let certified = far_part_of_b(b, &enter, &leave).holds(|k| b.vertex(k), &of_a[1..])
-        && far_part_of_a(a, &enter, &leave).holds(|k| a.closed()[k], &of_b[1..]);
+        && far_part_of_a(a, &enter, &leave).holds(|k| a.corner(k), &of_b[1..]);
     if !certified {
         outline_m.truncate(start);
         return None;
@@ -102,7 +102,7 @@ fn walk<const ENTER: bool>(a: &ConvexPolygon, b: &Placed<'_>, hint: Crossing) ->
     }
     let (mut b_start, mut b_end) = (b.vertex(j), b.vertex(j + 1));
     for _ in 0..WALK {
-        let (a_start, a_end) = (a.closed()[i], a.closed()[i + 1]);
+        let (a_start, a_end) = (a.corner(i), a.corner(i + 1));
         let (a_along, b_along) = (a_end - a_start, b_end - b_start);
         let a_start_in = b_along.cross(a_start - b_start);
         let a_end_in = b_along.cross(a_end - b_start);
