@@ -207,31 +207,30 @@ fn behind(
     first: u32,
     last: u32,
 ) -> Option<Behind> {
-    let [outside, inside, more @ .., beyond] = polygon.chain(first, last)? else { return None };
-    let mut from = frame.of(*inside);
-    let first = crossing(frame.of(*outside), from)?;
+    let chain_m = polygon.chain(first, last)?;
+    let ([outside, inside, ..], [.., before, beyond]) = (chain_m, chain_m) else { return None };
+    let [outside, inside, before, beyond] =
+        [outside, inside, before, beyond].map(|&corner_m| frame.of(corner_m));
+    let (first, last) = (Crosses::between(outside, inside), Crosses::between(beyond, before));
     // About the first crossing: what is small is measured against what is near.
+    let origin = vec2(first.x_m, 0.0);
     let frame = frame.counted_from(first.x_m);
-    from.x -= first.x_m;
-    let mut deepest_m = from.y;
-    let mut twice_m2 = 0.0;
-    let mut moment = Vec2::ZERO;
-    for &corner in more {
-        let to = frame.of(corner);
-        deepest_m = greater(deepest_m, to.y);
-        let cross = from.cross(to);
-        twice_m2 += cross;
-        moment += (from + to) * cross;
-        from = to;
+    let mut sums = Sums { from: inside - origin, twice_m2: 0.0, moment: Vec2::ZERO };
+    let mut deepest_m = greater(inside.y, before.y);
+    for &corner_m in chain_m.get(2..chain_m.len() - 2).unwrap_or_default() {
+        let corner = frame.of(corner_m);
+        deepest_m = greater(deepest_m, corner.y);
+        sums.add(corner);
     }
-    let last = crossing(frame.of(*beyond), from)?;
-    let last_m = last.x_m;
-    // The crossing itself has y = 0.
-    let cross = -(from.y * last_m);
-    twice_m2 += cross;
-    moment += vec2(from.x + last_m, from.y) * cross;
-    let last = Crosses { x_m: first.x_m + last_m, ..last };
-    if !(edge.holds(&first, &last, deepest_m) && last_m < -SHORTEST_M && twice_m2 > 0.0) {
+    // Of one corner alone nothing is added here.
+    sums.add(before - origin);
+    let last_m = last.x_m - first.x_m;
+    let Sums { twice_m2, moment, .. } = sums.closed(last_m);
+    let crosses = greater(outside.y, beyond.y) < 0.0
+        && lesser(inside.y, before.y) >= 0.0
+        && greater(first.slope.abs(), last.slope.abs()) < 1.0 / FLAT;
+    let held = edge.holds(&first, &last, deepest_m);
+    if !(crosses && held && last_m < -SHORTEST_M && twice_m2 > 0.0) {
         return None;
     }
     let centroid_m = moment * (1.0 / (3.0 * twice_m2));
@@ -244,17 +243,42 @@ struct Crosses {
     slope: f64,
 }
 
-/// Where an edge crosses the line, if it does, from a corner outside to one behind it. Flat ones are left to
-/// the cold path, which knows of edges that lie on one another.
-#[inline(always)]
-fn crossing(outside: Vec2, inside: Vec2) -> Option<Crosses> {
-    let crosses = (outside.y < 0.0) & (inside.y >= 0.0);
-    let along = inside - outside;
-    let slope = along.x / along.y;
-    if !(crosses && slope.abs() < 1.0 / FLAT) {
-        return None;
+impl Crosses {
+    /// Of the edge between a corner outside and one behind the line, if that is what they are. It must not be flat:
+    /// such are left to the cold path, which knows of edges that lie on one another.
+    #[inline(always)]
+    fn between(outside: Vec2, inside: Vec2) -> Crosses {
+        let along = inside - outside;
+        let slope = along.x / along.y;
+        Crosses { x_m: inside.x - inside.y * slope, slope }
     }
-    Some(Crosses { x_m: inside.x - inside.y * slope, slope })
+}
+
+/// Of a walk round an area from the origin.
+struct Sums {
+    from: Vec2,
+    twice_m2: f64,
+    moment: Vec2,
+}
+
+impl Sums {
+    /// On to another corner.
+    #[inline(always)]
+    fn add(&mut self, to: Vec2) {
+        let cross = self.from.cross(to);
+        self.twice_m2 += cross;
+        self.moment += (self.from + to) * cross;
+        self.from = to;
+    }
+
+    /// By way of this x, where y is 0.
+    #[inline(always)]
+    fn closed(mut self, x_m: f64) -> Sums {
+        let cross = -(self.from.y * x_m);
+        self.twice_m2 += cross;
+        self.moment += vec2(self.from.x + x_m, self.from.y) * cross;
+        self
+    }
 }
 
 impl Behind {
@@ -361,6 +385,37 @@ mod tests {
             let pose = Pose::new(vec2(-10.0, 10.0), 0.0);
             assert!(find(&hull, &long, pose, hint).is_none());
         }
+    }
+
+    /// At the side's two ends and deep in the hull too: no corner that is counted lies outside her.
+    #[test]
+    fn what_is_found_lies_within_the_polygon_behind() {
+        let (hull, block) = hull_and_block();
+        let outside = |corner_m: Vec2| {
+            hull.closed().windows(2).any(|e| (e[1] - e[0]).cross(corner_m - e[0]) < -1e-9)
+        };
+        let mut found = 0;
+        let steps = |count: i32, from: f64, to: f64| {
+            (0..=count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count))
+        };
+        for along_m in steps(16, -32.0, -28.0).chain(steps(16, 18.0, 22.0)) {
+            for (depth_m, heading_rad) in [0.1, 0.5, 1.1, 2.0]
+                .into_iter()
+                .flat_map(|d| steps(24, -1.5, 1.5).map(move |h| (d, h)))
+            {
+                let pose = Pose::new(vec2(along_m, 8.6 - depth_m), heading_rad);
+                for (enter, leave) in (0..16).map(|k| (k / 4, k % 4)) {
+                    let hint = at((4, enter), (4, leave));
+                    let Some(_) = find(&hull, &block, pose, hint) else { continue };
+                    found += 1;
+                    let mut corners_m = Vec::new();
+                    let placed = Placed { polygon: &block, pose };
+                    assemble(&hull, &placed, &[hint], &mut corners_m);
+                    assert!(!corners_m.iter().any(|&c| outside(c)), "{corners_m:?} at {pose:?}");
+                }
+            }
+        }
+        assert!(found > 500, "{found}");
     }
 
     #[test]
