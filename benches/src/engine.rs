@@ -42,7 +42,7 @@ impl Ours {
         let model = model(plan, &parts, fenders);
         Ours {
             memory: Memory::new(&model),
-            work: Workspace::new(&model),
+            work: quiet(&model),
             model,
             states: parts.iter().map(|part| part.state).collect(),
             loads: parts.iter().map(|part| part.load).collect(),
@@ -102,7 +102,7 @@ impl World for Ours {
     }
 
     fn touching(&self) -> usize {
-        self.work.contacts().len()
+        self.memory.touching_patches()
     }
 
     fn peaks(&self) -> Option<(f64, f64)> {
@@ -111,6 +111,12 @@ impl World for Ours {
         };
         Some(self.work.contacts().iter().fold((0.0, 0.0), largest))
     }
+}
+
+fn quiet(model: &Model) -> Workspace {
+    let mut work = Workspace::new(model);
+    work.tell_contacts(false);
+    work
 }
 
 fn pace(mass: Mass, step_s: f64) -> (f64, f64) {

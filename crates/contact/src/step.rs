@@ -67,6 +67,7 @@ fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     let Workspace { found, shares, inherited, states, poses, clip, events, .. } = work;
     let scene = Scene { model, found, poses };
     let mut books = Books {
+        told: work.contacts_told,
         contacts: &mut work.contacts,
         wrenches: &mut work.wrenches,
         next_patches: &mut work.next_patches,
@@ -88,6 +89,8 @@ fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
 
 /// What a contact is written to.
 struct Books<'w> {
+    /// Contacts are reported one by one.
+    told: bool,
     contacts: &'w mut Vec<Contact>,
     wrenches: &'w mut [Wrench],
     next_patches: &'w mut Vec<PatchMemory>,
@@ -179,7 +182,9 @@ fn contact(
         ..touch.contact(model, scene.poses[patch.candidate.a as usize].position_m, patch, face)
     };
     gather(&report, books.wrenches);
-    books.contacts.push(report);
+    if books.told {
+        books.contacts.push(report);
+    }
     let memory = PatchMemory {
         flags,
         shear_m: shear.shear_m,

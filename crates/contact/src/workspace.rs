@@ -29,6 +29,8 @@ pub struct Workspace {
     /// its bodies is then what that step left.
     pub(crate) advanced: Option<u64>,
     pub(crate) contacts: Vec<Contact>,
+    /// Whether contacts are reported one by one.
+    pub(crate) contacts_told: bool,
     pub(crate) wrenches: Vec<Wrench>,
     pub(crate) events: Vec<Event>,
     /// States by rank.
@@ -149,6 +151,7 @@ impl Workspace {
         Workspace {
             advanced: None,
             contacts: Vec::new(),
+            contacts_told: true,
             wrenches: vec![Wrench::default(); count],
             events: Vec::new(),
             states: Vec::with_capacity(count),
@@ -223,7 +226,14 @@ impl Workspace {
         &self.motions
     }
 
-    /// Contacts of the last step, sorted by the bodies' keys and patch.
+    /// Whether steps report their contacts one by one in [`Workspace::contacts`], as they do if not told
+    /// otherwise. Wrenches, states, motions, events and what is remembered are the same to the bit without, and
+    /// come somewhat sooner.
+    pub fn tell_contacts(&mut self, told: bool) {
+        self.contacts_told = told;
+    }
+
+    /// Contacts of the last step, sorted by the bodies' keys and patch; none where they are not told of.
     #[must_use]
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts

@@ -18,6 +18,8 @@ const MOST_TAKEN_J: f64 = 1e29;
 pub(crate) struct Books<'w> {
     /// Mean wrenches of the step as far as they are known, by id.
     pub(crate) wrenches: &'w mut [Wrench],
+    /// Contacts are reported one by one.
+    pub(crate) told: bool,
     pub(crate) contacts: &'w mut Vec<Contact>,
     /// First of the group's contacts.
     pub(crate) first_contact: usize,
@@ -58,7 +60,6 @@ impl Books<'_> {
 
         let shear_m = tie.shear_after_m(row.shear_m, v_tangential_mps, h);
         let shear_stored_j = tie.shear_stored_j(shear_m);
-        let limiter_n = tie.law_n - normal_n;
         let memory = PatchMemory {
             flags: row.flags,
             // What the bodies move in this sub-step is found again in the next one's kinematics.
@@ -75,6 +76,10 @@ impl Books<'_> {
             ..PatchMemory::of(patch, row.point_in_a_m, row.normal_in_a)
         };
         memory.add_to(patch, &scene.found.places, self.next_patches);
+        if !self.told {
+            return;
+        }
+        let limiter_n = tie.law_n - normal_n;
         let booked = Booked {
             normal_n,
             tangential_n,

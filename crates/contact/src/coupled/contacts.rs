@@ -42,6 +42,7 @@ pub(crate) fn act(
         trials,
         unheld_j,
         wrenches,
+        contacts_told,
         contacts,
         first_contact,
         next_patches,
@@ -54,6 +55,7 @@ pub(crate) fn act(
     let first_contact = *first_contact;
     let mut books = Books {
         wrenches,
+        told: *contacts_told,
         contacts,
         first_contact,
         next_patches,
