@@ -42,7 +42,7 @@ impl Ours {
         let model = model(plan, &parts, fenders);
         Ours {
             memory: Memory::new(&model),
-            work: quiet(&model),
+            work: Workspace::new(&model),
             model,
             states: parts.iter().map(|part| part.state).collect(),
             loads: parts.iter().map(|part| part.load).collect(),
@@ -51,6 +51,12 @@ impl Ours {
             step_s,
             begun: None,
         }
+    }
+
+    /// The same without a report of each contact.
+    pub(crate) fn brief(mut self) -> Ours {
+        self.work.tell_contacts(false);
+        self
     }
 
     fn euler(&mut self) {
@@ -111,12 +117,6 @@ impl World for Ours {
         };
         Some(self.work.contacts().iter().fold((0.0, 0.0), largest))
     }
-}
-
-fn quiet(model: &Model) -> Workspace {
-    let mut work = Workspace::new(model);
-    work.tell_contacts(false);
-    work
 }
 
 fn pace(mass: Mass, step_s: f64) -> (f64, f64) {

@@ -43,7 +43,8 @@ usage: fenderline-bench clip [--markdown] [--rounds N]   the overlap of two conv
        fenderline-bench berth [--markdown] [--rounds N]  a whole berthing beside real time
        fenderline-bench instructions SCENE METHOD N      N warm steps, to be counted by a profiler
        fenderline-bench callgrind                        instructions a warm step, by valgrind
-SCENE is tug, ship, faces, pairs-1000 or pairs-10000; METHOD is coupled, paper or rapier2d;
+SCENE is tug, ship, faces, pairs-1000 or pairs-10000; METHOD is coupled, paper, either
+with -brief, or rapier2d;
 --out writes the figures as JSON too";
 
 /// Rounds of a bench where the caller does not say: enough that the medians of two runs agree to a
@@ -83,7 +84,7 @@ fn run(arguments: &[&str]) -> Result<(), String> {
         ["instructions", scene, method, steps] => {
             let scene =
                 Scene::named(scene).ok_or_else(|| format!("no scene `{scene}`\n{USAGE}"))?;
-            let engine = Engine::ALL.into_iter().find(|engine| engine.name() == *method);
+            let engine = Engine::TIMED.into_iter().find(|engine| engine.name() == *method);
             let engine = engine.ok_or_else(|| format!("no method `{method}`\n{USAGE}"))?;
             step::steps(scene, engine, count_of(steps)?);
         }

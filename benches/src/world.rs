@@ -32,19 +32,30 @@ pub(crate) trait World {
 pub(crate) enum Engine {
     /// Ours, the default.
     Coupled,
+    /// The same without a report of each contact: wrenches and motions, as rapier2d gives them.
+    CoupledBrief,
     /// Ours, by the paper's method and forward Euler.
     Paper,
+    /// The same without a report of each contact.
+    PaperBrief,
     /// rapier2d-f64.
     Rapier,
 }
 
 impl Engine {
+    /// Those that differ in what they answer.
     pub(crate) const ALL: [Engine; 3] = [Engine::Coupled, Engine::Paper, Engine::Rapier];
+
+    /// Those that differ in the time they take; rapier2d is the last.
+    pub(crate) const TIMED: [Engine; 5] =
+        [Engine::Coupled, Engine::CoupledBrief, Engine::Paper, Engine::PaperBrief, Engine::Rapier];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
             Engine::Coupled => "coupled",
+            Engine::CoupledBrief => "coupled-brief",
             Engine::Paper => "paper",
+            Engine::PaperBrief => "paper-brief",
             Engine::Rapier => "rapier2d",
         }
     }
@@ -52,7 +63,9 @@ impl Engine {
     pub(crate) fn world(self, plan: &Plan, step_s: f64) -> Box<dyn World> {
         match self {
             Engine::Coupled => Box::new(Ours::new(plan, Method::Coupled, step_s)),
+            Engine::CoupledBrief => Box::new(Ours::new(plan, Method::Coupled, step_s).brief()),
             Engine::Paper => Box::new(Ours::new(plan, Method::Paper, step_s)),
+            Engine::PaperBrief => Box::new(Ours::new(plan, Method::Paper, step_s).brief()),
             Engine::Rapier => Box::new(Rapier::new(plan, step_s)),
         }
     }

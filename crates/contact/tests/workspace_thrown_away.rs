@@ -1,5 +1,6 @@
 //! What a workspace keeps between steps decides how fast an answer comes, never what it is: a run that
-//! gets a new one every step gives the same bits as one that keeps its own.
+//! gets a new one every step gives the same bits as one that keeps its own, and so does one that does not ask for
+//! a report of each contact.
 
 mod support;
 
@@ -66,16 +67,26 @@ fn fender(body: BodyId, material: MaterialId, key: u64) -> Fender {
 /// All that a step gives.
 type Found = (Vec<Contact>, Vec<Wrench>, Vec<Event>, Vec<BodyState>, Vec<u8>);
 
-/// Every step of a run; `after` moves the states on. `fresh`: a new workspace for each.
-fn run(
-    one_step: fn(&Model, &mut Memory, &mut Workspace, &mut [BodyState], &[Wrench]),
-    fresh: bool,
-) -> Vec<Found> {
+/// A step that moves the states on.
+type OneStep = fn(&Model, &mut Memory, &mut Workspace, &mut [BodyState], &[Wrench]);
+
+/// What becomes of the workspace.
+#[derive(Clone, Copy, PartialEq)]
+enum Work {
+    Kept,
+    ThrownAway,
+    /// Kept, and not asked for contacts.
+    Brief,
+}
+
+/// Every step of a run.
+fn run(one_step: OneStep, with: Work) -> Vec<Found> {
     let (model, mut states, loads) = crowd();
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
+    work.tell_contacts(with != Work::Brief);
     (0..STEPS)
         .map(|_| {
-            if fresh {
+            if with == Work::ThrownAway {
                 work = Workspace::new(&model);
             }
             one_step(&model, &mut memory, &mut work, &mut states, &loads);
@@ -85,8 +96,8 @@ fn run(
         .collect()
 }
 
-fn same_bits(one_step: fn(&Model, &mut Memory, &mut Workspace, &mut [BodyState], &[Wrench])) {
-    let (kept, thrown_away) = (run(one_step, false), run(one_step, true));
+fn same_bits(one_step: OneStep) {
+    let (kept, thrown_away) = (run(one_step, Work::Kept), run(one_step, Work::ThrownAway));
     for (index, (one, other)) in kept.iter().zip(&thrown_away).enumerate() {
         // Debug text shows every bit of a float that is not NaN.
         assert_eq!(format!("{one:?}"), format!("{other:?}"), "step {index}");
@@ -96,28 +107,62 @@ fn same_bits(one_step: fn(&Model, &mut Memory, &mut Workspace, &mut [BodyState],
     assert!(contacts > 8 * STEPS && on_fenders > STEPS, "{contacts} {on_fenders}");
 }
 
+fn same_bits_but_for_contacts(one_step: OneStep) {
+    let (told, brief) = (run(one_step, Work::Kept), run(one_step, Work::Brief));
+    for (index, (mut told, brief)) in told.into_iter().zip(brief).enumerate() {
+        told.0.clear();
+        assert_eq!(format!("{told:?}"), format!("{brief:?}"), "step {index}");
+    }
+}
+
+fn by_the_papers_method(
+    model: &Model,
+    memory: &mut Memory,
+    work: &mut Workspace,
+    states: &mut [BodyState],
+    loads: &[Wrench],
+) {
+    step(model, memory, work, states, STEP_S).expect("good states");
+    let floats = |index: usize| model.bodies()[index].mobility != Mobility::Fixed;
+    for (index, state) in states.iter_mut().enumerate().filter(|(index, _)| floats(*index)) {
+        let (push, load) = (work.wrenches()[index], loads[index]);
+        let more_mps: Vec2 = (push.force_n + load.force_n) * (STEP_S / 1e6);
+        state.velocity_mps += more_mps;
+        state.yaw_rate_radps += (push.moment_nm + load.moment_nm) * (STEP_S / 6e7);
+        state.position_m += state.velocity_mps * STEP_S;
+        state.heading_rad += state.yaw_rate_radps * STEP_S;
+    }
+}
+
+fn by_the_coupled_method(
+    model: &Model,
+    memory: &mut Memory,
+    work: &mut Workspace,
+    states: &mut [BodyState],
+    loads: &[Wrench],
+) {
+    advance(model, memory, work, states, loads, STEP_S).expect("good states and loads");
+    states.copy_from_slice(work.states_after());
+}
+
 #[test]
 fn a_workspace_thrown_away_every_step_changes_no_bit_of_the_papers_method() {
-    same_bits(|model, memory, work, states, loads| {
-        step(model, memory, work, states, STEP_S).expect("good states");
-        let floats = |index: usize| model.bodies()[index].mobility != Mobility::Fixed;
-        for (index, state) in states.iter_mut().enumerate().filter(|(index, _)| floats(*index)) {
-            let (push, load) = (work.wrenches()[index], loads[index]);
-            let more_mps: Vec2 = (push.force_n + load.force_n) * (STEP_S / 1e6);
-            state.velocity_mps += more_mps;
-            state.yaw_rate_radps += (push.moment_nm + load.moment_nm) * (STEP_S / 6e7);
-            state.position_m += state.velocity_mps * STEP_S;
-            state.heading_rad += state.yaw_rate_radps * STEP_S;
-        }
-    });
+    same_bits(by_the_papers_method);
 }
 
 #[test]
 fn a_workspace_thrown_away_every_step_changes_no_bit_of_the_coupled_method() {
-    same_bits(|model, memory, work, states, loads| {
-        advance(model, memory, work, states, loads, STEP_S).expect("good states and loads");
-        states.copy_from_slice(work.states_after());
-    });
+    same_bits(by_the_coupled_method);
+}
+
+#[test]
+fn contacts_that_are_not_told_change_no_bit_of_the_papers_method() {
+    same_bits_but_for_contacts(by_the_papers_method);
+}
+
+#[test]
+fn contacts_that_are_not_told_change_no_bit_of_the_coupled_method() {
+    same_bits_but_for_contacts(by_the_coupled_method);
 }
 
 /// What the host does with what is fixed: body 6 and the quay stand, go for a while and stand again, and are put
