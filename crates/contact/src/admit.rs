@@ -1,5 +1,6 @@
 //! Stage 1, admit: the host's input, checked before anything changes.
 
+use crate::coupled::bodies;
 use crate::error::StepError;
 use crate::memory::Memory;
 use crate::model::Model;
@@ -178,6 +179,7 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
 ///
 /// # Errors
 /// A state that is not sound; nothing but what stages work with has changed then.
+#[inline(never)]
 pub(crate) fn place_active(
     model: &Model,
     memory: &Memory,
@@ -188,41 +190,49 @@ pub(crate) fn place_active(
     if !known || memory.last_states.len() != model.ranked.len() {
         admit_states(model, states)?;
         place(model, memory, work, states);
+        bodies::take_all(model, work);
         return Ok(());
     }
-    find_active(model, memory, work, states);
-    let Workspace { states: own, poses, headings_rad, teleported, active, reach_m, .. } =
+    let count = model.ranked.len();
+    let Workspace { states: own, poses, headings_rad, teleported, active, moves, inverses, .. } =
         &mut *work;
-    let state_of = |rank: u32| &states[model.id_of[rank as usize].0 as usize];
-    if !active.iter().all(|&rank| is_sound(state_of(rank))) {
-        return admit_states(model, states);
-    }
-    let mut jumps = false;
-    for &rank in &*active {
-        let (state, rank) = (*state_of(rank), rank as usize);
-        let body = &model.ranked[rank];
-        (own[rank], reach_m[rank]) = (state, body.reach_m);
-        put(&mut poses[rank], &mut headings_rad[rank], &state);
-        teleported[rank] = jumped(memory, rank, &state, body.radius_m);
+    // Of one length, so that it is asked for once.
+    let (own, last_states) = (&mut own[..count], &memory.last_states[..count]);
+    let (poses, headings_rad) = (&mut poses[..count], &mut headings_rad[..count]);
+    let (teleported, moves) = (&mut teleported[..count], &moves[..count]);
+    let (ranked, id_of) = (&model.ranked[..count], &model.id_of[..count]);
+    active.clear();
+    let (mut jumps, mut sound) = (false, true);
+    for rank in 0..count {
+        let state = &states[id_of[rank].0 as usize];
+        let seen = [&own[rank], &last_states[rank]];
+        if !moves[rank] && !teleported[rank] && stands(state, seen) {
+            continue;
+        }
+        active.push(rank as u32);
+        sound &= is_sound(state);
+        let body = &ranked[rank];
+        own[rank] = *state;
+        poses[rank].position_m = state.position_m;
+        if state.heading_rad.to_bits() != headings_rad[rank].to_bits() {
+            headings_rad[rank] = state.heading_rad;
+            poses[rank].rotation = Rotation::from_angle(state.heading_rad);
+            inverses[rank] = body.inverse.turned(poses[rank].rotation);
+        }
+        teleported[rank] = jumped(memory, rank, state, body.radius_m);
         jumps |= teleported[rank];
+    }
+    if !sound {
+        return admit_states(model, states);
     }
     tell_of_jumps(model, work, jumps);
     Ok(())
 }
 
-/// Lists all bodies but those that stand, and did not jump there, as they stood both when this workspace and when
-/// the memory saw them last.
-fn find_active(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
-    let Workspace { states: own, teleported, moves, active, .. } = work;
-    active.clear();
-    let seen = own.iter().zip(&memory.last_states);
-    let stood = moves.iter().zip(&*teleported).map(|(moves, teleported)| !(moves | teleported));
-    for ((rank, id), ((own, last), stood)) in (0..).zip(&model.id_of).zip(seen.zip(stood)) {
-        let state = &states[id.0 as usize];
-        if !(stood && own.is_same(state) && last.is_same(state)) {
-            active.push(rank);
-        }
-    }
+/// Does a body stand as it stood when both the workspace and the memory saw it last?
+#[inline(always)]
+fn stands(state: &BodyState, [own, last]: [&BodyState; 2]) -> bool {
+    own.is_same(state) && last.is_same(state)
 }
 
 /// The pose of a body. What does not turn is spared its sine and cosine.
@@ -274,8 +284,10 @@ pub(crate) fn remember_states(
         memory.last_states.extend(model.id_of.iter().map(|id| states[id.0 as usize]));
         return;
     }
+    let count = model.id_of.len();
+    let (last_states, id_of) = (&mut memory.last_states[..count], &model.id_of[..count]);
     for &rank in active {
-        memory.last_states[rank as usize] = states[model.id_of[rank as usize].0 as usize];
+        last_states[rank as usize] = states[id_of[rank as usize].0 as usize];
     }
 }
 

@@ -11,6 +11,7 @@ use crate::geometry::convex::ConvexPolygon;
 use crate::mass::InverseMatrix;
 use crate::outline::Outline;
 use crate::pairing::{Bounds, RankedPair};
+use crate::vec2::Rotation;
 
 /// Index of a body, in the order in which bodies were added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -178,6 +179,8 @@ pub(crate) struct RankedBody {
     pub(crate) inverse_inertia: f64,
     /// M⁻¹ in the body's axes.
     pub(crate) inverse: InverseMatrix,
+    /// Whether that is so in all axes.
+    pub(crate) is_alike: bool,
     /// The largest inverse mass in any direction, without rotation [1/kg].
     pub(crate) lightest_inverse_mass: f64,
     /// About half of its width: a convex body's area is about its length times its width [m].
@@ -402,6 +405,8 @@ impl RankedBody {
             inverse_mass: 1.0 / mass_kg,
             inverse_inertia: 1.0 / yaw_inertia_kgm2,
             inverse,
+            // A quarter turn tells.
+            is_alike: inverse.turned(Rotation { cos: 0.0, sin: 1.0 }) == inverse,
             lightest_inverse_mass: inverse.lightest(),
             half_width_m: 0.25 * body.outline.area_m2() / body.outline.radius_m(),
             turns: Turning::of(&body.mobility),

@@ -58,17 +58,9 @@ impl Bounds {
             half_width_m: lesser(a.half_width_m, b.half_width_m),
         }
     }
-
-    /// The same squares for less inverse mass.
-    #[inline]
-    pub(crate) fn rates_squared(&self, inverse_mass: f64) -> (f64, f64) {
-        let share = inverse_mass / self.inverse_mass;
-        (self.spring_rate_squared * share, self.damping_rate_squared * share * share)
-    }
 }
 
 /// A chord is at most as long as the smaller body [m].
-#[inline]
-pub(crate) fn longest_chord_m(a: &RankedBody, b: &RankedBody) -> f64 {
+fn longest_chord_m(a: &RankedBody, b: &RankedBody) -> f64 {
     2.0 * lesser(a.radius_m, b.radius_m)
 }

@@ -69,7 +69,9 @@ pub struct Workspace {
     pub(crate) motions_by_rank: Vec<Motion>,
     pub(crate) motions: Vec<Motion>,
     pub(crate) before: Vec<Velocity>,
-    /// Loads by rank.
+    /// What loads alone accelerate each body at, by rank [m/s², rad/s²]; and the loads themselves, of those whose
+    /// mass is not the same in all directions.
+    pub(crate) accelerations: Vec<Velocity>,
     pub(crate) loads: Vec<Wrench>,
     /// The most that any point of a body may move at in this step, by rank, and what of it acceleration and
     /// rotation add [m/s].
@@ -176,6 +178,7 @@ impl Workspace {
             motions_by_rank: Vec::with_capacity(count),
             motions: Vec::with_capacity(count),
             before: Vec::with_capacity(count),
+            accelerations: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
             fastest_mps: Vec::with_capacity(count),
             room_mps: Vec::with_capacity(count),

@@ -1,50 +1,63 @@
 //! The bodies of a step: what they begin with, and how they move.
 
 use crate::mass::InverseMatrix;
-use crate::model::Model;
+use crate::model::{Model, RankedBody};
 use crate::report::{Motion, Wrench};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::Rotation;
 use crate::workspace::Workspace;
 
-/// Loads and earth-fixed inverse masses by rank, the room each body may need in the step, and no wrench of
-/// contacts yet. Of bodies that stand as they stood nothing changes.
+/// Of bodies of which this workspace knows nothing: inverse masses in their attitudes, and no loads on them.
+#[cold]
+pub(crate) fn take_all(model: &Model, work: &mut Workspace) {
+    make_room(work, model.ranked.len());
+    for (rank, body) in model.ranked.iter().enumerate() {
+        work.inverses[rank] = body.inverse.turned(work.poses[rank].rotation);
+        work.accelerations[rank] = Velocity::default();
+    }
+}
+
+/// What loads alone do to each body that floats, the room each may need in the step, and no wrench of contacts
+/// yet. Of bodies that stand as they stood nothing changes.
+#[inline(never)]
 pub(crate) fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
     let count = model.ranked.len();
-    make_room(work, count);
     work.moving_walls.clear();
     work.wrenches.clear();
     work.wrenches.resize(count, Wrench::default());
-    let Workspace { active, states, poses, moves, before, loads: own, inverses, .. } = work;
+    let Workspace { active, states, moves, before, loads: own, inverses, accelerations, .. } = work;
     let Workspace { motions_by_rank, room_mps, fastest_mps, reach_m, moving_walls, .. } = work;
     // Of one length, so that it is asked for once.
-    let (states, poses, moves) = (&states[..count], &poses[..count], &mut moves[..count]);
-    let (before, own, inverses) = (&mut before[..count], &mut own[..count], &mut inverses[..count]);
-    let (motions, room_mps) = (&mut motions_by_rank[..count], &mut room_mps[..count]);
-    let (fastest_mps, reach_m) = (&mut fastest_mps[..count], &mut reach_m[..count]);
-    let (ranked, id_of) = (&model.ranked[..count], &model.id_of[..count]);
+    let (states, moves, before) = (&states[..count], &mut moves[..count], &mut before[..count]);
+    let (own, inverses) = (&mut own[..count], &inverses[..count]);
+    let (motions, accelerations) = (&mut motions_by_rank[..count], &mut accelerations[..count]);
+    let (fastest_mps, room_mps) = (&mut fastest_mps[..count], &mut room_mps[..count]);
+    let (reach_m, ranked, id_of) =
+        (&mut reach_m[..count], &model.ranked[..count], &model.id_of[..count]);
     for &rank in &*active {
         let rank = rank as usize;
         let (body, state) = (&ranked[rank], &states[rank]);
-        let (mut load, mut inverse) = (Wrench::default(), InverseMatrix::default());
         let mut room = state.yaw_rate_radps.abs() * body.reach_m;
-        moves[rank] = !(body.is_fixed() && state.is_at_rest());
-        if !body.is_fixed() {
-            load = loads[id_of[rank].0 as usize];
-            inverse = body.inverse.turned(poses[rank].rotation);
-            let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-            room += dv.length() + dr.abs() * body.reach_m;
-        } else if moves[rank] {
-            moving_walls.push((rank as u32, *state));
+        if body.is_fixed() {
+            moves[rank] = !state.is_at_rest();
+            before[rank] = state.velocity();
+            if moves[rank] {
+                moving_walls.push((rank as u32, *state));
+            }
+        } else {
+            moves[rank] = true;
+            let load = &loads[id_of[rank].0 as usize];
+            let (way, turn) = inverses[rank].response(load.force_n, load.moment_nm);
+            accelerations[rank] = (way, turn);
+            if !body.is_alike {
+                own[rank] = *load;
+            }
+            room += (way.length() + turn.abs() * body.reach_m) * step_s;
         }
-        let fastest = state.velocity_mps.length() + room;
-        before[rank] = state.velocity();
-        own[rank] = load;
-        inverses[rank] = inverse;
         motions[rank] = Motion::default();
         room_mps[rank] = room;
-        fastest_mps[rank] = fastest;
-        reach_m[rank] += fastest * step_s;
+        fastest_mps[rank] = state.velocity_mps.length() + room;
+        reach_m[rank] = body.reach_m + fastest_mps[rank] * step_s;
     }
 }
 
@@ -57,6 +70,7 @@ fn make_room(work: &mut Workspace, count: usize) {
     work.before.resize(count, Velocity::default());
     work.loads.resize(count, Wrench::default());
     work.inverses.resize(count, InverseMatrix::default());
+    work.accelerations.resize(count, Velocity::default());
     work.room_mps.resize(count, 0.0);
     work.fastest_mps.resize(count, 0.0);
     work.motions_by_rank.resize(count, Motion::default());
@@ -66,14 +80,16 @@ fn make_room(work: &mut Workspace, count: usize) {
 
 /// v_free = v + h M⁻¹ W. Takes note of v.
 pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
-    let Workspace { island_bodies, states, before, loads, inverses, .. } = work;
+    let Workspace { island_bodies, states, before, accelerations, .. } = work;
+    let count = states.len();
+    let (before, accelerations) = (&mut before[..count], &accelerations[..count]);
     for &rank in &*island_bodies {
         let rank = rank as usize;
-        let (state, load) = (&mut states[rank], &loads[rank]);
+        let state = &mut states[rank];
         before[rank] = state.velocity();
-        let (dv, dr) = inverses[rank].response(load.force_n * h, load.moment_nm * h);
-        state.velocity_mps += dv;
-        state.yaw_rate_radps += dr;
+        let (way, turn) = accelerations[rank];
+        state.velocity_mps += way * h;
+        state.yaw_rate_radps += turn * h;
     }
 }
 
@@ -81,64 +97,79 @@ pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
 /// bodies went by the mean of the velocities before and after the solve: a force times it is that force's work
 /// exactly.
 pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
-    let Workspace {
-        island_bodies,
-        before,
-        states,
-        poses,
-        headings_rad,
-        inverses,
-        motions_by_rank,
-        jumps,
-        ..
-    } = work;
+    let Workspace { island_bodies, before, states, poses, headings_rad, motions_by_rank, .. } =
+        work;
+    let count = states.len();
+    let (before, motions) = (&before[..count], &mut motions_by_rank[..count]);
+    let (poses, headings_rad) = (&mut poses[..count], &mut headings_rad[..count]);
+    let ranked = &model.ranked[..count];
     for &rank in &*island_bodies {
         let rank = rank as usize;
         let (velocity_mps, yaw_rate_radps) = before[rank];
-        let (state, motion) = (&mut states[rank], &mut motions_by_rank[rank]);
+        let (state, motion, pose) = (&mut states[rank], &mut motions[rank], &mut poses[rank]);
         motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
-        motion.turn_rad += 0.5 * (yaw_rate_radps + state.yaw_rate_radps) * h;
+        motion.turn_rad += (yaw_rate_radps + state.yaw_rate_radps) * (0.5 * h);
         move_body(state, h);
-        poses[rank].position_m = state.position_m;
-        let turns = &model.ranked[rank].turns;
-        if state.yaw_rate_radps != 0.0 || turns.is_some() {
-            let rotation = Rotation::from_angle(state.heading_rad);
-            if let Some(turns) = turns {
-                turns.turn(state, poses[rank].rotation, rotation, h);
-            }
+        pose.position_m = state.position_m;
+        if !ranked[rank].is_alike {
+            let (inverses, accelerations) = (&mut work.inverses, &mut work.accelerations);
+            let before =
+                core::mem::replace(&mut pose.rotation, Rotation::from_angle(state.heading_rad));
+            turn_masses(&ranked[rank], state, (before, pose.rotation), h);
+            inverses[rank] = ranked[rank].inverse.turned(pose.rotation);
+            let load = &work.loads[rank];
+            accelerations[rank] = inverses[rank].response(load.force_n, load.moment_nm);
             headings_rad[rank] = state.heading_rad;
-            poses[rank].rotation = rotation;
-            inverses[rank] = model.ranked[rank].inverse.turned(rotation);
+        } else if state.yaw_rate_radps != 0.0 {
+            headings_rad[rank] = state.heading_rad;
+            pose.rotation = Rotation::from_angle(state.heading_rad);
         }
     }
-    *jumps = false;
+    work.jumps = false;
 }
 
+#[inline(always)]
 fn move_body(state: &mut BodyState, h: f64) {
     state.position_m += state.velocity_mps * h;
     state.heading_rad += state.yaw_rate_radps * h;
 }
 
+/// The momentum of a body whose mass differs between surge and sway turns with it.
+fn turn_masses(
+    body: &RankedBody,
+    state: &mut BodyState,
+    (before, after): (Rotation, Rotation),
+    h: f64,
+) {
+    if let Some(turns) = &body.turns {
+        turns.turn(state, before, after, h);
+    }
+}
+
 /// Bodies that nothing is near: one step by their loads.
+#[inline(never)]
 pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
-    for &rank in &work.active {
+    let Workspace { active, in_island, states, accelerations, motions_by_rank, poses, .. } = work;
+    let count = states.len();
+    let (in_island, accelerations) = (&in_island[..count], &accelerations[..count]);
+    let (motions, poses, ranked) =
+        (&mut motions_by_rank[..count], &poses[..count], &model.ranked[..count]);
+    for &rank in &*active {
         let rank = rank as usize;
-        let body = &model.ranked[rank];
-        if work.in_island[rank] || body.is_fixed() {
+        if in_island[rank] || ranked[rank].is_fixed() {
             continue;
         }
-        let load = work.loads[rank];
-        let inverse = &work.inverses[rank];
-        let (dv, dr) = inverse.response(load.force_n * step_s, load.moment_nm * step_s);
-        let (state, pose) = (&mut work.states[rank], work.poses[rank]);
-        let motion = &mut work.motions_by_rank[rank];
+        let (way, turn) = accelerations[rank];
+        let (dv, dr) = (way * step_s, turn * step_s);
+        let (state, motion) = (&mut states[rank], &mut motions[rank]);
         motion.way_m = (state.velocity_mps + dv * 0.5) * step_s;
         motion.turn_rad = (state.yaw_rate_radps + 0.5 * dr) * step_s;
         state.velocity_mps += dv;
         state.yaw_rate_radps += dr;
         move_body(state, step_s);
-        if let Some(turns) = &body.turns {
-            turns.turn(state, pose.rotation, Rotation::from_angle(state.heading_rad), step_s);
+        if ranked[rank].turns.is_some() {
+            let after = Rotation::from_angle(state.heading_rad);
+            turn_masses(&ranked[rank], state, (poses[rank].rotation, after), step_s);
         }
     }
 }

@@ -4,10 +4,8 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::coupled::pace;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
-use crate::overlap::Patch;
 use crate::pairing::JOINED;
 use crate::report::Motion;
 use crate::workspace::{Pairing, Workspace};
@@ -132,26 +130,6 @@ fn find(root: &mut [u32], mut i: u32) -> u32 {
         i = root[i as usize];
     }
     i
-}
-
-/// Each island's patches of the first overlap, which left `hints`, and how many sub-steps it needs.
-pub(crate) fn set_paces(
-    model: &Model,
-    work: &Workspace,
-    islands: &mut [Island],
-    hints: &[HintMemory],
-    step_s: f64,
-) {
-    let mut from = 0;
-    for island in islands {
-        let candidates = island.candidates.clone();
-        let own = |patch: &&Patch| (patch.of as usize) < candidates.end;
-        let to = from + work.found.patches[from..].iter().take_while(own).count();
-        island.patches = from..to;
-        let patches = &work.found.patches[from..to];
-        island.sub_steps = pace::sub_steps(model, work, candidates, patches, hints, step_s);
-        from = to;
-    }
 }
 
 /// Makes these islands the ones that the stages work on.

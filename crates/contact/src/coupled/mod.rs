@@ -38,6 +38,7 @@ use crate::model::Model;
 use crate::overlap::overlap;
 use crate::report::{EventKind, Wrench};
 use crate::state::BodyState;
+use crate::vec2::{Vec2, vec2};
 use crate::workspace::Workspace;
 
 /// Contact forces for the step of `step_s` seconds that begins at `states`, by the coupled method,
@@ -125,7 +126,7 @@ fn advance_in_order(
     let mut hints = core::mem::take(&mut work.first_hints);
     hints.clear();
     overlap(model, past.hints, work, &mut hints);
-    island::set_paces(model, work, islands, &hints, step_s);
+    pace::set_paces(model, work, islands, &hints, step_s);
 
     let mut rest = Past { hints: &hints, ..past };
     let jumps = work.jumps;
@@ -193,6 +194,7 @@ fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Isla
 ///
 /// # Errors
 /// A number that is none: the step is too long for its sub-steps, of which there is a bound.
+#[inline(never)]
 fn report(model: &Model, work: &mut Workspace) -> Result<(), StepError> {
     let key = |c: &crate::report::Contact| {
         let [one, two] = [c.body_1, c.body_2].map(|id| model.rank_of[id.0 as usize]);
@@ -202,23 +204,31 @@ fn report(model: &Model, work: &mut Workspace) -> Result<(), StepError> {
         work.contacts.sort_unstable_by_key(key);
     }
     let Workspace { wrenches, states_after, motions, states, motions_by_rank, active, .. } = work;
-    let mut nothing = 0.0;
+    let count = states.len();
+    let (wrenches, states_after) = (&wrenches[..count], &mut states_after[..count]);
+    let (motions, motions_by_rank) = (&mut motions[..count], &motions_by_rank[..count]);
+    let id_of = &model.id_of[..count];
+    // Sums are finite where all is, but for the largest of numbers. Without a branch for each.
+    let (mut sum, mut turned, mut moment_nm) = (Vec2::ZERO, Vec2::ZERO, 0.0);
     for &rank in &*active {
-        let (id, rank) = (model.id_of[rank as usize].0 as usize, rank as usize);
+        let rank = rank as usize;
+        let id = id_of[rank].0 as usize;
         let (state, push) = (&states[rank], &wrenches[id]);
         states_after[id] = *state;
         motions[id] = motions_by_rank[rank];
-        // Nothing times nothing, unless it is infinite or none. Without a branch for each.
-        let sum = state.position_m + state.velocity_mps + push.force_n;
-        nothing += 0.0 * (sum.x + sum.y + state.heading_rad + state.yaw_rate_radps);
-        nothing += 0.0 * push.moment_nm;
+        sum += state.position_m + state.velocity_mps + push.force_n;
+        turned += vec2(state.heading_rad, state.yaw_rate_radps);
+        moment_nm += push.moment_nm;
     }
-    if nothing == 0.0 { Ok(()) } else { Err(overflow(model, work)) }
+    if sum.is_finite() && turned.is_finite() && moment_nm.is_finite() {
+        return Ok(());
+    }
+    overflow(model, work)
 }
 
 /// Names the first body whose state or wrench is not finite.
 #[cold]
-fn overflow(model: &Model, work: &Workspace) -> StepError {
+fn overflow(model: &Model, work: &Workspace) -> Result<(), StepError> {
     let is_finite = |index: usize| {
         let (state, push) = (&work.states_after[index], &work.wrenches[index]);
         state.position_m.is_finite()
@@ -228,9 +238,10 @@ fn overflow(model: &Model, work: &Workspace) -> StepError {
             && push.force_n.is_finite()
             && push.moment_nm.is_finite()
     };
-    let bodies = model.bodies();
-    let bad = (0..bodies.len()).find(|&index| !is_finite(index)).unwrap_or(0);
-    StepError::NotFinite { body: bodies[bad].name.clone() }
+    match model.bodies().iter().enumerate().find(|&(index, _)| !is_finite(index)) {
+        Some((_, body)) => Err(StepError::NotFinite { body: body.name.clone() }),
+        None => Ok(()),
+    }
 }
 
 /// The step is done: what it found becomes the memory of the next.

@@ -1,7 +1,6 @@
 //! How many sub-steps an island needs in a step.
 
-use core::ops::Range;
-
+use crate::coupled::island::Island;
 use crate::fender::{FenderLaw, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
@@ -9,7 +8,7 @@ use crate::memory::HintMemory;
 use crate::model::{Model, RankedBody};
 use crate::number::lesser;
 use crate::overlap::{Patch, pieces_of};
-use crate::pairing::longest_chord_m;
+use crate::pairing::Bounds;
 use crate::workspace::{Candidate, Pairing, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
@@ -30,59 +29,121 @@ const TRAVEL_PER_SUB_STEP: f64 = 0.5;
 /// Most sub-steps of a step: bounded work, whatever the host asks for.
 pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 
-/// Number of sub-steps for an island, after the first overlap, which found `patches` of it and left `hints`.
-pub(crate) fn sub_steps(
+/// What candidates ask of the pace of their island.
+#[derive(Clone, Copy, Default)]
+struct Haste {
+    /// Sum of the squares of the rates of their springs and dampers [1/s²].
+    rate_squared: f64,
+    /// What they may close in the step, in sub-steps of the largest travel.
+    travel: f64,
+}
+
+impl Haste {
+    /// Number of sub-steps, for a rate of 1 s⁻¹ that turns so far in the step.
+    #[inline(always)]
+    fn sub_steps(self, turn: f64) -> u32 {
+        if self.rate_squared * (turn * turn) <= 1.0 && self.travel <= 1.0 {
+            return 1;
+        }
+        let needed = (libm::sqrt(self.rate_squared) * turn).max(self.travel);
+        libm::ceil(needed.clamp(1.0, f64::from(MOST_SUB_STEPS))) as u32
+    }
+}
+
+/// Each island's patches of the first overlap, which left `hints`, and how many sub-steps it needs.
+#[inline(never)]
+pub(crate) fn set_paces(
     model: &Model,
     work: &Workspace,
-    candidates: Range<usize>,
-    mut patches: &[Patch],
+    islands: &mut [Island],
     hints: &[HintMemory],
     step_s: f64,
-) -> u32 {
-    let mut rate_squared = 0.0;
-    let mut travel = 0.0_f64;
-    let per_step = 1.0 / step_s;
+) {
+    let count = model.ranked.len();
+    let (ranked, fastest_mps) = (&model.ranked[..count], &work.fastest_mps[..count]);
     let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
-    // What each may add to the square of the rate without more sub-steps, whatever the others add.
-    let of_each = 1.0 / (turn * turn * candidates.len() as f64);
-    // In the order of the candidates.
-    for (pairing, index) in work.candidates[candidates.clone()].iter().zip(candidates.start..) {
-        let Pairing { candidate, pair, .. } = pairing;
-        let own = patches_of(&mut patches, index);
-        if own.is_empty() && !may_touch(model, work, candidate, hints, step_s) {
-            continue;
-        }
-        let counts = if own.is_empty() { 1.0 } else { STANDING };
-        if let Some(face) = candidate.fender(model) {
-            let closing_m = closing_mps(work, candidate) * step_s;
-            let fender = &model.fenders()[face.id.0 as usize];
-            let (spring, damper) =
-                rates_squared_of_face(model, work, own, candidate, face, closing_m);
-            rate_squared += counts * spring + damper;
-            travel = travel.max(closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m));
-            continue;
-        }
-        let bounds = work.bounds_of(model, *pair);
-        let most = counts * bounds.spring_rate_squared + bounds.damping_rate_squared;
-        rate_squared += match own {
-            // Where even the largest bound is small there is no more to find out.
-            [only] if most > of_each && only.per_chord_m > 0.0 => {
-                let (spring, damper) = bounds.rates_squared(inverse_mass(model, only));
-                counts * spring + damper
+    let all = work.found.patches.as_slice();
+    let mut left = all;
+    for island in islands {
+        let from = all.len() - left.len();
+        let pairings = &work.candidates[island.candidates.clone()];
+        // The inverse of what each may add to the square of the rate without more sub-steps, whatever the
+        // others add.
+        let per_share = turn * turn * f64::from(pairings.len() as u32);
+        let mut haste = Haste::default();
+        for (index, pairing) in (island.candidates.start..).zip(pairings) {
+            let own = patches_of(&mut left, index);
+            let Pairing { candidate, pair, .. } = pairing;
+            let ([only], 0) = (own, candidate.face) else {
+                haste = with_others(model, work, haste, pairing, (own, hints), step_s);
+                continue;
+            };
+            let bounds = work.bounds_of(model, *pair);
+            let pair = [candidate.a, candidate.b].map(|rank| rank as usize);
+            haste.rate_squared +=
+                standing_rate_squared(bounds, pair.map(|rank| &ranked[rank]), only, per_share);
+            let [fastest_a, fastest_b] = pair.map(|rank| fastest_mps[rank]);
+            if (fastest_a + fastest_b) * step_s > TRAVEL_PER_SUB_STEP * bounds.half_width_m {
+                haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
             }
-            _ => most,
-        };
-        let most_m = TRAVEL_PER_SUB_STEP * bounds.half_width_m;
-        let (a, b) = (candidate.a as usize, candidate.b as usize);
-        if work.fastest_mps[a] + work.fastest_mps[b] > most_m * per_step {
-            travel = travel.max(closing_mps(work, candidate) * step_s / most_m);
         }
+        island.patches = from..all.len() - left.len();
+        island.sub_steps = haste.sub_steps(turn);
     }
-    if rate_squared * turn * turn <= 1.0 && travel <= 1.0 {
-        return 1;
+}
+
+/// A bound on the square of the rate of a contact of two outlines that stands in one patch [1/s²].
+#[inline(always)]
+fn standing_rate_squared(
+    bounds: &Bounds,
+    pair: [&RankedBody; 2],
+    only: &Patch,
+    per_share: f64,
+) -> f64 {
+    let most = STANDING * bounds.spring_rate_squared + bounds.damping_rate_squared;
+    // Where even the largest bound is small there is no more to find out.
+    if most * per_share > 1.0 && only.per_chord_m > 0.0 {
+        let share = inverse_mass(pair, only) / bounds.inverse_mass;
+        return (STANDING * bounds.spring_rate_squared + bounds.damping_rate_squared * share)
+            * share;
     }
-    let needed = (libm::sqrt(rate_squared) * turn).max(travel);
-    libm::ceil(needed.clamp(1.0, f64::from(MOST_SUB_STEPS))) as u32
+    most
+}
+
+/// With a candidate that is not two outlines that touch in one patch.
+#[inline(never)]
+fn with_others(
+    model: &Model,
+    work: &Workspace,
+    mut haste: Haste,
+    pairing: &Pairing,
+    (own, hints): (&[Patch], &[HintMemory]),
+    step_s: f64,
+) -> Haste {
+    let Pairing { candidate, pair, .. } = pairing;
+    if own.is_empty() && !may_touch(model, work, candidate, hints, step_s) {
+        return haste;
+    }
+    let counts = if own.is_empty() { 1.0 } else { STANDING };
+    if let Some(face) = candidate.fender(model) {
+        let closing_m = closing_mps(work, candidate) * step_s;
+        let fender = &model.fenders()[face.id.0 as usize];
+        let (spring, damper) = rates_squared_of_face(model, work, own, candidate, face, closing_m);
+        haste.rate_squared += counts * spring + damper;
+        haste.travel =
+            haste.travel.max(closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m));
+        return haste;
+    }
+    let bounds = work.bounds_of(model, *pair);
+    haste.rate_squared += counts * bounds.spring_rate_squared + bounds.damping_rate_squared;
+    haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
+    haste
+}
+
+/// What two outlines may close in the step, in sub-steps of the largest travel.
+#[cold]
+fn travel(work: &Workspace, candidate: &Candidate, bounds: &Bounds, step_s: f64) -> f64 {
+    closing_mps(work, candidate) * step_s / (TRAVEL_PER_SUB_STEP * bounds.half_width_m)
 }
 
 /// The first patches, as far as they belong to candidate number `index`; moves on to what comes after.
@@ -102,23 +163,19 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
 /// allows for a contact off the centre; its lever may tell that rotation adds less. The patch lies on the chord,
 /// so that it moves by half of that at most; and within the smaller body, so that it comes no further from that
 /// one's centre of gravity.
-#[inline(never)]
-fn inverse_mass(model: &Model, patch: &Patch) -> f64 {
-    let [a, b] = [patch.candidate.a, patch.candidate.b].map(|rank| &model.ranked[rank as usize]);
-    let chord_m = longest_chord_m(a, b);
-    let of_body = |body: &RankedBody, lever_m: f64| {
+#[inline(always)]
+fn inverse_mass([a, b]: [&RankedBody; 2], patch: &Patch) -> f64 {
+    let half_chord_m = lesser(a.radius_m, b.radius_m);
+    let of_body = |body: &RankedBody, patch_m: f64, smaller_m: f64| {
+        let lever_m = lesser(patch_m.abs(), smaller_m.abs()) + half_chord_m;
         let by_turning = body.inverse.of_turning() * lever_m * lever_m;
         body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
     };
-    let normal = patch.chord_m.quarter_turn_back() * patch.per_chord_m;
-    let (from_a_m, from_b_m) =
-        (patch.centroid_m.cross(normal), patch.b_in_a.position_m.cross(normal));
-    let of_smaller_m = if a.radius_m <= b.radius_m { 0.0 } else { from_b_m };
-    let lever_m = |center_m: f64| {
-        let (patch_m, smaller_m) = (from_a_m - center_m, of_smaller_m - center_m);
-        lesser(patch_m.abs(), smaller_m.abs()) + 0.5 * chord_m
-    };
-    of_body(a, lever_m(0.0)) + of_body(b, lever_m(from_b_m))
+    // Levers of the patch and of B's centre of gravity about A's, along the chord.
+    let along = patch.chord_m * patch.per_chord_m;
+    let (patch_m, b_m) = (patch.centroid_m.dot(along), patch.b_in_a.position_m.dot(along));
+    let smaller_m = if a.radius_m <= b.radius_m { 0.0 } else { b_m };
+    of_body(a, patch_m, smaller_m) + of_body(b, patch_m - b_m, smaller_m - b_m)
 }
 
 /// Bounds on the squares of the rates of a fender and its hull by spring and stop, for all deflections that
