@@ -6,7 +6,7 @@ use crate::memory::Memory;
 use crate::model::Model;
 use crate::report::{Event, EventKind, Wrench};
 use crate::state::BodyState;
-use crate::vec2::{Pose, Rotation};
+use crate::vec2::{Pose, Rotation, Vec2};
 use crate::workspace::Workspace;
 
 /// Largest size of a position, a velocity, a load and a time step [m, m/s, rad/s, rad, N, s]. Beyond these a
@@ -87,9 +87,9 @@ fn is_sound(state: &BodyState) -> bool {
     // Not a number is within no bounds. All are compared, without a branch for each.
     (state.position_m.x.abs() <= FURTHEST_M)
         & (state.position_m.y.abs() <= FURTHEST_M)
-        & (state.heading_rad.abs() <= LARGEST_HEADING_RAD)
         & (state.velocity_mps.x.abs() <= FASTEST_MPS)
         & (state.velocity_mps.y.abs() <= FASTEST_MPS)
+        & (state.heading_rad.abs() <= LARGEST_HEADING_RAD)
         & (state.yaw_rate_radps.abs() <= FASTEST_TURN_RADPS)
 }
 
@@ -202,15 +202,16 @@ pub(crate) fn place_active(
     let (teleported, moves) = (&mut teleported[..count], &moves[..count]);
     let (ranked, id_of) = (&model.ranked[..count], &model.id_of[..count]);
     active.clear();
-    let (mut jumps, mut sound) = (false, true);
+    let mut jumps = false;
     for rank in 0..count {
         let state = &states[id_of[rank].0 as usize];
-        let seen = [&own[rank], &last_states[rank]];
-        if !moves[rank] && !teleported[rank] && stands(state, seen) {
+        if !moves[rank] && stands(state, [&own[rank], &last_states[rank]], teleported[rank]) {
             continue;
         }
+        if !is_sound(state) {
+            return admit_states(model, states);
+        }
         active.push(rank as u32);
-        sound &= is_sound(state);
         let body = &ranked[rank];
         own[rank] = *state;
         poses[rank].position_m = state.position_m;
@@ -222,17 +223,15 @@ pub(crate) fn place_active(
         teleported[rank] = jumped(memory, rank, state, body.radius_m);
         jumps |= teleported[rank];
     }
-    if !sound {
-        return admit_states(model, states);
-    }
     tell_of_jumps(model, work, jumps);
     Ok(())
 }
 
-/// Does a body stand as it stood when both the workspace and the memory saw it last?
+/// Does a body stand as it stood, and did not jump there, when both the workspace and the memory saw it last?
 #[inline(always)]
-fn stands(state: &BodyState, [own, last]: [&BodyState; 2]) -> bool {
-    own.is_same(state) && last.is_same(state)
+fn stands(state: &BodyState, [own, last]: [&BodyState; 2], teleported: bool) -> bool {
+    // All is compared, without a branch for each.
+    own.apart(state) | last.apart(state) | u64::from(teleported) == 0
 }
 
 /// The pose of a body. What does not turn is spared its sine and cosine.
@@ -301,9 +300,17 @@ fn jumped(memory: &Memory, rank: usize, now: &BodyState, radius_m: f64) -> bool 
     let unexplained = moved - mean;
     // Most bodies are well within the second half of the allowance, and need no roots.
     let near_m = 0.09 * radius_m;
-    if unexplained.length_squared() <= near_m * near_m {
-        return false;
-    }
-    let change = (now.velocity_mps - last.velocity_mps).length() * memory.last_step_s;
-    unexplained.length() > change + 0.1 * radius_m
+    unexplained.length_squared() > near_m * near_m
+        && jumped_far(
+            unexplained,
+            now.velocity_mps - last.velocity_mps,
+            memory.last_step_s,
+            radius_m,
+        )
+}
+
+/// The same of a body that moved by so much more than the mean of its two velocities explains.
+#[cold]
+fn jumped_far(unexplained_m: Vec2, change_mps: Vec2, step_s: f64, radius_m: f64) -> bool {
+    unexplained_m.length() > change_mps.length() * step_s + 0.1 * radius_m
 }

@@ -78,10 +78,7 @@ impl NearList {
     ) {
         let good = self.fingerprint == model.fingerprint
             && self.circles.len() == poses.len()
-            && active.iter().all(|&rank| {
-                let rank = rank as usize;
-                self.circles[rank].holds(poses[rank].position_m, reach_m[rank])
-            });
+            && hold(&self.circles, poses, reach_m, active);
         if !good {
             self.fingerprint = model.fingerprint;
             self.circles.clear();
@@ -128,6 +125,17 @@ impl NearList {
         self.bounds.clear();
         self.bounds.extend(self.pairs.iter().map(|pair| Bounds::of(model, pair)));
     }
+}
+
+/// Does the circle of each of these hold its own now?
+#[inline(never)]
+fn hold(circles: &[Circle], poses: &[Pose], reach_m: &[f64], of: &[u32]) -> bool {
+    // Of one length, so that it is asked for once.
+    let (poses, reach_m) = (&poses[..circles.len()], &reach_m[..circles.len()]);
+    of.iter().all(|&rank| {
+        let rank = rank as usize;
+        circles[rank].holds(poses[rank].position_m, reach_m[rank])
+    })
 }
 
 fn named(model: &Model, a: u32, b: u32) -> bool {

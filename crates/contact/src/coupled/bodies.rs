@@ -47,11 +47,13 @@ pub(crate) fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], 
         } else {
             moves[rank] = true;
             let load = &loads[id_of[rank].0 as usize];
-            let (way, turn) = inverses[rank].response(load.force_n, load.moment_nm);
-            accelerations[rank] = (way, turn);
-            if !body.is_alike {
+            let (way, turn) = if body.is_alike {
+                (load.force_n * body.inverse_mass, load.moment_nm * body.inverse_inertia)
+            } else {
                 own[rank] = *load;
-            }
+                inverses[rank].response(load.force_n, load.moment_nm)
+            };
+            accelerations[rank] = (way, turn);
             room += (way.length() + turn.abs() * body.reach_m) * step_s;
         }
         motions[rank] = Motion::default();

@@ -75,10 +75,12 @@ fn run_of<T: Copy>(
 pub(crate) fn split(model: &Model, work: &mut Workspace) {
     work.in_island.clear();
     work.in_island.resize(model.ranked.len(), false);
-    if work.candidates.iter().any(|pairing| pairing.island == JOINED) {
+    let mut order = part(&work.candidates, &mut work.islands);
+    if order == Order::Unknown {
         join(model, work);
+        order = part(&work.candidates, &mut work.islands);
     }
-    work.in_order = part(&work.candidates, &mut work.islands);
+    work.in_order = order == Order::Ranked;
     if !work.in_order {
         // By island; the candidates' own order within.
         work.candidates.sort_unstable_by_key(|p| (p.island, p.candidate.key()));
@@ -86,20 +88,37 @@ pub(crate) fn split(model: &Model, work: &mut Workspace) {
     }
 }
 
-/// Parts candidates where one island ends and the next begins; and whether they are in the order of the islands.
-fn part(candidates: &[Pairing], islands: &mut Vec<Island>) -> bool {
+/// How islands come in the list of the candidates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Order {
+    /// In the order of their bodies' ranks.
+    Ranked,
+    Mixed,
+    /// It is not known yet of some candidates which island they belong to.
+    Unknown,
+}
+
+/// Parts candidates where one island ends and the next begins.
+#[inline(never)]
+fn part(candidates: &[Pairing], islands: &mut Vec<Island>) -> Order {
     islands.clear();
-    let Some(first) = candidates.first() else { return true };
+    let Some(first) = candidates.first() else { return Order::Ranked };
+    if first.island == JOINED {
+        return Order::Unknown;
+    }
     let (mut from, mut last, mut in_order) = (0, first.island, true);
     for (index, pairing) in candidates.iter().enumerate() {
         if pairing.island != last {
+            if pairing.island == JOINED {
+                return Order::Unknown;
+            }
             islands.push(Island::of(from..index));
             in_order &= last < pairing.island;
             (from, last) = (index, pairing.island);
         }
     }
     islands.push(Island::of(from..candidates.len()));
-    in_order
+    if in_order { Order::Ranked } else { Order::Mixed }
 }
 
 /// Finds the islands where bodies that float may touch each other: each goes by the lowest rank of them.
@@ -140,21 +159,34 @@ pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
     work.first_patch = work.next_patches.len();
     work.first_hint = work.next_hints.len();
     work.first_contact = work.contacts.len();
+    find_bodies(work);
+    if !work.moving_walls.is_empty() {
+        put_walls_back(work);
+    }
+}
+
+/// Lists the bodies that move and are in these islands.
+#[inline(never)]
+fn find_bodies(work: &mut Workspace) {
     let Workspace { candidates, own_candidates, moves, in_island, island_bodies, .. } = work;
+    let count = in_island.len();
+    let moves = &moves[..count];
     island_bodies.clear();
+    let (mut last, mut in_order) = (0, true);
     for Pairing { candidate, .. } in &candidates[own_candidates.clone()] {
         for rank in [candidate.a, candidate.b] {
             let place = rank as usize;
             if moves[place] && !in_island[place] {
                 in_island[place] = true;
                 island_bodies.push(rank);
+                in_order &= last <= rank;
+                last = rank;
             }
         }
     }
-    if island_bodies.len() > 1 {
+    if !in_order {
         island_bodies.sort_unstable();
     }
-    put_walls_back(work);
 }
 
 /// What is fixed and moves goes through the step with each group of islands: from where it was shown.
@@ -174,6 +206,9 @@ fn put_walls_back(work: &mut Workspace) {
 
 /// What is fixed and moves may stand in several islands.
 pub(crate) fn leave(model: &Model, work: &mut Workspace) {
+    if work.moving_walls.is_empty() {
+        return;
+    }
     for &rank in &work.island_bodies {
         if model.ranked[rank as usize].is_fixed() {
             work.in_island[rank as usize] = false;

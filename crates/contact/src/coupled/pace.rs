@@ -72,12 +72,13 @@ pub(crate) fn set_paces(
         let per_share = turn * turn * f64::from(pairings.len() as u32);
         let mut haste = Haste::default();
         for (index, pairing) in (island.candidates.start..).zip(pairings) {
-            let own = patches_of(&mut left, index);
             let Pairing { candidate, pair, .. } = pairing;
-            let ([only], 0) = (own, candidate.face) else {
+            let (Some((only, others)), 0) = (alone(left, index), candidate.face) else {
+                let own = patches_of(&mut left, index);
                 haste = with_others(model, work, haste, pairing, (own, hints), step_s);
                 continue;
             };
+            left = others;
             let bounds = work.bounds_of(model, *pair);
             let pair = [candidate.a, candidate.b].map(|rank| rank as usize);
             haste.rate_squared +=
@@ -146,14 +147,18 @@ fn travel(work: &Workspace, candidate: &Candidate, bounds: &Bounds, step_s: f64)
     closing_mps(work, candidate) * step_s / (TRAVEL_PER_SUB_STEP * bounds.half_width_m)
 }
 
-/// The first patches, as far as they belong to candidate number `index`; moves on to what comes after.
+/// The first patch, where it is the only one of candidate number `index`, and those after it.
 #[inline(always)]
-fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
+fn alone(patches: &[Patch], index: usize) -> Option<(&Patch, &[Patch])> {
     let of_candidate = |patch: &Patch| patch.of as usize == index;
-    let count = match &**patches {
-        [first, second, ..] if of_candidate(first) && !of_candidate(second) => 1,
-        all => all.iter().take_while(|&patch| of_candidate(patch)).count(),
-    };
+    let (first, others) = patches.split_first()?;
+    let is_alone = of_candidate(first) && !others.first().is_some_and(of_candidate);
+    is_alone.then_some((first, others))
+}
+
+/// The first patches, as far as they belong to candidate number `index`; moves on to what comes after.
+fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
+    let count = patches.iter().take_while(|patch| patch.of as usize == index).count();
     let (own, rest) = patches.split_at(count);
     *patches = rest;
     own
