@@ -116,7 +116,9 @@ pub(crate) fn admit_loads(
     states: &[BodyState],
     loads: &[Wrench],
 ) -> Result<(), StepError> {
-    if loads.len() == model.bodies().len() && loads.iter().all(is_sound_load) {
+    // All are asked, without a branch for each.
+    let all_sound = loads.iter().fold(true, |sound, load| sound & is_sound_load(load));
+    if loads.len() == model.bodies().len() && all_sound {
         return Ok(());
     }
     // A state that is not sound is told of first.
@@ -220,8 +222,10 @@ pub(crate) fn place_active(
             poses[rank].rotation = Rotation::from_angle(state.heading_rad);
             inverses[rank] = body.inverse.turned(poses[rank].rotation);
         }
-        teleported[rank] = jumped(memory, rank, state, body.radius_m);
-        jumps |= teleported[rank];
+        teleported[rank] = false;
+        if jumped(memory, rank, state, body.radius_m) {
+            (teleported[rank], jumps) = (true, true);
+        }
     }
     tell_of_jumps(model, work, jumps);
     Ok(())

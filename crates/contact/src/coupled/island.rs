@@ -169,8 +169,9 @@ pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
 #[inline(never)]
 fn find_bodies(work: &mut Workspace) {
     let Workspace { candidates, own_candidates, moves, in_island, island_bodies, .. } = work;
-    let count = in_island.len();
-    let moves = &moves[..count];
+    // Of one length, so that it is asked for once.
+    let in_island = in_island.as_mut_slice();
+    let moves = &moves[..in_island.len()];
     island_bodies.clear();
     let (mut last, mut in_order) = (0, true);
     for Pairing { candidate, .. } in &candidates[own_candidates.clone()] {
