@@ -59,16 +59,18 @@ impl InverseMatrix {
         }
     }
 
-    /// The same in all axes.
+    /// The same in all axes, as without added mass. By the bits, as [`InverseMatrix::isotropic`] sets them.
     #[inline]
     fn is_isotropic(&self) -> bool {
-        (self.xx == self.yy) & (self.xy == 0.0) & (self.xr == 0.0) & (self.yr == 0.0)
+        let coupled = self.xy.to_bits() | self.xr.to_bits() | self.yr.to_bits();
+        coupled == 0 && self.xx.to_bits() == self.yy.to_bits()
     }
 
     /// Is there a finite mass?
+    // By the bits: asked of a number, it would be asked for NaN too.
     #[inline]
     pub(crate) fn floats(&self) -> bool {
-        self.rr != 0.0
+        self.rr.to_bits() != 0
     }
 
     /// Change of velocity and yaw rate by an impulse and its moment.
@@ -133,6 +135,14 @@ impl Seen {
     /// Adds a body about whose centre of gravity n and t have these levers [m].
     #[inline(always)]
     pub(crate) fn add(&mut self, of: &InverseMatrix, n: Vec2, lever_n_m: f64, lever_t_m: f64) {
+        if of.is_isotropic() {
+            let (turn_n, turn_t) = (of.rr * lever_n_m, of.rr * lever_t_m);
+            self.linear += of.xx;
+            self.normal += of.xx + turn_n * lever_n_m;
+            self.cross += turn_n * lever_t_m;
+            self.tangential += of.xx + turn_t * lever_t_m;
+            return;
+        }
         // The quadratic form of (n, lever of n) and (t, lever of t), with t = (−n_y, n_x).
         let (x_x, y_y, x_y) = (n.x * n.x, n.y * n.y, n.x * n.y);
         let mixed = 2.0 * of.xy * x_y;

@@ -18,7 +18,7 @@ use crate::model::Model;
 use crate::overlap::{Patch, overlap};
 use crate::report::{Contact, Event, Wrench};
 use crate::state::{BodyState, Velocity};
-use crate::touch::{Scene, touch};
+use crate::touch::{Scene, arms_m, touch};
 use crate::vec2::Vec2;
 use crate::workspace::{Candidate, Workspace};
 
@@ -135,7 +135,8 @@ fn contact(
 ) {
     let model = scene.model;
     let material = &model.materials()[patch.candidate.material.0 as usize];
-    let touch = touch(scene, books.buffers, patch, face, old, velocities);
+    let touch = touch(scene, books.buffers, patch, face, material, old, velocities);
+    let arms_m @ [arm_a_m, arm_b_m] = arms_m(scene, patch, touch.point_in_a_m);
 
     // §3.2 and §3.4: the normal force.
     let v = Velocities {
@@ -146,7 +147,7 @@ fn contact(
     };
     let body_a = &model.ranked[patch.candidate.a as usize];
     let body_b = &model.ranked[patch.candidate.b as usize];
-    let mass = inverse_mass(body_a, touch.arm_a_m, body_b, touch.arm_b_m, touch.normal);
+    let mass = inverse_mass(body_a, arm_a_m, body_b, arm_b_m, touch.normal);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, face, &touch, old);
     let mut parts =
@@ -179,7 +180,7 @@ fn contact(
         stored_j: touch.stored_j * factor,
         peak_stored_j: touch.stored_j * factor,
         shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
-        ..touch.contact(model, scene.poses[patch.candidate.a as usize].position_m, patch, face)
+        ..touch.contact(scene, patch, face, arms_m)
     };
     gather(&report, books.wrenches);
     if books.told {

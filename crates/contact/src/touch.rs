@@ -3,7 +3,7 @@
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::memory::PatchMemory;
-use crate::model::Model;
+use crate::model::{Material, Model};
 use crate::overlap::{self, Overlap, Patch};
 use crate::report::{Contact, ContactWork, ForceParts, Friction};
 use crate::state::Velocity;
@@ -18,9 +18,9 @@ pub(crate) struct Touch {
     pub(crate) normal: Vec2,
     /// Where the force acts, in A's frame [m]: C, or a point of the line of a fender's force.
     pub(crate) point_in_a_m: Vec2,
-    /// r of each body: from its centre of gravity to that point, earth-fixed [m].
-    pub(crate) arm_a_m: Vec2,
-    pub(crate) arm_b_m: Vec2,
+    /// r × n and r × t of each body, with r from its centre of gravity to that point [m].
+    pub(crate) levers_n_m: Levers,
+    pub(crate) levers_t_m: Levers,
     /// δ [m].
     pub(crate) depth_m: f64,
     /// Spring and stop, before factors [N].
@@ -36,6 +36,13 @@ pub(crate) struct Touch {
     pub(crate) v_tangential_mps: f64,
     /// Δs before this step's friction law [m].
     pub(crate) shear_m: f64,
+}
+
+/// Of a direction about A's and B's centres of gravity [m].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Levers {
+    pub(crate) a: f64,
+    pub(crate) b: f64,
 }
 
 /// What there is when the contacts of a (sub-)step are looked at.
@@ -56,20 +63,22 @@ pub(crate) fn touch(
     buffers: &mut ClipBuffers,
     patch: &Patch,
     face: Option<&RankedFender>,
+    material: &Material,
     old: Option<&PatchMemory>,
     [(velocity_a_mps, turn_a_radps), (velocity_b_mps, turn_b_radps)]: [Velocity; 2],
 ) -> Touch {
     let pressed = match face {
-        None => by_area(scene, buffers, patch, old),
+        None => by_area(scene, buffers, patch, material, old),
         Some(face) => by_face(scene, patch, face),
     };
     let Touch { normal_in_a, point_in_a_m, .. } = pressed;
-    let rotation = scene.poses[patch.candidate.a as usize].rotation;
-    let normal = rotation.apply(normal_in_a);
-    let arm_a_m = rotation.apply(point_in_a_m);
-    let arm_b_m = rotation.apply(point_in_a_m - patch.b_in_a.position_m);
-    let slip_mps = (velocity_a_mps - velocity_b_mps)
-        + (arm_a_m.spun_by(turn_a_radps) - arm_b_m.spun_by(turn_b_radps));
+    let normal = scene.poses[patch.candidate.a as usize].rotation.apply(normal_in_a);
+    // In A's frame, where nobody has to turn the arms; r × t is r·n.
+    let [arm_a_m, arm_b_m] = [point_in_a_m, point_in_a_m - patch.b_in_a.position_m];
+    let levers_n_m = Levers { a: arm_a_m.cross(normal_in_a), b: arm_b_m.cross(normal_in_a) };
+    let levers_t_m = Levers { a: arm_a_m.dot(normal_in_a), b: arm_b_m.dot(normal_in_a) };
+    let apart_mps = velocity_a_mps - velocity_b_mps;
+    let turning = |levers_m: Levers| turn_a_radps * levers_m.a - turn_b_radps * levers_m.b;
     let shear_m = old.map_or(0.0, |m| {
         // How far the material points that were at C have moved apart, in A's frame, where nothing
         // is lost far from the origin.
@@ -78,10 +87,10 @@ pub(crate) fn touch(
     });
     Touch {
         normal,
-        arm_a_m,
-        arm_b_m,
-        v_normal_mps: slip_mps.dot(normal),
-        v_tangential_mps: slip_mps.dot(normal.quarter_turn()),
+        levers_n_m,
+        levers_t_m,
+        v_normal_mps: apart_mps.dot(normal) + turning(levers_n_m),
+        v_tangential_mps: apart_mps.dot(normal.quarter_turn()) + turning(levers_t_m),
         shear_m,
         ..pressed
     }
@@ -93,11 +102,11 @@ fn by_area(
     scene: &Scene<'_>,
     buffers: &mut ClipBuffers,
     patch: &Patch,
+    material: &Material,
     old: Option<&PatchMemory>,
 ) -> Touch {
     let Scene { model, found, .. } = *scene;
     let (normal_in_a, depth_m) = overlap::normal_in_a(model, found, buffers, patch, old);
-    let material = &model.materials()[patch.candidate.material.0 as usize];
     Touch {
         normal_in_a,
         point_in_a_m: patch.centroid_m,
@@ -125,17 +134,36 @@ fn by_face(scene: &Scene<'_>, patch: &Patch, face: &RankedFender) -> Touch {
     }
 }
 
+/// r of both bodies of a patch: from its centre of gravity to where the force acts, earth-fixed [m].
+#[inline]
+pub(crate) fn arms_m(scene: &Scene<'_>, patch: &Patch, point_in_a_m: Vec2) -> [Vec2; 2] {
+    let rotation = scene.poses[patch.candidate.a as usize].rotation;
+    [point_in_a_m, point_in_a_m - patch.b_in_a.position_m].map(|arm_m| rotation.apply(arm_m))
+}
+
 impl Touch {
+    /// With this normal, where bodies have these arms.
+    #[cfg(test)]
+    pub(crate) fn at(normal: Vec2, [arm_a_m, arm_b_m]: [Vec2; 2]) -> Touch {
+        Touch {
+            normal,
+            levers_n_m: Levers { a: arm_a_m.cross(normal), b: arm_b_m.cross(normal) },
+            levers_t_m: Levers { a: arm_a_m.dot(normal), b: arm_b_m.dot(normal) },
+            ..Touch::default()
+        }
+    }
+
     /// The report of this patch without its forces, with the body that was added first as body 1:
-    /// a change of order turns n and t round and nothing else. `a_position_m`: where body A is.
+    /// a change of order turns n and t round and nothing else.
     #[inline]
     pub(crate) fn contact(
         &self,
-        model: &Model,
-        a_position_m: Vec2,
+        scene: &Scene<'_>,
         patch: &Patch,
         face: Option<&RankedFender>,
+        [arm_a_m, arm_b_m]: [Vec2; 2],
     ) -> Contact {
+        let model = scene.model;
         let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
         let (id_a, id_b) = (model.id_of[a], model.id_of[b]);
         let swapped = id_a > id_b;
@@ -146,9 +174,9 @@ impl Touch {
             patch: patch.number,
             area_m2: patch.area_m2,
             depth_m: self.depth_m,
-            point_m: a_position_m + self.arm_a_m,
-            arm_1_m: if swapped { self.arm_b_m } else { self.arm_a_m },
-            arm_2_m: if swapped { self.arm_a_m } else { self.arm_b_m },
+            point_m: scene.poses[a].position_m + arm_a_m,
+            arm_1_m: if swapped { arm_b_m } else { arm_a_m },
+            arm_2_m: if swapped { arm_a_m } else { arm_b_m },
             normal: if swapped { -self.normal } else { self.normal },
             v_normal_mps: self.v_normal_mps,
             v_tangential_mps: self.v_tangential_mps,

@@ -1,9 +1,9 @@
-//! What a solved sub-step leaves: wrenches, the report of its contacts and their memory.
+//! What a solved sub-step leaves: wrenches, the contacts' memory and their report.
 
 use alloc::vec::Vec;
 
 use crate::coupled::rows::Row;
-use crate::coupled::tie::{Forces, Tie};
+use crate::coupled::tie::{Forces, Side, Tie};
 use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::number::{greater, lesser};
@@ -18,12 +18,9 @@ const MOST_TAKEN_J: f64 = 1e29;
 pub(crate) struct Books<'w> {
     /// Mean wrenches of the step as far as they are known, by id.
     pub(crate) wrenches: &'w mut [Wrench],
-    /// Contacts are reported one by one.
-    pub(crate) told: bool,
     pub(crate) contacts: &'w mut Vec<Contact>,
     /// First of the group's contacts.
     pub(crate) first_contact: usize,
-    pub(crate) next_patches: &'w mut Vec<PatchMemory>,
     pub(crate) in_order: &'w mut bool,
     pub(crate) first_sub_step: bool,
     /// Length of the sub-step [s], and its share of the step.
@@ -32,53 +29,44 @@ pub(crate) struct Books<'w> {
 }
 
 impl Books<'_> {
-    /// Books forces, work and peaks of a solved contact, number `index` of its group, and its memory.
+    /// Books the forces of a solved contact, and what they leave in its memory.
     #[inline(always)]
-    pub(crate) fn book(
-        &mut self,
-        scene: &Scene<'_>,
-        index: usize,
-        patch: &Patch,
-        (tie, row): (&Tie, &Row),
-    ) {
-        let (h, share) = (self.h, self.share);
-        let normal = tie.along_n;
-        let Forces { normal_n, tangential_n, friction } = tie.forces;
-        let force_n = (normal * -normal_n + normal.quarter_turn() * tangential_n) * share;
-        let [id_a, id_b] = [tie.a, tie.b].map(|rank| scene.model.id_of[rank as usize]);
+    pub(crate) fn book(&mut self, model: &Model, tie: &Tie, memory: &mut PatchMemory) -> Moved {
+        let Forces { normal_n, tangential_n, .. } = tie.forces;
+        let (mean_n, mean_t) = (normal_n * self.share, tangential_n * self.share);
+        let (force_n, on_a_nm) = tie.grip(Side::A).wrench(mean_n, mean_t);
+        let (_, on_b_nm) = tie.grip(Side::B).wrench(mean_n, mean_t);
+        let [id_a, id_b] = [tie.a, tie.b].map(|rank| model.id_of[rank as usize]);
         let on_a = &mut self.wrenches[id_a.0 as usize];
         on_a.force_n += force_n;
-        on_a.moment_nm += row.arm_a_m.cross(force_n);
+        on_a.moment_nm += on_a_nm;
         let on_b = &mut self.wrenches[id_b.0 as usize];
         on_b.force_n -= force_n;
-        on_b.moment_nm -= row.arm_b_m.cross(force_n);
+        on_b.moment_nm -= on_b_nm;
 
-        // By the mean velocity within the sub-step.
-        let (v_normal_mps, v_tangential_mps) = tie.after_mps;
-        let closing_m = 0.5 * (tie.normal_before_mps + v_normal_mps) * h;
-        let slip_m = 0.5 * (tie.tangential_before_mps + v_tangential_mps) * h;
+        let moved = Moved::of(tie, memory.shear_m, self.h);
+        // What the bodies move in this sub-step is found again in the next one's kinematics.
+        memory.shear_m = moved.shear_m - self.h * tie.after_mps.1;
+        memory.normal_force_n = normal_n;
+        memory.tangential_force_n = tangential_n;
+        memory.taken_j = within(tie.may_give_j + normal_n * moved.closing_m, MOST_TAKEN_J);
+        memory.sheared_j = within(
+            tie.may_shear_j - tangential_n * moved.slip_m,
+            lesser(moved.shear_stored_j, MOST_TAKEN_J),
+        );
+        moved
+    }
 
-        let shear_m = tie.shear_after_m(row.shear_m, v_tangential_mps, h);
-        let shear_stored_j = tie.shear_stored_j(shear_m);
-        let memory = PatchMemory {
-            flags: row.flags,
-            // What the bodies move in this sub-step is found again in the next one's kinematics.
-            shear_m: shear_m - h * v_tangential_mps,
-            v_normal_0_mps: row.v_ref_mps,
-            normal_force_n: normal_n,
-            tangential_force_n: tangential_n,
-            factor: row.factor,
-            taken_j: within(tie.may_give_j + normal_n * closing_m, MOST_TAKEN_J),
-            sheared_j: within(
-                tie.may_shear_j - tangential_n * slip_m,
-                lesser(shear_stored_j, MOST_TAKEN_J),
-            ),
-            ..PatchMemory::of(patch, row.point_in_a_m, row.normal_in_a)
-        };
-        memory.add_to(patch, &scene.found.places, self.next_patches);
-        if !self.told {
-            return;
-        }
+    /// Adds a contact that is booked, number `index` of its group, to the report.
+    #[inline(never)]
+    pub(crate) fn tell(
+        &mut self,
+        scene: &Scene<'_>,
+        (index, patch): (usize, &Patch),
+        (tie, memory, row): (&Tie, &PatchMemory, &Row),
+        moved: &Moved,
+    ) {
+        let Forces { normal_n, tangential_n, friction } = tie.forces;
         let limiter_n = tie.law_n - normal_n;
         let booked = Booked {
             normal_n,
@@ -87,20 +75,21 @@ impl Books<'_> {
             depth_m: row.depth_m,
             stored_j: row.stored_j,
             work: ContactWork {
-                normal_j: -normal_n * closing_m,
-                tangential_j: tangential_n * slip_m,
-                damper_j: -row.parts.damper_n * closing_m,
-                limiter_j: -limiter_n * closing_m,
+                normal_j: -normal_n * moved.closing_m,
+                tangential_j: tangential_n * moved.slip_m,
+                damper_j: -row.parts.damper_n * moved.closing_m,
+                limiter_j: -limiter_n * moved.closing_m,
             },
             parts: ForceParts { limiter_n, ..row.parts },
-            shear_m,
-            shear_stored_j,
+            factor: memory.factor,
+            shear_m: moved.shear_m,
+            shear_stored_j: moved.shear_stored_j,
         };
         if !self.first_sub_step && self.has_added(scene.model, index, patch, &booked) {
             return;
         }
         *self.in_order &= self.first_sub_step;
-        self.contacts.push(booked.contact(scene, patch, (tie, row), share));
+        self.contacts.push(booked.contact(scene, patch, (tie, row), self.share));
     }
 
     /// Adds to the step's report of this patch, if there is one among the group's: at `guess` as long as the
@@ -121,6 +110,30 @@ impl Books<'_> {
     }
 }
 
+/// How a contact's bodies moved there in a sub-step, by the mean velocity within it, and what its shear spring is
+/// after it.
+pub(crate) struct Moved {
+    closing_m: f64,
+    slip_m: f64,
+    shear_m: f64,
+    shear_stored_j: f64,
+}
+
+impl Moved {
+    /// `shear_m`: Δs at the sub-step's start.
+    #[inline(always)]
+    fn of(tie: &Tie, shear_m: f64, h: f64) -> Moved {
+        let (v_normal_mps, v_tangential_mps) = tie.after_mps;
+        let shear_m = tie.shear_after_m(shear_m, v_tangential_mps, h);
+        Moved {
+            closing_m: 0.5 * (tie.normal_before_mps + v_normal_mps) * h,
+            slip_m: 0.5 * (tie.tangential_before_mps + v_tangential_mps) * h,
+            shear_m,
+            shear_stored_j: tie.shear_stored_j(shear_m),
+        }
+    }
+}
+
 /// What a contact may give back: neither less than nothing nor more than this [J].
 #[inline]
 fn within(taken_j: f64, most_j: f64) -> f64 {
@@ -136,6 +149,7 @@ struct Booked {
     stored_j: f64,
     work: ContactWork,
     parts: ForceParts,
+    factor: f64,
     shear_m: f64,
     shear_stored_j: f64,
 }
@@ -151,7 +165,6 @@ impl Booked {
         share: f64,
     ) -> Contact {
         let face = patch.candidate.fender(scene.model);
-        let a_position_m = scene.poses[tie.a as usize].position_m;
         let parts = &self.parts;
         Contact {
             shear_m: self.shear_m,
@@ -167,11 +180,11 @@ impl Booked {
                 limiter_n: parts.limiter_n * share,
             },
             work: self.work,
-            factor: row.factor,
+            factor: self.factor,
             stored_j: self.stored_j,
             peak_stored_j: self.stored_j,
             shear_stored_j: self.shear_stored_j,
-            ..touch_of(tie, row).contact(scene.model, a_position_m, patch, face)
+            ..touch_of(tie, row).contact(scene, patch, face, row.arms_m)
         }
     }
 
@@ -201,8 +214,6 @@ impl Booked {
 fn touch_of(tie: &Tie, row: &Row) -> Touch {
     Touch {
         normal: tie.along_n,
-        arm_a_m: row.arm_a_m,
-        arm_b_m: row.arm_b_m,
         depth_m: row.depth_m,
         tilt_rad: row.tilt_rad,
         v_normal_mps: tie.normal_before_mps,

@@ -1,14 +1,16 @@
 //! The contacts of a sub-step, from their laws to what is booked of them.
 
+use alloc::vec::Vec;
+
 use crate::coupled::book::Books;
 use crate::coupled::island::Island;
 use crate::coupled::let_go::let_go;
-use crate::coupled::rows::{self, Begun, Row, Taken};
+use crate::coupled::rows::{self, Aside, Begun, Taken};
 use crate::coupled::solve;
 use crate::coupled::tie::Tie;
 use crate::events::note;
 use crate::inherit::Inherited;
-use crate::memory::Past;
+use crate::memory::{Past, PatchMemory};
 use crate::model::Model;
 use crate::overlap::Patch;
 use crate::report::EventKind;
@@ -51,19 +53,9 @@ pub(crate) fn act(
     } = work;
     let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
     let begun = Begun { scene: Scene { model, found, poses }, before, inverses, elapsed_s, h };
-    let first_sub_step = contacts.len() == *first_contact;
-    let first_contact = *first_contact;
-    let mut books = Books {
-        wrenches,
-        told: *contacts_told,
-        contacts,
-        first_contact,
-        next_patches,
-        in_order,
-        first_sub_step,
-        h,
-        share,
-    };
+    let told = *contacts_told;
+    rows.clear();
+    let mut aside = Aside { events, buffers, rows, told };
     let taken = |patch: &Patch, inherited: Inherited| Taken {
         inherited,
         old: inherited.of(past.patches, shares),
@@ -75,31 +67,58 @@ pub(crate) fn act(
     let patches = &found.patches[own_patches.clone()];
     if ties.len() < patches.len() {
         ties.resize(patches.len(), Tie::default());
-        rows.resize(patches.len(), Row::default());
     }
-    let (ties, rows) = (&mut ties[..patches.len()], &mut rows[..patches.len()]);
-    let both = ties.iter_mut().zip(rows.iter_mut());
-    for ((patch, &inherited), (tie, row)) in patches.iter().zip(&*inherited).zip(both) {
-        let taken = taken(patch, inherited);
-        // Twice the same: without a fender most of it is nought, which the compiler then knows.
-        (*tie, *row) = match patch.candidate.fender(model) {
-            None => rows::collect(&begun, (events, buffers), patch, None, taken),
-            face => rows::collect(&begun, (events, buffers), patch, face, taken),
-        };
+    let ties = &mut ties[..patches.len()];
+    let first_patch = next_patches.len();
+    for ((patch, &inherited), tie) in patches.iter().zip(&*inherited).zip(&mut *ties) {
+        // Most of them: two outlines that touched before, of which much is known then.
+        if let (0, Inherited::One(place)) = (patch.candidate.face, inherited) {
+            let old = Some(&past.patches[place as usize]);
+            let taken = Taken { inherited, old, placed: false };
+            let memory;
+            (*tie, memory) = rows::collect(&begun, &mut aside, patch, None, taken);
+            memory.add_to(patch, &found.places, next_patches);
+        } else {
+            let taken = taken(patch, inherited);
+            collect_other(&begun, &mut aside, patch, taken, tie, next_patches);
+        }
     }
+    let memories = &mut next_patches[first_patch..];
     let mut from = 0;
     for island in islands {
         let own = |patch: &&Patch| (patch.of as usize) < island.candidates.end;
         let to = from + patches[from..].iter().take_while(own).count();
-        let (ties, rows) = (&mut ties[from..to], &mut rows[from..to]);
+        let (ties, memories) = (&mut ties[from..to], &mut memories[from..to]);
+        let_go(model, &patches[from..to], memories, ties, unheld_j);
         from = to;
-        let_go(model, rows, ties, unheld_j);
-        if solve::velocities(states, inverses, ties, trials, h) > solve::TOLD_MPS {
-            note(model, events, ties[0].a, ties[0].b, EventKind::NotConverged);
+        if solve::velocities(states, inverses, ties, memories, trials, h) > solve::TOLD_MPS {
+            note(model, aside.events, ties[0].a, ties[0].b, EventKind::NotConverged);
         }
     }
-    let both = ties.iter().zip(&*rows);
-    for ((patch, both), index) in patches.iter().zip(both).zip(0..) {
-        books.book(&begun.scene, index, patch, both);
+    let first_sub_step = contacts.len() == *first_contact;
+    let first_contact = *first_contact;
+    let mut books = Books { wrenches, contacts, first_contact, in_order, first_sub_step, h, share };
+    for ((tie, memory), index) in ties.iter().zip(memories).zip(0..) {
+        let moved = books.book(model, tie, memory);
+        if told {
+            let row = &aside.rows[index];
+            books.tell(&begun.scene, (index, &patches[index]), (tie, memory, row), &moved);
+        }
     }
+}
+
+/// The laws of a contact that is new, at a fender, or heir of several or of a part.
+#[inline(never)]
+fn collect_other(
+    begun: &Begun<'_>,
+    aside: &mut Aside<'_>,
+    patch: &Patch,
+    taken: Taken<'_>,
+    tie: &mut Tie,
+    next_patches: &mut Vec<PatchMemory>,
+) {
+    let face = patch.candidate.fender(begun.scene.model);
+    let memory;
+    (*tie, memory) = rows::collect(begun, aside, patch, face, taken);
+    memory.add_to(patch, &begun.scene.found.places, next_patches);
 }

@@ -18,7 +18,8 @@ use crate::state::{BodyState, Velocity};
 use crate::vec2::{Vec2, vec2};
 
 /// New velocities in `states` and forces in `ties`, from velocities without contact. False where a bound would be
-/// passed or more than one body floats: `states` are unchanged then.
+/// passed or more than one body floats: `states` are unchanged then, not so the forces. `ties` come with speeds
+/// of nought.
 // Apart: it needs all registers.
 #[inline(never)]
 pub(crate) fn solve(
@@ -32,7 +33,7 @@ pub(crate) fn solve(
     let mut push = Push::default();
     let mut stiffness = Stiffness::default();
     let mut walls_rest = true;
-    for tie in ties.iter_mut() {
+    for tie in &*ties {
         if tie.only_floating() != Some(body) {
             return false;
         }
@@ -75,11 +76,10 @@ pub(crate) fn solve(
 /// Takes in a contact whose body on this side floats: its forces if both its bodies stood still, and what its
 /// shear spring loses with the velocity of that body.
 #[inline(always)]
-fn take(tie: &mut Tie, side: Side, push: &mut Push, stiffness: &mut Stiffness) {
+fn take(tie: &Tie, side: Side, push: &mut Push, stiffness: &mut Stiffness) {
     let (grip, sign) = (tie.grip(side), side.sign());
     push.add(&grip, sign * tie.law_n, sign * tie.spring_at_rest_n());
     stiffness.add(&grip, tie.spring_slope());
-    tie.after_mps = (0.0, 0.0);
 }
 
 /// And what their other bodies do to them, which do not float but may move, as lock gates do.
@@ -240,14 +240,13 @@ mod tests {
         let inverses = [InverseMatrix::default(), inverse].to_vec();
         let material = Material { friction_static, ..RUBBER };
         let ties = (0..4).map(|k| {
+            let arms_m =
+                [(-80.0, 4.0), (-90.0, -23.0)].map(|(x, y)| vec2(x + 60.0 * f64::from(k), y));
             let touch = Touch {
-                normal: vec2(0.0, 1.0),
-                arm_a_m: vec2(-80.0 + 60.0 * f64::from(k), 4.0),
-                arm_b_m: vec2(-90.0 + 60.0 * f64::from(k), -23.0),
                 shear_m: 1e-3 * f64::from(k - 1),
                 v_normal_mps: 0.05,
                 v_tangential_mps: 2e-3,
-                ..Touch::default()
+                ..Touch::at(vec2(0.0, 1.0), arms_m)
             };
             let laws = Laws {
                 material: &material,
@@ -255,6 +254,7 @@ mod tests {
                 rebound_mps: 5e-3,
                 may_give_j: 1e3,
                 may_shear_j: 1e6,
+                unheld_j: 0.0,
             };
             let forces = Forces { normal_n: 0.0, tangential_n: 0.0, friction: Friction::Stick };
             Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, H)
@@ -291,13 +291,9 @@ mod tests {
 
     #[test]
     fn where_a_bound_would_be_passed_nothing_changes() {
-        let (states, inverses, ties) = ship_on_fenders(1e-3);
-        let (mut tried, mut tried_ties) = (states.clone(), ties.clone());
-        assert!(!solve(&mut tried, &inverses, &mut tried_ties, H), "friction cannot hold");
+        let (states, inverses, mut ties) = ship_on_fenders(1e-3);
+        let mut tried = states.clone();
+        assert!(!solve(&mut tried, &inverses, &mut ties, H), "friction cannot hold");
         assert_eq!(tried, states);
-        for (one, other) in tried_ties.iter_mut().zip(&ties) {
-            one.begin();
-            assert_eq!(one.forces, other.forces);
-        }
     }
 }

@@ -15,33 +15,22 @@ use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::report::{Event, ForceParts, Friction};
 use crate::state::Velocity;
-use crate::touch::{Scene, Touch, touch};
+use crate::touch::{Scene, Touch, arms_m, touch};
 use crate::vec2::Vec2;
 
-/// One contact of a sub-step: what is booked of it besides what its [`Tie`] knows.
+/// One contact of a sub-step, where contacts are reported: what is told of it besides what its [`Tie`] and its
+/// [`PatchMemory`] know.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Row {
+    /// As in [`arms_m`].
+    pub(crate) arms_m: [Vec2; 2],
     /// As in [`Touch`].
-    pub(crate) point_in_a_m: Vec2,
-    pub(crate) normal_in_a: Vec2,
-    pub(crate) arm_a_m: Vec2,
-    pub(crate) arm_b_m: Vec2,
     pub(crate) depth_m: f64,
     pub(crate) tilt_rad: f64,
-    /// Δs at the sub-step's start [m].
-    pub(crate) shear_m: f64,
     /// What f is made of.
     pub(crate) parts: ForceParts,
-    /// Factor on spring and stop.
-    pub(crate) factor: f64,
-    /// What spring and stop of a fender store, with it [J].
+    /// What spring and stop of a fender store, with its factor [J].
     pub(crate) stored_j: f64,
-    /// Stored energy that nothing holds: see [`super::let_go`] [J].
-    pub(crate) unheld_j: f64,
-    /// v_ref [m/s].
-    pub(crate) v_ref_mps: f64,
-    /// For [`PatchMemory`].
-    pub(crate) flags: u32,
 }
 
 /// What the laws say of a contact.
@@ -55,6 +44,8 @@ pub(crate) struct Laws<'m> {
     pub(crate) may_give_j: f64,
     /// And T: what the shear spring stores [J].
     pub(crate) may_shear_j: f64,
+    /// What is stored beyond what a force holds: see [`unheld_j`] [J].
+    pub(crate) unheld_j: f64,
 }
 
 /// What a sub-step's contacts come from.
@@ -69,6 +60,15 @@ pub(crate) struct Begun<'w> {
     pub(crate) h: f64,
 }
 
+/// What is found beside the laws of the contacts.
+pub(crate) struct Aside<'w> {
+    pub(crate) events: &'w mut Vec<Event>,
+    pub(crate) buffers: &'w mut ClipBuffers,
+    /// One for each contact where they are `told`, else none.
+    pub(crate) rows: &'w mut Vec<Row>,
+    pub(crate) told: bool,
+}
+
 /// What a patch takes over from the last (sub-)step.
 #[derive(Clone, Copy)]
 pub(crate) struct Taken<'m> {
@@ -78,20 +78,21 @@ pub(crate) struct Taken<'m> {
     pub(crate) placed: bool,
 }
 
-/// Laws and effective masses of a patch.
+/// Laws and effective masses of a patch, and its memory as it is before the solve.
+// Always inlined: what it returns is written where it is to stay.
 #[inline(always)]
 pub(crate) fn collect(
     begun: &Begun<'_>,
-    (events, buffers): (&mut Vec<Event>, &mut ClipBuffers),
+    aside: &mut Aside<'_>,
     patch: &Patch,
     face: Option<&RankedFender>,
     taken: Taken<'_>,
-) -> (Tie, Row) {
+) -> (Tie, PatchMemory) {
     let (model, old) = (begun.scene.model, taken.old);
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
     let velocities = [begun.before[a as usize], begun.before[b as usize]];
-    let touch = touch(&begun.scene, buffers, patch, face, old, velocities);
+    let touch = touch(&begun.scene, aside.buffers, patch, face, material, old, velocities);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, face, &touch, old);
     let parts =
@@ -104,6 +105,7 @@ pub(crate) fn collect(
         rebound_mps: material.restitution * v_ref_mps,
         may_give_j: may_give_j(&touch, factor, law_n, old, taken.placed),
         may_shear_j: old.map_or(0.0, |m| m.sheared_j),
+        unheld_j: unheld_j(&touch, factor, law_n, old),
     };
     let begins_with = Forces {
         normal_n: old.map_or(law_n, |m| lesser(m.normal_force_n, law_n)),
@@ -112,24 +114,29 @@ pub(crate) fn collect(
     };
     let inverse_of = |rank: u32| (rank, &begun.inverses[rank as usize]);
     let tie = Tie::new(inverse_of(a), inverse_of(b), &touch, &laws, begins_with, begun.h);
-    let flags = tell_of_patch(model, events, patch, face, &touch, taken.inherited, old)
+    let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
-    let row = Row {
-        point_in_a_m: touch.point_in_a_m,
-        normal_in_a: touch.normal_in_a,
-        arm_a_m: touch.arm_a_m,
-        arm_b_m: touch.arm_b_m,
-        depth_m: touch.depth_m,
-        tilt_rad: touch.tilt_rad,
-        shear_m: touch.shear_m,
-        parts,
-        factor,
-        stored_j: touch.stored_j * factor,
-        unheld_j: unheld_j(&touch, factor, law_n, old),
-        v_ref_mps,
+    if aside.told {
+        aside.rows.push(Row {
+            arms_m: arms_m(&begun.scene, patch, touch.point_in_a_m),
+            depth_m: touch.depth_m,
+            tilt_rad: touch.tilt_rad,
+            parts,
+            stored_j: touch.stored_j * factor,
+        });
+    }
+    let memory = PatchMemory {
         flags,
+        shear_m: touch.shear_m,
+        v_normal_0_mps: v_ref_mps,
+        normal_force_n: begins_with.normal_n,
+        tangential_force_n: begins_with.tangential_n,
+        factor,
+        taken_j: laws.may_give_j,
+        sheared_j: laws.may_shear_j,
+        ..PatchMemory::of(patch, touch.point_in_a_m, touch.normal_in_a)
     };
-    (tie, row)
+    (tie, memory)
 }
 
 /// What a contact stores beyond what its last force holds [J]. Between outlines at least a third of

@@ -18,8 +18,10 @@ use alloc::vec::Vec;
 
 use crate::coupled::direct;
 use crate::coupled::leap::{Trial, leap};
-use crate::coupled::tie::Tie;
+use crate::coupled::tie::{Forces, Tie};
 use crate::mass::InverseMatrix;
+use crate::memory::PatchMemory;
+use crate::report::Friction;
 use crate::state::BodyState;
 
 /// Most sweeps over the contacts.
@@ -33,12 +35,13 @@ const SETTLED_MPS: f64 = 1e-13;
 pub(crate) const TOLD_MPS: f64 = 1e-6;
 
 /// New velocities of an island's bodies in `states`, from those that they have without contact, and the forces in
-/// its `ties`. Returns the last sweep's largest change of velocity [m/s].
+/// its `ties`, whose `memories` have those that sweeps begin with. Returns the last sweep's largest change of velocity [m/s].
 #[inline]
 pub(crate) fn velocities(
     states: &mut [BodyState],
     inverses: &[InverseMatrix],
     ties: &mut [Tie],
+    memories: &[PatchMemory],
     trials: &mut Vec<Trial>,
     h: f64,
 ) -> f64 {
@@ -49,6 +52,13 @@ pub(crate) fn velocities(
     }
     if direct::solve(states, inverses, ties, h) {
         return 0.0;
+    }
+    for (tie, memory) in ties.iter_mut().zip(memories) {
+        tie.forces = Forces {
+            normal_n: memory.normal_force_n,
+            tangential_n: memory.tangential_force_n,
+            friction: Friction::Stick,
+        };
     }
     let change_mps = together(states, inverses, ties, trials, h);
     for tie in ties {
@@ -85,7 +95,6 @@ fn together(
 /// The impulses of the forces that all contacts begin with.
 fn push_all(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie], h: f64) {
     for tie in ties {
-        tie.begin();
         tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
     }
 }
@@ -144,9 +153,7 @@ fn alone_within_bounds(tie: &mut Tie, free: (f64, f64), h: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::coupled::rows::Laws;
-    use crate::coupled::tie::Forces;
     use crate::model::Material;
-    use crate::report::Friction;
     use crate::touch::Touch;
     use crate::vec2::vec2;
 
@@ -171,12 +178,13 @@ mod tests {
         let ties = (0..8).map(|k| {
             let arm_a_m = vec2(-110.0 + 28.0 * f64::from(k), 23.0);
             let touch =
-                Touch { normal: vec2(0.0, 1.0), arm_a_m, shear_m: 1e-4, ..Touch::default() };
+                Touch { shear_m: 1e-4, ..Touch::at(vec2(0.0, 1.0), [arm_a_m, vec2(0.0, 0.0)]) };
             let law_n = 3e5 + 1e4 * f64::from(k * k % 7);
             let rebound_mps = 1e-3 + 1e-5 * f64::from(k * k % 5);
             let [may_give_j, may_shear_j] = [f64::MAX; 2];
             let material = &RUBBER;
-            let laws = Laws { material, law_n, rebound_mps, may_give_j, may_shear_j };
+            let laws =
+                Laws { material, law_n, rebound_mps, may_give_j, may_shear_j, unheld_j: 0.0 };
             let forces = Forces { normal_n: law_n, tangential_n: 0.0, friction: Friction::Stick };
             Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, H)
         });
@@ -220,11 +228,9 @@ mod tests {
             // A push to and fro, as neighbouring contacts give it.
             let pushed_mps = 0.02 * f64::from((step * step) % 7 - 3);
             let touch = Touch {
-                normal: vec2(0.0, 1.0),
-                arm_a_m: vec2(0.0, 5.0),
                 shear_m,
                 v_tangential_mps: -(state.velocity_mps.x - 5.0 * state.yaw_rate_radps),
-                ..Touch::default()
+                ..Touch::at(vec2(0.0, 1.0), [vec2(0.0, 5.0), vec2(0.0, 0.0)])
             };
             let laws = Laws {
                 material: &material,
@@ -232,6 +238,7 @@ mod tests {
                 rebound_mps: 1.0,
                 may_give_j: f64::MAX,
                 may_shear_j: stored_j,
+                unheld_j: 0.0,
             };
             let forces = Forces { normal_n: 0.0, tangential_n: 0.0, friction: Friction::Stick };
             let mut tie =

@@ -4,7 +4,7 @@ use crate::coupled::rows::Laws;
 use crate::mass::{InverseMatrix, Seen};
 use crate::report::Friction;
 use crate::state::{BodyState, Velocity};
-use crate::touch::Touch;
+use crate::touch::{Levers, Touch};
 use crate::vec2::Vec2;
 
 /// A contact's forces and all that a sweep needs, so that it reads nothing else but the bodies'
@@ -43,15 +43,14 @@ pub(crate) struct Tie {
     pub(crate) may_give_j: f64,
     /// And T [J].
     pub(crate) may_shear_j: f64,
-    /// γ.
-    pub(crate) restitution: f64,
+    /// Stored energy that nothing holds: see [`super::let_go`] [J].
+    pub(crate) unheld_j: f64,
     shear_stiffness_npm: f64,
     friction_static: f64,
     friction_dynamic: f64,
-    /// The forces that sweeps begin with, and those that are found [N].
-    begins_with: Forces,
+    /// The forces that sweeps begin with, until others are found [N].
     pub(crate) forces: Forces,
-    /// V_n⁺ and V_t⁺ with them, when they are found [m/s].
+    /// V_n⁺ and V_t⁺ with those that are found [m/s].
     pub(crate) after_mps: (f64, f64),
 }
 
@@ -110,19 +109,7 @@ impl Side {
     }
 }
 
-/// Of a direction about A's and B's centres of gravity [m].
-#[derive(Clone, Copy, Debug, Default)]
-struct Levers {
-    a: f64,
-    b: f64,
-}
-
 impl Levers {
-    #[inline]
-    fn new(along: Vec2, touch: &Touch) -> Levers {
-        Levers { a: touch.arm_a_m.cross(along), b: touch.arm_b_m.cross(along) }
-    }
-
     #[inline(always)]
     fn of(&self, side: Side) -> f64 {
         match side {
@@ -159,7 +146,7 @@ impl Grip {
 
     /// −N n + T t and its moment.
     #[inline(always)]
-    fn wrench(&self, normal_n: f64, tangential_n: f64) -> (Vec2, f64) {
+    pub(crate) fn wrench(&self, normal_n: f64, tangential_n: f64) -> (Vec2, f64) {
         (
             self.along_n.quarter_turn() * tangential_n - self.along_n * normal_n,
             self.lever_t_m * tangential_n - self.lever_n_m * normal_n,
@@ -179,9 +166,7 @@ impl Tie {
         begins_with: Forces,
         h: f64,
     ) -> Tie {
-        let along_n = touch.normal;
-        let levers_n_m = Levers::new(along_n, touch);
-        let levers_t_m = Levers::new(along_n.quarter_turn(), touch);
+        let Touch { normal: along_n, levers_n_m, levers_t_m, .. } = *touch;
         let (a_floats, b_floats) = (inverse_a.floats(), inverse_b.floats());
         let mut seen = Seen::default();
         if a_floats {
@@ -216,20 +201,13 @@ impl Tie {
             rebound_mps: laws.rebound_mps,
             may_give_j: laws.may_give_j,
             may_shear_j: laws.may_shear_j,
-            restitution: material.restitution,
+            unheld_j: laws.unheld_j,
             shear_stiffness_npm: material.shear_stiffness_npm,
             friction_static: material.friction_static,
             friction_dynamic: material.friction_dynamic,
-            begins_with,
             forces: begins_with,
             after_mps: (0.0, 0.0),
         }
-    }
-
-    /// Forgets what forces were tried.
-    #[inline]
-    pub(crate) fn begin(&mut self) {
-        self.forces = self.begins_with;
     }
 
     /// V_n and V_t of the two bodies as they move now [m/s].
