@@ -50,22 +50,19 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
     let mut old = last;
     let Range { start: mut from, end } = work.own_patches;
     while from < end {
+        if !work.jumps {
+            let count = going_on(&work.found.patches[from..end], old);
+            let place = (last.len() - old.len()) as u32;
+            work.inherited.extend((place..place + count as u32).map(Inherited::One));
+            (from, old) = (from + count, &old[count..]);
+            if from == end {
+                break;
+            }
+        }
         let Patch { candidate, of, .. } = work.found.patches[from];
         let Candidate { a, b, .. } = candidate;
         let key = candidate.key();
         let jumped = work.jumped(a, b);
-        // The most of them: one patch that goes on, as its pair's only one.
-        if let [first, rest @ ..] = old
-            && first.candidate() == key
-            && rest.first().is_none_or(|m| m.candidate() != key)
-            && (from + 1 == end || work.found.patches[from + 1].of != of)
-            && !jumped
-        {
-            work.inherited.push(Inherited::One((last.len() - old.len()) as u32));
-            old = rest;
-            from += 1;
-            continue;
-        }
         let of_pair = |p: &&Patch| p.of == of;
         let to = from + work.found.patches[from..end].iter().take_while(of_pair).count();
         let (ended, mut own) = patches_of(&mut old, key);
@@ -87,6 +84,20 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
         from = to;
     }
     old.iter().for_each(|m| note(model, &mut work.events, m.a, m.b, EventKind::ContactEnded));
+}
+
+/// How many of the patches go on from as many old ones, each as its pair's only one: most of them.
+#[inline]
+fn going_on(patches: &[Patch], old: &[PatchMemory]) -> usize {
+    let first_of_pair = |(patch, memory): &(&Patch, &PatchMemory)| {
+        let (a, b, face) = patch.candidate.key();
+        patch.number == 0 && memory.key() == (a, b, face, 0)
+    };
+    let count = patches.iter().zip(old).take_while(first_of_pair).count();
+    // The last of them may have others of its pair behind it.
+    let more = patches.get(count).is_some_and(|patch| patch.number != 0)
+        || old.get(count).is_some_and(|memory| memory.patch != 0);
+    count.saturating_sub(usize::from(more))
 }
 
 /// The last step's patches of candidates before `key`, and those of the candidate itself; `memory` is sorted,

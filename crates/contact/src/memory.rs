@@ -6,7 +6,7 @@ use crate::geometry::clip::Hint;
 use crate::model::Model;
 use crate::overlap::{Patch, Place};
 use crate::state::BodyState;
-use crate::vec2::Vec2;
+use crate::vec2::{Rotation, Vec2};
 
 /// All mutable state of a contact problem: plain data. Copy it to branch a run, compare it, save it
 /// with [`Memory::snapshot`] and get it back with [`Memory::restore`].
@@ -40,9 +40,10 @@ pub(crate) struct PatchMemory {
     /// The material points that were at C, in each body's frame [m].
     pub(crate) point_in_a_m: Vec2,
     pub(crate) point_in_b_m: Vec2,
-    /// The last good normal (A's outward one) in each body's frame; zero where there was none yet.
+    /// The last good normal (A's outward one) in A's frame, and how B was turned there: it is seldom asked for in
+    /// B's.
     pub(crate) normal_in_a: Vec2,
-    pub(crate) normal_in_b: Vec2,
+    pub(crate) b_in_a: Rotation,
     /// Δs [m].
     pub(crate) shear_m: f64,
     /// By the paper's method V_n⁰ and V_t⁰, the relative velocity when the contact began. By the
@@ -85,9 +86,14 @@ impl PatchMemory {
             point_in_a_m,
             point_in_b_m: patch.b_in_a.apply_inverse(point_in_a_m),
             normal_in_a,
-            normal_in_b: patch.b_in_a.rotation.apply_inverse(normal_in_a),
+            b_in_a: patch.b_in_a.rotation,
             ..PatchMemory::default()
         }
+    }
+
+    /// The last good normal in B's frame.
+    pub(crate) fn normal_in_b(&self) -> Vec2 {
+        self.b_in_a.apply_inverse(self.normal_in_a)
     }
 
     /// Adds itself to what the next (sub-)step begins with.

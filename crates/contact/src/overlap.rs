@@ -462,7 +462,7 @@ pub(crate) fn normal_in_a(
         };
         return (normal, depth_m);
     }
-    let remembered = old.map(|m| (m.normal_in_a, m.normal_in_b));
+    let remembered = old.map(|m| (m.normal_in_a, m.normal_in_b()));
     let normal = normal_without_chord(model, found, buffers, patch, remembered);
     (normal, depth_m(found, patch, normal))
 }

@@ -23,10 +23,10 @@ use crate::geometry::clip::Hint;
 use crate::memory::{Extent, HintMemory, Memory, PatchMemory};
 use crate::model::{Fnv, Model};
 use crate::state::BodyState;
-use crate::vec2::{Vec2, vec2};
+use crate::vec2::{Rotation, Vec2, vec2};
 
 /// The version that [`Memory::snapshot`] writes and [`Memory::restore`] reads.
-pub const SNAPSHOT_VERSION: u32 = 4;
+pub const SNAPSHOT_VERSION: u32 = 5;
 
 const MAGIC: &[u8; 8] = b"fndrline";
 const STATE_BYTES: usize = 48;
@@ -174,9 +174,8 @@ impl Writer {
         [p.normal_force_n, p.tangential_force_n, p.factor, p.taken_j, p.sheared_j]
             .into_iter()
             .for_each(|v| self.number(v));
-        [p.point_in_a_m, p.point_in_b_m, p.normal_in_a, p.normal_in_b]
-            .into_iter()
-            .for_each(|v| self.vector(v));
+        [p.point_in_a_m, p.point_in_b_m, p.normal_in_a].into_iter().for_each(|v| self.vector(v));
+        [p.b_in_a.cos, p.b_in_a.sin].into_iter().for_each(|v| self.number(v));
         self.extent(&p.extent_in_a);
         self.extent(&p.extent_in_b);
     }
@@ -248,7 +247,7 @@ impl<'a> Reader<'a> {
             point_in_a_m: self.vector()?,
             point_in_b_m: self.vector()?,
             normal_in_a: self.vector()?,
-            normal_in_b: self.vector()?,
+            b_in_a: Rotation { cos: self.number()?, sin: self.number()? },
             extent_in_a: self.extent()?,
             extent_in_b: self.extent()?,
         })

@@ -141,6 +141,12 @@ pub struct Rotation {
     pub sin: f64,
 }
 
+impl Default for Rotation {
+    fn default() -> Rotation {
+        Rotation::IDENTITY
+    }
+}
+
 impl Rotation {
     /// No rotation.
     pub const IDENTITY: Rotation = Rotation { cos: 1.0, sin: 0.0 };

@@ -52,7 +52,15 @@ pub(crate) fn act(
         ..
     } = work;
     let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
-    let begun = Begun { scene: Scene { model, found, poses }, before, inverses, elapsed_s, h };
+    // As many as there are bodies: their ranks are checked once.
+    let count = model.ranked.len();
+    let begun = Begun {
+        scene: Scene { model, found, poses: &poses[..count] },
+        before: &before[..count],
+        inverses: &inverses[..count],
+        elapsed_s,
+        h,
+    };
     let told = *contacts_told;
     rows.clear();
     let mut aside = Aside { events, buffers, rows, told };
@@ -75,12 +83,11 @@ pub(crate) fn act(
         if let (0, Inherited::One(place)) = (patch.candidate.face, inherited) {
             let old = Some(&past.patches[place as usize]);
             let taken = Taken { inherited, old, placed: false };
-            let memory;
-            (*tie, memory) = rows::collect(&begun, &mut aside, patch, None, taken);
+            let memory = rows::collect(&begun, &mut aside, patch, None, taken, tie);
             memory.add_to(patch, &found.places, next_patches);
         } else {
             let taken = taken(patch, inherited);
-            collect_other(&begun, &mut aside, patch, taken, tie, next_patches);
+            collect_other(begun, &mut aside, patch, taken, tie, next_patches);
         }
     }
     let memories = &mut next_patches[first_patch..];
@@ -110,7 +117,7 @@ pub(crate) fn act(
 /// The laws of a contact that is new, at a fender, or heir of several or of a part.
 #[inline(never)]
 fn collect_other(
-    begun: &Begun<'_>,
+    begun: Begun<'_>,
     aside: &mut Aside<'_>,
     patch: &Patch,
     taken: Taken<'_>,
@@ -118,7 +125,6 @@ fn collect_other(
     next_patches: &mut Vec<PatchMemory>,
 ) {
     let face = patch.candidate.fender(begun.scene.model);
-    let memory;
-    (*tie, memory) = rows::collect(begun, aside, patch, face, taken);
+    let memory = rows::collect(&begun, aside, patch, face, taken, tie);
     memory.add_to(patch, &begun.scene.found.places, next_patches);
 }

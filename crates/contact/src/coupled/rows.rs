@@ -78,7 +78,7 @@ pub(crate) struct Taken<'m> {
     pub(crate) placed: bool,
 }
 
-/// Laws and effective masses of a patch, and its memory as it is before the solve.
+/// Laws and effective masses of a patch, in its `tie`, and its memory as it is before the solve.
 // Always inlined: what it returns is written where it is to stay.
 #[inline(always)]
 pub(crate) fn collect(
@@ -87,7 +87,8 @@ pub(crate) fn collect(
     patch: &Patch,
     face: Option<&RankedFender>,
     taken: Taken<'_>,
-) -> (Tie, PatchMemory) {
+    tie: &mut Tie,
+) -> PatchMemory {
     let (model, old) = (begun.scene.model, taken.old);
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
@@ -113,7 +114,7 @@ pub(crate) fn collect(
         friction: Friction::Stick,
     };
     let inverse_of = |rank: u32| (rank, &begun.inverses[rank as usize]);
-    let tie = Tie::new(inverse_of(a), inverse_of(b), &touch, &laws, begins_with, begun.h);
+    *tie = Tie::new(inverse_of(a), inverse_of(b), &touch, &laws, begins_with, begun.h);
     let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
     if aside.told {
@@ -125,7 +126,7 @@ pub(crate) fn collect(
             stored_j: touch.stored_j * factor,
         });
     }
-    let memory = PatchMemory {
+    PatchMemory {
         flags,
         shear_m: touch.shear_m,
         v_normal_0_mps: v_ref_mps,
@@ -135,8 +136,7 @@ pub(crate) fn collect(
         taken_j: laws.may_give_j,
         sheared_j: laws.may_shear_j,
         ..PatchMemory::of(patch, touch.point_in_a_m, touch.normal_in_a)
-    };
-    (tie, memory)
+    }
 }
 
 /// What a contact stores beyond what its last force holds [J]. Between outlines at least a third of
