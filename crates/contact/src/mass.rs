@@ -1,5 +1,6 @@
 //! The full mass matrix of a body in the plane, and its inverse.
 
+use crate::touch::Levers;
 use crate::vec2::{Rotation, Vec2, vec2};
 
 /// Inverse of a symmetric 3×3 mass matrix over surge, sway and yaw [1/kg, 1/(kg·m), 1/(kg·m²)].
@@ -134,7 +135,8 @@ pub(crate) struct Seen {
 impl Seen {
     /// Adds a body about whose centre of gravity n and t have these levers [m].
     #[inline(always)]
-    pub(crate) fn add(&mut self, of: &InverseMatrix, n: Vec2, lever_n_m: f64, lever_t_m: f64) {
+    pub(crate) fn add(&mut self, of: &InverseMatrix, n: Vec2, levers: Levers) {
+        let Levers { n_m: lever_n_m, t_m: lever_t_m } = levers;
         if of.is_isotropic() {
             let (turn_n, turn_t) = (of.rr * lever_n_m, of.rr * lever_t_m);
             self.linear += of.xx;
@@ -186,7 +188,7 @@ mod tests {
         let (n, lever_n_m, lever_t_m) = (vec2(0.6, -0.8), 1.5, -0.7);
         let t = n.quarter_turn();
         let mut seen = Seen::default();
-        seen.add(&inverse, n, lever_n_m, lever_t_m);
+        seen.add(&inverse, n, Levers { n_m: lever_n_m, t_m: lever_t_m });
         let speed = |(v, r): (Vec2, f64), along: Vec2, lever_m: f64| v.dot(along) + r * lever_m;
         let (of_n, of_t) = (inverse.response(n, lever_n_m), inverse.response(t, lever_t_m));
         for (ours, exact) in [

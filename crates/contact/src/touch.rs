@@ -18,9 +18,9 @@ pub(crate) struct Touch {
     pub(crate) normal: Vec2,
     /// Where the force acts, in A's frame [m]: C, or a point of the line of a fender's force.
     pub(crate) point_in_a_m: Vec2,
-    /// r × n and r × t of each body, with r from its centre of gravity to that point [m].
-    pub(crate) levers_n_m: Levers,
-    pub(crate) levers_t_m: Levers,
+    /// About each body's centre of gravity.
+    pub(crate) levers_a: Levers,
+    pub(crate) levers_b: Levers,
     /// δ [m].
     pub(crate) depth_m: f64,
     /// Spring and stop, before factors [N].
@@ -38,11 +38,19 @@ pub(crate) struct Touch {
     pub(crate) shear_m: f64,
 }
 
-/// Of a direction about A's and B's centres of gravity [m].
+/// Of n and t about a body's centre of gravity: r × n and r × t [m].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Levers {
-    pub(crate) a: f64,
-    pub(crate) b: f64,
+    pub(crate) n_m: f64,
+    pub(crate) t_m: f64,
+}
+
+impl Levers {
+    /// r × t is r·n.
+    #[inline]
+    fn new(arm_m: Vec2, normal: Vec2) -> Levers {
+        Levers { n_m: arm_m.cross(normal), t_m: arm_m.dot(normal) }
+    }
 }
 
 /// What there is when the contacts of a (sub-)step are looked at.
@@ -73,12 +81,12 @@ pub(crate) fn touch(
     };
     let Touch { normal_in_a, point_in_a_m, .. } = pressed;
     let normal = scene.poses[patch.candidate.a as usize].rotation.apply(normal_in_a);
-    // In A's frame, where nobody has to turn the arms; r × t is r·n.
-    let [arm_a_m, arm_b_m] = [point_in_a_m, point_in_a_m - patch.b_in_a.position_m];
-    let levers_n_m = Levers { a: arm_a_m.cross(normal_in_a), b: arm_b_m.cross(normal_in_a) };
-    let levers_t_m = Levers { a: arm_a_m.dot(normal_in_a), b: arm_b_m.dot(normal_in_a) };
+    // In A's frame, where nobody has to turn the arms.
+    let levers_a = Levers::new(point_in_a_m, normal_in_a);
+    let levers_b = Levers::new(point_in_a_m - patch.b_in_a.position_m, normal_in_a);
     let apart_mps = velocity_a_mps - velocity_b_mps;
-    let turning = |levers_m: Levers| turn_a_radps * levers_m.a - turn_b_radps * levers_m.b;
+    let turning_n_mps = turn_a_radps * levers_a.n_m - turn_b_radps * levers_b.n_m;
+    let turning_t_mps = turn_a_radps * levers_a.t_m - turn_b_radps * levers_b.t_m;
     let shear_m = old.map_or(0.0, |m| {
         // How far the material points that were at C have moved apart, in A's frame, where nothing
         // is lost far from the origin.
@@ -87,10 +95,10 @@ pub(crate) fn touch(
     });
     Touch {
         normal,
-        levers_n_m,
-        levers_t_m,
-        v_normal_mps: apart_mps.dot(normal) + turning(levers_n_m),
-        v_tangential_mps: apart_mps.dot(normal.quarter_turn()) + turning(levers_t_m),
+        levers_a,
+        levers_b,
+        v_normal_mps: apart_mps.dot(normal) + turning_n_mps,
+        v_tangential_mps: apart_mps.dot(normal.quarter_turn()) + turning_t_mps,
         shear_m,
         ..pressed
     }
@@ -147,8 +155,8 @@ impl Touch {
     pub(crate) fn at(normal: Vec2, [arm_a_m, arm_b_m]: [Vec2; 2]) -> Touch {
         Touch {
             normal,
-            levers_n_m: Levers { a: arm_a_m.cross(normal), b: arm_b_m.cross(normal) },
-            levers_t_m: Levers { a: arm_a_m.dot(normal), b: arm_b_m.dot(normal) },
+            levers_a: Levers::new(arm_a_m, normal),
+            levers_b: Levers::new(arm_b_m, normal),
             ..Touch::default()
         }
     }

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::coupled::book::Books;
 use crate::coupled::island::Island;
-use crate::coupled::let_go::let_go;
+use crate::coupled::let_go;
 use crate::coupled::rows::{self, Aside, Begun, Taken};
 use crate::coupled::solve;
 use crate::coupled::tie::Tie;
@@ -90,16 +90,30 @@ pub(crate) fn act(
             collect_other(begun, &mut aside, patch, taken, tie, next_patches);
         }
     }
-    let memories = &mut next_patches[first_patch..];
+    let memories = &mut next_patches[first_patch..][..patches.len()];
+    let (states, inverses) = (&mut states[..count], &inverses[..count]);
     let mut from = 0;
     for island in islands {
-        let own = |patch: &&Patch| (patch.of as usize) < island.candidates.end;
-        let to = from + patches[from..].iter().take_while(own).count();
-        let (ties, memories) = (&mut ties[from..to], &mut memories[from..to]);
-        let_go(model, &patches[from..to], memories, ties, unheld_j);
-        from = to;
-        if solve::velocities(states, inverses, ties, memories, trials, h) > solve::TOLD_MPS {
-            note(model, aside.events, ties[0].a, ties[0].b, EventKind::NotConverged);
+        let first = from;
+        while from < patches.len() && (patches[from].of as usize) < island.candidates.end {
+            from += 1;
+        }
+        let change_mps = match from - first {
+            0 => continue,
+            1 => {
+                let tie = &mut ties[first];
+                let_go::alone(model, &patches[first], &mut memories[first], tie);
+                solve::alone(states, inverses, tie, h)
+            }
+            _ => {
+                let own = first..from;
+                let (ties, memories) = (&mut ties[own.clone()], &mut memories[own.clone()]);
+                let_go::let_go(model, &patches[own], memories, ties, unheld_j);
+                solve::velocities(states, inverses, ties, memories, trials, h)
+            }
+        };
+        if change_mps > solve::TOLD_MPS {
+            note(model, aside.events, ties[first].a, ties[first].b, EventKind::NotConverged);
         }
     }
     let first_sub_step = contacts.len() == *first_contact;

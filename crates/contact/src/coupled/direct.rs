@@ -128,20 +128,20 @@ impl Push {
     #[inline(always)]
     fn add(&mut self, grip: &Grip, normal_n: f64, tangential_n: f64) {
         self.normal_n += grip.along_n * normal_n;
-        self.moment_nm -= grip.lever_n_m * normal_n;
+        self.moment_nm -= grip.levers.n_m * normal_n;
         self.shear(grip, tangential_n);
     }
 
     #[inline(always)]
     fn shear(&mut self, grip: &Grip, tangential_n: f64) {
         self.tangential_n += grip.along_n * tangential_n;
-        self.moment_nm += grip.lever_t_m * tangential_n;
+        self.moment_nm += grip.levers.t_m * tangential_n;
     }
 
     #[inline(always)]
     fn lose_shear(&mut self, grip: &Grip, tangential_n: f64) {
         self.tangential_n -= grip.along_n * tangential_n;
-        self.moment_nm -= grip.lever_t_m * tangential_n;
+        self.moment_nm -= grip.levers.t_m * tangential_n;
     }
 
     /// The change of velocity and yaw rate by it, with h M⁻¹.
@@ -167,7 +167,7 @@ impl Stiffness {
     #[inline(always)]
     fn add(&mut self, grip: &Grip, slope: f64) {
         // t = (−n_y, n_x).
-        let (Vec2 { x, y }, lever_m) = (grip.along_n, grip.lever_t_m);
+        let (Vec2 { x, y }, lever_m) = (grip.along_n, grip.levers.t_m);
         let (of_x, of_y, of_r) = (slope * x, slope * y, slope * lever_m);
         self.xx += of_y * y;
         self.xy -= of_x * y;

@@ -28,12 +28,23 @@ pub(crate) fn let_go(
 ) {
     // While bodies close most of them come faster than all of it could give them.
     let all_j = ties.iter().map(|tie| tie.unheld_j).sum();
-    let rises = |(memory, tie): (&PatchMemory, &Tie)| {
-        speed_squared(all_j, tie) > memory.v_normal_0_mps * memory.v_normal_0_mps
-    };
+    let rises = |(memory, tie): (&PatchMemory, &Tie)| rises(all_j, memory, tie);
     if memories.iter().zip(&*ties).any(rises) {
         let_go_together(model, patches, memories, ties, unheld_j);
     }
+}
+
+/// The same for the only contact of an island.
+#[inline(always)]
+pub(crate) fn alone(model: &Model, patch: &Patch, memory: &mut PatchMemory, tie: &mut Tie) {
+    if rises(tie.unheld_j, memory, tie) {
+        raise(tie.unheld_j, model, patch, memory, tie);
+    }
+}
+
+#[inline(always)]
+fn rises(unheld_j: f64, memory: &PatchMemory, tie: &Tie) -> bool {
+    speed_squared(unheld_j, tie) > memory.v_normal_0_mps * memory.v_normal_0_mps
 }
 
 /// Square of the speed that unheld energy would give the two bodies of a contact, without rotation [m²/s²]:
@@ -41,6 +52,16 @@ pub(crate) fn let_go(
 #[inline(always)]
 fn speed_squared(unheld_j: f64, tie: &Tie) -> f64 {
     LET_GO * LET_GO * 2.0 * unheld_j * tie.linear
+}
+
+/// It goes on until the contact closes again: else the bound would come and go with N.
+#[cold]
+#[inline(never)]
+fn raise(unheld_j: f64, model: &Model, patch: &Patch, memory: &mut PatchMemory, tie: &mut Tie) {
+    let material = &model.materials()[patch.candidate.material.0 as usize];
+    let speed_mps = libm::sqrt(speed_squared(unheld_j, tie));
+    tie.rebound_mps = tie.rebound_mps.max(material.restitution * speed_mps);
+    memory.v_normal_0_mps = memory.v_normal_0_mps.max(speed_mps);
 }
 
 /// The unheld energy of all contacts that let go together, and what it makes of their v_ref.
@@ -78,11 +99,7 @@ fn let_go_together(
         if all_j > 0.0 {
             let both = memories[own.clone()].iter_mut().zip(&mut ties[own.clone()]);
             for (patch, (memory, tie)) in patches[own].iter().zip(both) {
-                let material = &model.materials()[patch.candidate.material.0 as usize];
-                // It goes on until the contact closes again: else the bound would come and go with N.
-                let speed_mps = libm::sqrt(speed_squared(all_j, tie));
-                tie.rebound_mps = tie.rebound_mps.max(material.restitution * speed_mps);
-                memory.v_normal_0_mps = memory.v_normal_0_mps.max(speed_mps);
+                raise(all_j, model, patch, memory, tie);
             }
         }
         from += count;

@@ -94,6 +94,8 @@ pub(crate) fn collect(
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
     let velocities = [begun.before[a as usize], begun.before[b as usize]];
     let touch = touch(&begun.scene, aside.buffers, patch, face, material, old, velocities);
+    let inverse_of = |rank: u32| (rank, &begun.inverses[rank as usize]);
+    tie.join(inverse_of(a), inverse_of(b), &touch);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, face, &touch, old);
     let parts =
@@ -113,8 +115,7 @@ pub(crate) fn collect(
         tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
         friction: Friction::Stick,
     };
-    let inverse_of = |rank: u32| (rank, &begun.inverses[rank as usize]);
-    *tie = Tie::new(inverse_of(a), inverse_of(b), &touch, &laws, begins_with, begun.h);
+    tie.obey(&touch, &laws, begins_with, begun.h);
     let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
     if aside.told {

@@ -45,11 +45,6 @@ pub(crate) fn velocities(
     trials: &mut Vec<Trial>,
     h: f64,
 ) -> f64 {
-    match ties {
-        [] => return 0.0,
-        [only] => return alone(states, inverses, only, h),
-        _ => {}
-    }
     if direct::solve(states, inverses, ties, h) {
         return 0.0;
     }
@@ -117,7 +112,12 @@ fn sweep(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie],
 /// The same as [`velocities`] for an island of one contact: its own two speeds are all there is to follow. Where
 /// no bound is reached its forces follow at once.
 #[inline(always)]
-fn alone(states: &mut [BodyState], inverses: &[InverseMatrix], tie: &mut Tie, h: f64) -> f64 {
+pub(crate) fn alone(
+    states: &mut [BodyState],
+    inverses: &[InverseMatrix],
+    tie: &mut Tie,
+    h: f64,
+) -> f64 {
     let free = tie.speeds(states);
     let (tangential_n, speeds) = tie.sticking(free, h);
     let mut change_mps = 0.0;

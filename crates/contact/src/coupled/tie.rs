@@ -19,8 +19,8 @@ pub(crate) struct Tie {
     b_floats: bool,
     /// n, and the levers of n and t about each body's centre of gravity [m].
     pub(crate) along_n: Vec2,
-    levers_n_m: Levers,
-    levers_t_m: Levers,
+    levers_a: Levers,
+    levers_b: Levers,
     /// n·K n, t·K n and t·K t [1/kg].
     pub(crate) normal: f64,
     cross: f64,
@@ -109,29 +109,11 @@ impl Side {
     }
 }
 
-impl Levers {
-    #[inline(always)]
-    fn of(&self, side: Side) -> f64 {
-        match side {
-            Side::A => self.a,
-            Side::B => self.b,
-        }
-    }
-
-    /// j of A and B: the speed along the direction is j·v.
-    #[inline]
-    fn rows(&self, along: Vec2) -> [[f64; 3]; 2] {
-        let Vec2 { x, y } = along;
-        [[x, y, self.a], [-x, -y, -self.b]]
-    }
-}
-
 /// How a contact moves one of its bodies: n and the levers of n and t.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grip {
     pub(crate) along_n: Vec2,
-    pub(crate) lever_n_m: f64,
-    pub(crate) lever_t_m: f64,
+    pub(crate) levers: Levers,
 }
 
 impl Grip {
@@ -139,8 +121,8 @@ impl Grip {
     #[inline(always)]
     pub(crate) fn speeds(&self, (velocity_mps, turn_radps): Velocity) -> (f64, f64) {
         (
-            velocity_mps.dot(self.along_n) + turn_radps * self.lever_n_m,
-            velocity_mps.dot(self.along_n.quarter_turn()) + turn_radps * self.lever_t_m,
+            velocity_mps.dot(self.along_n) + turn_radps * self.levers.n_m,
+            velocity_mps.dot(self.along_n.quarter_turn()) + turn_radps * self.levers.t_m,
         )
     }
 
@@ -149,65 +131,80 @@ impl Grip {
     pub(crate) fn wrench(&self, normal_n: f64, tangential_n: f64) -> (Vec2, f64) {
         (
             self.along_n.quarter_turn() * tangential_n - self.along_n * normal_n,
-            self.lever_t_m * tangential_n - self.lever_n_m * normal_n,
+            self.levers.t_m * tangential_n - self.levers.n_m * normal_n,
         )
     }
 }
 
+/// j of A and B for a direction with these levers [m]: the speed along it is j·v.
+#[inline]
+fn rows(Vec2 { x, y }: Vec2, lever_a_m: f64, lever_b_m: f64) -> [[f64; 3]; 2] {
+    [[x, y, lever_a_m], [-x, -y, -lever_b_m]]
+}
+
 impl Tie {
     /// A contact between two bodies of these ranks and inverse masses, with the forces that it begins with.
-    // Always inlined: it is written where it is to stay.
-    #[inline(always)]
+    #[cfg(test)]
     pub(crate) fn new(
-        (a, inverse_a): (u32, &InverseMatrix),
-        (b, inverse_b): (u32, &InverseMatrix),
+        a: (u32, &InverseMatrix),
+        b: (u32, &InverseMatrix),
         touch: &Touch,
         laws: &Laws,
         begins_with: Forces,
         h: f64,
     ) -> Tie {
-        let Touch { normal: along_n, levers_n_m, levers_t_m, .. } = *touch;
-        let (a_floats, b_floats) = (inverse_a.floats(), inverse_b.floats());
+        let mut tie = Tie::default();
+        tie.join(a, b, touch);
+        tie.obey(touch, laws, begins_with, h);
+        tie
+    }
+
+    /// Becomes a contact between two bodies of these ranks and inverse masses, as far as its laws do not matter.
+    // Always inlined, and apart from the laws: what is written where it is to stay is no longer in their way.
+    #[inline(always)]
+    pub(crate) fn join(
+        &mut self,
+        (a, inverse_a): (u32, &InverseMatrix),
+        (b, inverse_b): (u32, &InverseMatrix),
+        touch: &Touch,
+    ) {
+        let Touch { normal: along_n, levers_a, levers_b, .. } = *touch;
+        (self.a, self.b) = (a, b);
+        (self.along_n, self.levers_a, self.levers_b) = (along_n, levers_a, levers_b);
+        (self.a_floats, self.b_floats) = (inverse_a.floats(), inverse_b.floats());
         let mut seen = Seen::default();
-        if a_floats {
-            seen.add(inverse_a, along_n, levers_n_m.a, levers_t_m.a);
+        if inverse_a.floats() {
+            seen.add(inverse_a, along_n, levers_a);
         }
-        if b_floats {
-            seen.add(inverse_b, along_n, levers_n_m.b, levers_t_m.b);
+        if inverse_b.floats() {
+            seen.add(inverse_b, along_n, levers_b);
         }
         let Seen { normal, cross, tangential, linear } = seen;
+        (self.normal, self.cross, self.tangential, self.linear) =
+            (normal, cross, tangential, linear);
+        (self.normal_before_mps, self.tangential_before_mps) =
+            (touch.v_normal_mps, touch.v_tangential_mps);
+    }
+
+    /// With these laws and the forces that it begins with.
+    #[inline(always)]
+    pub(crate) fn obey(&mut self, touch: &Touch, laws: &Laws, begins_with: Forces, h: f64) {
         let material = laws.material;
-        let implicit = implicit_share(material.shear_stiffness_npm * tangential, h);
-        let spring_slope = implicit * implicit * material.shear_stiffness_npm * h;
+        let implicit = implicit_share(material.shear_stiffness_npm * self.tangential, h);
         let explicit_m = implicit * (1.0 - implicit) * h * touch.v_tangential_mps;
-        Tie {
-            a,
-            b,
-            a_floats,
-            b_floats,
-            along_n,
-            levers_n_m,
-            levers_t_m,
-            normal,
-            cross,
-            tangential,
-            linear,
-            implicit,
-            spring_at_rest_n: -material.shear_stiffness_npm * (touch.shear_m + explicit_m),
-            spring_slope,
-            normal_before_mps: touch.v_normal_mps,
-            tangential_before_mps: touch.v_tangential_mps,
-            law_n: laws.law_n,
-            rebound_mps: laws.rebound_mps,
-            may_give_j: laws.may_give_j,
-            may_shear_j: laws.may_shear_j,
-            unheld_j: laws.unheld_j,
-            shear_stiffness_npm: material.shear_stiffness_npm,
-            friction_static: material.friction_static,
-            friction_dynamic: material.friction_dynamic,
-            forces: begins_with,
-            after_mps: (0.0, 0.0),
-        }
+        self.implicit = implicit;
+        self.spring_at_rest_n = -material.shear_stiffness_npm * (touch.shear_m + explicit_m);
+        self.spring_slope = implicit * implicit * material.shear_stiffness_npm * h;
+        self.law_n = laws.law_n;
+        self.rebound_mps = laws.rebound_mps;
+        self.may_give_j = laws.may_give_j;
+        self.may_shear_j = laws.may_shear_j;
+        self.unheld_j = laws.unheld_j;
+        self.shear_stiffness_npm = material.shear_stiffness_npm;
+        self.friction_static = material.friction_static;
+        self.friction_dynamic = material.friction_dynamic;
+        self.forces = begins_with;
+        self.after_mps = (0.0, 0.0);
     }
 
     /// V_n and V_t of the two bodies as they move now [m/s].
@@ -215,11 +212,11 @@ impl Tie {
     pub(crate) fn speeds(&self, states: &[BodyState]) -> (f64, f64) {
         let (a, b) = (&states[self.a as usize], &states[self.b as usize]);
         let apart = a.velocity_mps - b.velocity_mps;
-        let turning =
-            |levers_m: &Levers| a.yaw_rate_radps * levers_m.a - b.yaw_rate_radps * levers_m.b;
+        let (turn_a, turn_b) = (a.yaw_rate_radps, b.yaw_rate_radps);
+        let (on_a, on_b) = (&self.levers_a, &self.levers_b);
         (
-            apart.dot(self.along_n) + turning(&self.levers_n_m),
-            apart.dot(self.along_n.quarter_turn()) + turning(&self.levers_t_m),
+            apart.dot(self.along_n) + (turn_a * on_a.n_m - turn_b * on_b.n_m),
+            apart.dot(self.along_n.quarter_turn()) + (turn_a * on_a.t_m - turn_b * on_b.t_m),
         )
     }
 
@@ -414,19 +411,21 @@ impl Tie {
     pub(crate) fn grip(&self, side: Side) -> Grip {
         Grip {
             along_n: self.along_n,
-            lever_n_m: self.levers_n_m.of(side),
-            lever_t_m: self.levers_t_m.of(side),
+            levers: match side {
+                Side::A => self.levers_a,
+                Side::B => self.levers_b,
+            },
         }
     }
 
     /// V_n = j·v, with the velocities (north, east, yaw) of A and B.
     pub(crate) fn normal_row(&self) -> [[f64; 3]; 2] {
-        self.levers_n_m.rows(self.along_n)
+        rows(self.along_n, self.levers_a.n_m, self.levers_b.n_m)
     }
 
     /// V_t = j·v, in the same way.
     pub(crate) fn tangential_row(&self) -> [[f64; 3]; 2] {
-        self.levers_t_m.rows(self.along_n.quarter_turn())
+        rows(self.along_n.quarter_turn(), self.levers_a.t_m, self.levers_b.t_m)
     }
 
     /// N where a tight contact is a stiff line through its present force, of slope κ = stiffness/(h n·K n).
