@@ -203,3 +203,26 @@ fn a_step_of_days_within_a_contact_is_finite_or_refused() {
     }
     assert!(refused > 0);
 }
+
+/// The second of two islands that are not in the order of the pairs met a quay that moves where the first had
+/// left it, at the end of the step.
+#[test]
+fn a_quay_that_moves_is_met_where_it_was_shown_by_every_island() {
+    let pressed = |count: u64| {
+        let mut run = Run::new(tugs_between_quays(count));
+        for quay in run.states.len() - 2..run.states.len() {
+            run.states[quay].velocity_mps = vec2(0.0, -0.5);
+        }
+        run.step();
+        let last = count as usize - 1;
+        let contacts = run.work.contacts().iter().filter(|c| c.body_1 == BodyId(last as u32));
+        let areas_m2: Vec<f64> = contacts.map(|contact| contact.area_m2).collect();
+        (areas_m2, run.work.states_after()[last].velocity_mps)
+    };
+    let (alone, among_others) = (pressed(1), pressed(3));
+    assert_eq!(alone.0.len(), 2, "both quays");
+    assert!((alone.1 - among_others.1).length() < 1e-9, "{alone:?} {among_others:?}");
+    for (alone_m2, other_m2) in alone.0.iter().zip(&among_others.0) {
+        assert!((alone_m2 - other_m2).abs() < 1e-9, "{alone:?} {among_others:?}");
+    }
+}

@@ -160,9 +160,7 @@ pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
     work.first_hint = work.next_hints.len();
     work.first_contact = work.contacts.len();
     find_bodies(work);
-    if !work.moving_walls.is_empty() {
-        put_walls_back(work);
-    }
+    put_walls_back(work, first.candidates.start..last.candidates.end);
 }
 
 /// Lists the bodies that move and are in these islands.
@@ -191,16 +189,18 @@ fn find_bodies(work: &mut Workspace) {
 }
 
 /// What is fixed and moves goes through the step with each group of islands: from where it was shown.
-fn put_walls_back(work: &mut Workspace) {
-    let Workspace { moving_walls, in_island, states, poses, headings_rad, motions_by_rank, .. } =
-        work;
-    for &(rank, shown) in &*moving_walls {
-        let rank = rank as usize;
-        if in_island[rank] {
-            states[rank] = shown;
-            poses[rank] = shown.pose();
-            headings_rad[rank] = shown.heading_rad;
-            motions_by_rank[rank] = Motion::default();
+pub(crate) fn put_walls_back(work: &mut Workspace, candidates: Range<usize>) {
+    if work.moving_walls.is_empty() {
+        return;
+    }
+    let own = &work.candidates[candidates];
+    for &(rank, shown) in &work.moving_walls {
+        if own.iter().any(|Pairing { candidate, .. }| [candidate.a, candidate.b].contains(&rank)) {
+            let rank = rank as usize;
+            work.states[rank] = shown;
+            work.poses[rank] = shown.pose();
+            work.headings_rad[rank] = shown.heading_rad;
+            work.motions_by_rank[rank] = Motion::default();
         }
     }
 }

@@ -92,6 +92,8 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
             gathered.gather(memory, &work.candidates[island.candidates.clone()]);
             let past = gathered.past(memory.last_step_s);
             work.jumps = jumps;
+            // The islands before have moved them.
+            island::put_walls_back(work, island.candidates.clone());
             advance_in_order(model, past, work, core::slice::from_mut(island), step_s);
         }
         work.gathered_memory = gathered;
