@@ -78,6 +78,8 @@ pub struct Workspace {
     pub(crate) fastest_mps: Vec<f64>,
     pub(crate) room_mps: Vec<f64>,
     pub(crate) islands: Vec<Island>,
+    /// Whether there are islands of more than one body that floats.
+    pub(crate) joined: bool,
     pub(crate) island_root: Vec<u32>,
     /// By rank: those that move and are in islands.
     pub(crate) in_island: Vec<bool>,
@@ -183,6 +185,7 @@ impl Workspace {
             fastest_mps: Vec::with_capacity(count),
             room_mps: Vec::with_capacity(count),
             islands: Vec::new(),
+            joined: false,
             island_root: Vec::new(),
             in_island: Vec::new(),
             moving_walls: Vec::new(),

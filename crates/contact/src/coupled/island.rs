@@ -76,7 +76,8 @@ pub(crate) fn split(model: &Model, work: &mut Workspace) {
     work.in_island.clear();
     work.in_island.resize(model.ranked.len(), false);
     let mut order = part(&work.candidates, &mut work.islands);
-    if order == Order::Unknown {
+    work.joined = order == Order::Unknown;
+    if work.joined {
         join(model, work);
         order = part(&work.candidates, &mut work.islands);
     }
@@ -159,13 +160,25 @@ pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
     work.first_patch = work.next_patches.len();
     work.first_hint = work.next_hints.len();
     work.first_contact = work.contacts.len();
-    find_bodies(work);
+    find_bodies(work, islands);
     put_walls_back(work, first.candidates.start..last.candidates.end);
 }
 
 /// Lists the bodies that move and are in these islands.
+fn find_bodies(work: &mut Workspace, islands: &[Island]) {
+    if work.joined || !work.moving_walls.is_empty() {
+        return find_among_candidates(work);
+    }
+    // Each has one, by which it goes, and they are in the order of these.
+    let Workspace { candidates, in_island, island_bodies, .. } = work;
+    island_bodies.clear();
+    island_bodies.extend(islands.iter().map(|of| candidates[of.candidates.start].island));
+    island_bodies.iter().for_each(|&rank| in_island[rank as usize] = true);
+}
+
+/// The same where several that float are in one island, or what is fixed moves too.
 #[inline(never)]
-fn find_bodies(work: &mut Workspace) {
+fn find_among_candidates(work: &mut Workspace) {
     let Workspace { candidates, own_candidates, moves, in_island, island_bodies, .. } = work;
     // Of one length, so that it is asked for once.
     let in_island = in_island.as_mut_slice();

@@ -140,8 +140,17 @@ fn advance_in_order(
             islands.get(to).map(|island| work.candidates[island.candidates.start].candidate.key());
         work.jumps = jumps;
         island::enter(work, &islands[from..to]);
-        advance_group(model, rest.before(next), work, &islands[from..to], step_s);
+        let begun = rest.before(next);
+        advance_group(model, begun, work, &islands[from..to], step_s);
         island::leave(model, work);
+        if islands[from].sub_steps == 1 {
+            // What goes on to the next step is the whole list, most often: not copied then.
+            if begun.hints.len() == hints.len() && work.next_hints.is_empty() {
+                core::mem::swap(&mut work.next_hints, &mut hints);
+                break;
+            }
+            work.next_hints.extend_from_slice(begun.hints);
+        }
         from = to;
     }
     work.first_hints = hints;
@@ -159,7 +168,6 @@ fn advance_group(
     let sub_steps = islands[0].sub_steps;
     sub_step(model, begun, work, islands, step_s);
     if sub_steps == 1 {
-        work.next_hints.extend_from_slice(begun.hints);
         return;
     }
     let mut own = core::mem::take(&mut work.island_memory);

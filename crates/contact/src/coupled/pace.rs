@@ -1,5 +1,7 @@
 //! How many sub-steps an island needs in a step.
 
+use core::ops::Range;
+
 use crate::coupled::island::Island;
 use crate::fender::{FenderLaw, RankedFender};
 use crate::geometry::clip::Hint;
@@ -60,53 +62,116 @@ pub(crate) fn set_paces(
     step_s: f64,
 ) {
     let count = model.ranked.len();
-    let (ranked, fastest_mps) = (&model.ranked[..count], &work.fastest_mps[..count]);
+    let bodies = Bodies { ranked: &model.ranked[..count], fastest_mps: &work.fastest_mps[..count] };
     let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
-    let all = work.found.patches.as_slice();
+    let most_rate_squared = 1.0 / (turn * turn);
+    let (all, candidates) = (work.found.patches.as_slice(), work.candidates.as_slice());
     let mut left = all;
+    let mut from = 0;
     for island in islands {
-        let from = all.len() - left.len();
-        let pairings = &work.candidates[island.candidates.clone()];
-        // The inverse of what each may add to the square of the rate without more sub-steps, whatever the
-        // others add.
-        let per_share = turn * turn * f64::from(pairings.len() as u32);
-        let mut haste = Haste::default();
-        for (index, pairing) in (island.candidates.start..).zip(pairings) {
-            let Pairing { candidate, pair, .. } = pairing;
-            let (Some((only, others)), 0) = (alone(left, index), candidate.face) else {
-                let own = patches_of(&mut left, index);
-                haste = with_others(model, work, haste, pairing, (own, hints), step_s);
-                continue;
-            };
+        let Range { start, end } = island.candidates;
+        // Most of one contact need no more than one: asked of these with nothing to add up.
+        if end - start == 1
+            && let Some((only, others)) = alone(left, start)
+            && is_slow(
+                model,
+                work,
+                &bodies,
+                (&candidates[start], only),
+                (most_rate_squared, step_s),
+            )
+        {
             left = others;
-            let bounds = work.bounds_of(model, *pair);
-            let pair = [candidate.a, candidate.b].map(|rank| rank as usize);
-            haste.rate_squared +=
-                standing_rate_squared(bounds, pair.map(|rank| &ranked[rank]), only, per_share);
-            let [fastest_a, fastest_b] = pair.map(|rank| fastest_mps[rank]);
-            if (fastest_a + fastest_b) * step_s > TRAVEL_PER_SUB_STEP * bounds.half_width_m {
-                haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
-            }
+            island.sub_steps = 1;
+        } else {
+            island.sub_steps = sub_steps(model, work, &bodies, island, (&mut left, hints), step_s);
         }
-        island.patches = from..all.len() - left.len();
-        island.sub_steps = haste.sub_steps(turn);
+        let to = all.len() - left.len();
+        island.patches = from..to;
+        from = to;
     }
+}
+
+/// Is a contact of two outlines slow enough for one sub-step?
+#[inline(always)]
+fn is_slow(
+    model: &Model,
+    work: &Workspace,
+    bodies: &Bodies<'_>,
+    (pairing, only): (&Pairing, &Patch),
+    (most_rate_squared, step_s): (f64, f64),
+) -> bool {
+    let Pairing { candidate, pair, .. } = pairing;
+    if candidate.face != 0 {
+        return false;
+    }
+    let bounds = work.bounds_of(model, *pair);
+    let pair = [candidate.a as usize, candidate.b as usize];
+    !may_travel(bodies, pair, bounds, step_s)
+        && standing_rate_squared(
+            bounds,
+            pair.map(|rank| &bodies.ranked[rank]),
+            only,
+            most_rate_squared,
+        ) <= most_rate_squared
+}
+
+/// How many sub-steps an island needs; takes its patches off those that are left.
+#[inline(never)]
+fn sub_steps(
+    model: &Model,
+    work: &Workspace,
+    bodies: &Bodies<'_>,
+    island: &Island,
+    (left, hints): (&mut &[Patch], &[HintMemory]),
+    step_s: f64,
+) -> u32 {
+    let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
+    let pairings = &work.candidates[island.candidates.clone()];
+    // What each may add to the square of the rate without more sub-steps, whatever the others add.
+    let share = 1.0 / (turn * turn * f64::from(pairings.len() as u32));
+    let mut haste = Haste::default();
+    for (index, pairing) in (island.candidates.start..).zip(pairings) {
+        let Pairing { candidate, pair, .. } = pairing;
+        let (Some((only, others)), 0) = (alone(left, index), candidate.face) else {
+            let own = patches_of(left, index);
+            haste = with_others(model, work, haste, pairing, (own, hints), step_s);
+            continue;
+        };
+        *left = others;
+        let bounds = work.bounds_of(model, *pair);
+        let pair = [candidate.a as usize, candidate.b as usize];
+        haste.rate_squared +=
+            standing_rate_squared(bounds, pair.map(|rank| &bodies.ranked[rank]), only, share);
+        if may_travel(bodies, pair, bounds, step_s) {
+            haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
+        }
+    }
+    haste.sub_steps(turn)
+}
+
+/// What is known of each body, by rank.
+// Of one length, so that it is asked for once.
+struct Bodies<'m> {
+    ranked: &'m [RankedBody],
+    fastest_mps: &'m [f64],
+}
+
+/// May two outlines close more than the largest travel of a sub-step?
+#[inline(always)]
+fn may_travel(bodies: &Bodies<'_>, pair: [usize; 2], bounds: &Bounds, step_s: f64) -> bool {
+    let [fastest_a, fastest_b] = pair.map(|rank| bodies.fastest_mps[rank]);
+    (fastest_a + fastest_b) * step_s > TRAVEL_PER_SUB_STEP * bounds.half_width_m
 }
 
 /// A bound on the square of the rate of a contact of two outlines that stands in one patch [1/s²].
 #[inline(always)]
-fn standing_rate_squared(
-    bounds: &Bounds,
-    pair: [&RankedBody; 2],
-    only: &Patch,
-    per_share: f64,
-) -> f64 {
+fn standing_rate_squared(bounds: &Bounds, pair: [&RankedBody; 2], only: &Patch, share: f64) -> f64 {
     let most = STANDING * bounds.spring_rate_squared + bounds.damping_rate_squared;
     // Where even the largest bound is small there is no more to find out.
-    if most * per_share > 1.0 && only.per_chord_m > 0.0 {
-        let share = inverse_mass(pair, only) / bounds.inverse_mass;
-        return (STANDING * bounds.spring_rate_squared + bounds.damping_rate_squared * share)
-            * share;
+    if most > share && only.per_chord_m > 0.0 {
+        let felt = inverse_mass(pair, only) / bounds.inverse_mass;
+        return (STANDING * bounds.spring_rate_squared + bounds.damping_rate_squared * felt) * felt;
     }
     most
 }
@@ -180,7 +245,12 @@ fn inverse_mass([a, b]: [&RankedBody; 2], patch: &Patch) -> f64 {
     let along = patch.chord_m * patch.per_chord_m;
     let (patch_m, b_m) = (patch.centroid_m.dot(along), patch.b_in_a.position_m.dot(along));
     let smaller_m = if a.radius_m <= b.radius_m { 0.0 } else { b_m };
-    of_body(a, patch_m, smaller_m) + of_body(b, patch_m - b_m, smaller_m - b_m)
+    // What is fixed adds nothing.
+    if b.is_fixed() {
+        return of_body(a, patch_m, smaller_m);
+    }
+    let of_b = of_body(b, patch_m - b_m, smaller_m - b_m);
+    if a.is_fixed() { of_b } else { of_body(a, patch_m, smaller_m) + of_b }
 }
 
 /// Bounds on the squares of the rates of a fender and its hull by spring and stop, for all deflections that
