@@ -1,6 +1,5 @@
 //! Stage 1, admit: the host's input, checked before anything changes.
 
-use crate::coupled::bodies;
 use crate::error::StepError;
 use crate::memory::Memory;
 use crate::model::Model;
@@ -19,7 +18,7 @@ pub(crate) const LARGEST_LOAD: f64 = 1e15;
 pub(crate) const LONGEST_STEP_S: f64 = 1e6;
 pub(crate) const SHORTEST_STEP_S: f64 = 1e-9;
 
-/// Checks what the host gave, but for the states themselves: [`place`] does that.
+/// Checks what the host gave, but for the states themselves: [`place_active`] does that.
 pub(crate) fn admit_call(
     model: &Model,
     memory: &Memory,
@@ -177,7 +176,8 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
 }
 
 /// Admits and places the bodies but those that stand as they stood at the last step, as quays and fenders on them
-/// do: these are left as they are. `work.active` are the others.
+/// do: these are left as they are. `work.active` are the others. Whether the workspace knew the bodies: else all
+/// that it has of them but states and poses is of others.
 ///
 /// # Errors
 /// A state that is not sound; nothing but what stages work with has changed then.
@@ -187,13 +187,12 @@ pub(crate) fn place_active(
     memory: &Memory,
     work: &mut Workspace,
     states: &[BodyState],
-) -> Result<(), StepError> {
+) -> Result<bool, StepError> {
     let known = work.advanced.take() == Some(model.fingerprint);
     if !known || memory.last_states.len() != model.ranked.len() {
         admit_states(model, states)?;
         place(model, memory, work, states);
-        bodies::take_all(model, work);
-        return Ok(());
+        return Ok(false);
     }
     let count = model.ranked.len();
     let Workspace { states: own, poses, headings_rad, teleported, active, moves, inverses, .. } =
@@ -211,7 +210,7 @@ pub(crate) fn place_active(
             continue;
         }
         if !is_sound(state) {
-            return admit_states(model, states);
+            return admit_states(model, states).map(|()| false);
         }
         active.push(rank as u32);
         let body = &ranked[rank];
@@ -228,7 +227,7 @@ pub(crate) fn place_active(
         }
     }
     tell_of_jumps(model, work, jumps);
-    Ok(())
+    Ok(true)
 }
 
 /// Does a body stand as it stood, and did not jump there, when both the workspace and the memory saw it last?

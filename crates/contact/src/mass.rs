@@ -62,7 +62,7 @@ impl InverseMatrix {
 
     /// The same in all axes, as without added mass. By the bits, as [`InverseMatrix::isotropic`] sets them.
     #[inline]
-    fn is_isotropic(&self) -> bool {
+    pub(crate) fn is_isotropic(&self) -> bool {
         let coupled = self.xy.to_bits() | self.xr.to_bits() | self.yr.to_bits();
         coupled == 0 && self.xx.to_bits() == self.yy.to_bits()
     }

@@ -11,7 +11,6 @@ use crate::geometry::convex::ConvexPolygon;
 use crate::mass::InverseMatrix;
 use crate::outline::Outline;
 use crate::pairing::{Bounds, RankedPair};
-use crate::vec2::Rotation;
 
 /// Index of a body, in the order in which bodies were added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -405,8 +404,7 @@ impl RankedBody {
             inverse_mass: 1.0 / mass_kg,
             inverse_inertia: 1.0 / yaw_inertia_kgm2,
             inverse,
-            // A quarter turn tells.
-            is_alike: inverse.turned(Rotation { cos: 0.0, sin: 1.0 }) == inverse,
+            is_alike: inverse.is_isotropic(),
             lightest_inverse_mass: inverse.lightest(),
             half_width_m: 0.25 * body.outline.area_m2() / body.outline.radius_m(),
             turns: Turning::of(&body.mobility),

@@ -61,6 +61,7 @@ impl Bounds {
 }
 
 /// A chord is at most as long as the smaller body [m].
-fn longest_chord_m(a: &RankedBody, b: &RankedBody) -> f64 {
+#[inline]
+pub(crate) fn longest_chord_m(a: &RankedBody, b: &RankedBody) -> f64 {
     2.0 * lesser(a.radius_m, b.radius_m)
 }

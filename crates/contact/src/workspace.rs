@@ -54,7 +54,7 @@ pub struct Workspace {
     pub(crate) own_patches: Range<usize>,
     /// Pairs that were near each other a while ago.
     pub(crate) near: NearList,
-    /// Their overlaps.
+    /// The overlaps of the candidates.
     pub(crate) found: Overlap,
     /// What each patch takes over from the last step.
     pub(crate) inherited: Vec<Inherited>,

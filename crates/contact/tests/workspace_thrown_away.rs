@@ -206,10 +206,9 @@ fn use_otherwise(
     }
 }
 
-/// Bodies that stand as they stood are left as they are in the workspace; it told of one where it had stood
-/// before, when another use had come between.
+/// Bodies that stand as they stood are left as they are in the workspace, unless another use has come between.
 #[test]
-fn a_workspace_used_otherwise_in_between_tells_where_a_quay_stood_before() {
+fn a_workspace_used_otherwise_in_between_changes_no_bit() {
     let (model, mut states, loads) = crowd();
     let (mut memory, mut own) = (Memory::new(&model), Workspace::new(&model));
     let (mut same_memory, mut other_memory) = (Memory::new(&model), Memory::new(&model));

@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn where_a_bound_would_be_passed_nothing_changes() {
+    fn where_a_bound_would_be_passed_no_body_changes() {
         let (states, inverses, mut ties) = ship_on_fenders(1e-3);
         let mut tried = states.clone();
         assert!(!solve(&mut tried, &inverses, &mut ties, H), "friction cannot hold");

@@ -62,7 +62,9 @@ pub fn advance(
 ) -> Result<(), StepError> {
     admit::admit_call(model, memory, states, step_s)?;
     admit::admit_loads(model, states, loads)?;
-    admit::place_active(model, memory, work, states)?;
+    if !admit::place_active(model, memory, work, states)? {
+        bodies::take_all(model, work);
+    }
     work.contacts.clear();
     bodies::take_loads(model, work, loads, step_s);
     broad::pair(model, work);

@@ -10,7 +10,7 @@ use crate::memory::HintMemory;
 use crate::model::{Model, RankedBody};
 use crate::number::lesser;
 use crate::overlap::{Patch, pieces_of};
-use crate::pairing::Bounds;
+use crate::pairing::{Bounds, longest_chord_m};
 use crate::workspace::{Candidate, Pairing, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
@@ -235,7 +235,7 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
 /// one's centre of gravity.
 #[inline(always)]
 fn inverse_mass([a, b]: [&RankedBody; 2], patch: &Patch) -> f64 {
-    let half_chord_m = lesser(a.radius_m, b.radius_m);
+    let half_chord_m = 0.5 * longest_chord_m(a, b);
     let of_body = |body: &RankedBody, patch_m: f64, smaller_m: f64| {
         let lever_m = lesser(patch_m.abs(), smaller_m.abs()) + half_chord_m;
         let by_turning = body.inverse.of_turning() * lever_m * lever_m;

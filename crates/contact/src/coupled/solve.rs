@@ -35,7 +35,8 @@ const SETTLED_MPS: f64 = 1e-13;
 pub(crate) const TOLD_MPS: f64 = 1e-6;
 
 /// New velocities of an island's bodies in `states`, from those that they have without contact, and the forces in
-/// its `ties`, whose `memories` have those that sweeps begin with. Returns the last sweep's largest change of velocity [m/s].
+/// its `ties`, whose `memories` have those that sweeps begin with. Returns the last sweep's largest change of
+/// velocity [m/s].
 #[inline]
 pub(crate) fn velocities(
     states: &mut [BodyState],
