@@ -40,6 +40,7 @@ extern crate alloc;
 extern crate std;
 
 mod admit;
+mod angle;
 mod broad;
 mod coupled;
 mod error;

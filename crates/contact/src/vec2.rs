@@ -5,6 +5,8 @@
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
+use crate::angle::sin_cos;
+
 /// A vector in the horizontal plane; the unit is the one its name states.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec2 {
@@ -151,7 +153,7 @@ impl Rotation {
     /// No rotation.
     pub const IDENTITY: Rotation = Rotation { cos: 1.0, sin: 0.0 };
 
-    /// The rotation by `angle_rad`, from x to y. `libm`, so that every platform gives the same
+    /// The rotation by `angle_rad`, from x to y. Every platform gives the same
     /// bits.
     #[must_use]
     #[inline]
@@ -159,7 +161,7 @@ impl Rotation {
         if angle_rad == 0.0 {
             return Rotation::IDENTITY;
         }
-        let (sin, cos) = libm::sincos(angle_rad);
+        let (sin, cos) = sin_cos(angle_rad);
         Rotation { cos, sin }
     }
 

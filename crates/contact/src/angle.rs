@@ -1,0 +1,129 @@
+//! Sine and cosine of a heading.
+//!
+//! Every body that moves asks for them in every step, and `libm` took a twelfth of the step's time for them: it
+//! keeps the relative accuracy of a sine near zero, which a rotation has no use for, and is called where this is
+//! inlined. The same bits on every machine, as nothing is used but sums, products and a table that the compiler
+//! works out of these.
+
+use core::f64::consts::{FRAC_1_SQRT_2, PI};
+
+/// Beyond this `libm` is asked: so far the steps of the table that are taken off are exact [rad].
+const FARTHEST_RAD: f64 = 2e4;
+
+/// Steps of the table in a turn.
+const STEPS: usize = 256;
+
+/// A step, in two: 33 bits, so that its product with a whole number of up to 20 bits is exact, and the rest [rad].
+const STEP_RAD: f64 = 0.024_543_692_605_220_713;
+const STEP_REST_RAD: f64 = 9.495_469_541_415_925e-13;
+
+/// Added to a number and taken off again it leaves the whole number nearest to it, whose lowest bits are those of
+/// the sum: 1.5 · 2⁵².
+const TO_WHOLE: f64 = 6_755_399_441_055_744.0;
+
+/// Sine and cosine of each step, the same but for their signs wherever they mirror each other.
+static TABLE: [(f64, f64); STEPS] = {
+    const QUARTER: usize = STEPS / 4;
+    const EIGHTH: usize = STEPS / 8;
+    let mut table = [(0.0, 1.0); STEPS];
+    let mut k = 0;
+    while k < STEPS {
+        let (sine, cosine) = match k % QUARTER {
+            EIGHTH => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
+            steps if steps < EIGHTH => by_series(steps as f64 * (PI / (STEPS / 2) as f64)),
+            steps => {
+                let (cosine, sine) =
+                    by_series((QUARTER - steps) as f64 * (PI / (STEPS / 2) as f64));
+                (sine, cosine)
+            }
+        };
+        table[k] = match k / QUARTER {
+            0 => (sine, cosine),
+            1 => (cosine, -sine),
+            2 => (-sine, -cosine),
+            _ => (-cosine, sine),
+        };
+        k += 1;
+    }
+    table
+};
+
+/// Sine and cosine of up to an eighth of a turn, by Taylor's series.
+const fn by_series(angle_rad: f64) -> (f64, f64) {
+    let square = angle_rad * angle_rad;
+    // 1 − x²/(n(n − 1)) (1 − x²/((n − 2)(n − 3)) …): the least terms first.
+    let (mut sine, mut cosine) = (1.0, 1.0);
+    let mut n = 20.0;
+    while n > 0.0 {
+        sine = 1.0 - square / (n * (n + 1.0)) * sine;
+        cosine = 1.0 - square / (n * (n - 1.0)) * cosine;
+        n -= 2.0;
+    }
+    (angle_rad * sine, cosine)
+}
+
+/// Sine and cosine, each within 2.3e-16: of the nearest step of the table, turned by what is left.
+#[inline(always)]
+pub(crate) fn sin_cos(angle_rad: f64) -> (f64, f64) {
+    if angle_rad.abs() > FARTHEST_RAD {
+        return libm::sincos(angle_rad);
+    }
+    let shifted = angle_rad * ((STEPS / 2) as f64 / PI) + TO_WHOLE;
+    let steps = shifted - TO_WHOLE;
+    let (sine, cosine) = TABLE[shifted.to_bits() as usize % STEPS];
+    let left_rad = (angle_rad - steps * STEP_RAD) - steps * STEP_REST_RAD;
+    // At most half a step: what comes after these terms is below 1e-17.
+    let square = left_rad * left_rad;
+    let along = square * (-1.0 / 2.0 + square * (1.0 / 24.0 - square * (1.0 / 720.0)));
+    let across = left_rad + left_rad * (square * (-1.0 / 6.0 + square * (1.0 / 120.0)));
+    (sine + (sine * along + cosine * across), cosine + (cosine * along - sine * across))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn assert_near_libm(angle_rad: f64) {
+        let ((sine, cosine), (sin, cos)) = (sin_cos(angle_rad), libm::sincos(angle_rad));
+        assert!((sine - sin).abs() <= 2.3e-16, "{angle_rad}: {sine} for {sin}");
+        assert!((cosine - cos).abs() <= 2.3e-16, "{angle_rad}: {cosine} for {cos}");
+        assert!((sine * sine + cosine * cosine - 1.0).abs() <= 5e-16, "{angle_rad}");
+    }
+
+    /// To a unit in the last place of either.
+    #[test]
+    fn sine_and_cosine_are_those_of_libm() {
+        for k in 0..200_000 {
+            assert_near_libm(f64::from(k) * 1.000_37e-4 - 10.0);
+        }
+        for k in 0..100_000 {
+            assert_near_libm(f64::from(k) * 0.400_123 - 2e4);
+        }
+    }
+
+    #[test]
+    fn half_steps_of_the_table_and_what_is_next_to_them_are_those_of_libm() {
+        for k in -4_000..4_000 {
+            let angle_rad = f64::from(k) * 0.5 * (STEP_RAD + STEP_REST_RAD);
+            for angle_rad in [angle_rad, angle_rad.next_up(), angle_rad.next_down()] {
+                assert_near_libm(angle_rad);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_turned_to_the_other_side_is_its_mirror() {
+        for k in 1..10_000 {
+            let angle_rad = f64::from(k) * 1.234e-3;
+            let ((sine, cosine), (other, same)) = (sin_cos(angle_rad), sin_cos(-angle_rad));
+            assert_eq!((sine.to_bits(), cosine.to_bits()), ((-other).to_bits(), same.to_bits()));
+        }
+    }
+
+    #[test]
+    fn far_headings_are_those_of_libm() {
+        for angle_rad in [FARTHEST_RAD, FARTHEST_RAD.next_up(), -3e9, 1e15] {
+            assert_near_libm(angle_rad);
+        }
+    }
+}
