@@ -163,9 +163,8 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
     let mut jumps = false;
     // In one pass: the bodies of a large model are far from the processor.
     let of_rank = own.iter_mut().zip(poses).zip(headings_rad).zip(teleported).zip(reach_m);
-    for ((rank, body), ((((own, pose), heading_rad), teleported), reach_m)) in
-        model.ranked.iter().enumerate().zip(of_rank)
-    {
+    for (rank, ((((own, pose), heading_rad), teleported), reach_m)) in of_rank.enumerate() {
+        let body = &model.ranked[rank];
         let state = states[model.id_of[rank].0 as usize];
         (*own, *reach_m) = (state, body.reach_m);
         put(pose, heading_rad, &state);
@@ -194,14 +193,15 @@ pub(crate) fn place_active(
         place(model, memory, work, states);
         return Ok(false);
     }
-    let count = model.ranked.len();
+    let ranked = model.ranked.bodies();
+    let count = ranked.len();
     let Workspace { states: own, poses, headings_rad, teleported, active, moves, inverses, .. } =
         &mut *work;
     // Of one length, so that it is asked for once.
     let (own, last_states) = (&mut own[..count], &memory.last_states[..count]);
     let (poses, headings_rad) = (&mut poses[..count], &mut headings_rad[..count]);
     let (teleported, moves) = (&mut teleported[..count], &moves[..count]);
-    let (ranked, id_of) = (&model.ranked[..count], &model.id_of[..count]);
+    let id_of = &model.id_of[..count];
     active.clear();
     let mut jumps = false;
     for rank in 0..count {
@@ -213,13 +213,15 @@ pub(crate) fn place_active(
             return admit_states(model, states).map(|()| false);
         }
         active.push(rank as u32);
-        let body = &ranked[rank];
+        let body = ranked.of(rank);
         own[rank] = *state;
         poses[rank].position_m = state.position_m;
         if state.heading_rad.to_bits() != headings_rad[rank].to_bits() {
             headings_rad[rank] = state.heading_rad;
             poses[rank].rotation = Rotation::from_angle(state.heading_rad);
-            inverses[rank] = body.inverse.turned(poses[rank].rotation);
+            if !body.is_alike {
+                inverses[rank] = model.ranked.rest(rank).inverse.turned(poses[rank].rotation);
+            }
         }
         teleported[rank] = false;
         if jumped(memory, rank, state, body.radius_m) {

@@ -67,7 +67,7 @@ fn push_faces(
 ) {
     let &RankedPair { a, b, island, .. } = pair;
     for (host, other) in [(a, b), (b, a)] {
-        let (from, to) = model.ranked[host as usize].faces;
+        let (from, to) = model.ranked.faces(host as usize);
         for index in from..to {
             let face = &model.faces[index as usize];
             if face_near(model, work, face, other) {

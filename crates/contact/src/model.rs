@@ -4,13 +4,12 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use alloc::{format, vec};
 
-use crate::coupled::turning::Turning;
 use crate::error::ModelError;
 use crate::fender::{self, Fender, FenderId, FenderLaw, RankedFender};
-use crate::geometry::convex::ConvexPolygon;
 use crate::mass::InverseMatrix;
 use crate::outline::Outline;
 use crate::pairing::{Bounds, RankedPair};
+use crate::ranked::Ranked;
 
 /// Index of a body, in the order in which bodies were added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -148,7 +147,7 @@ pub struct Model {
     /// Number of each fender's face.
     face_of_fender: Vec<u32>,
     /// Bodies in the order of their keys.
-    pub(crate) ranked: Vec<RankedBody>,
+    pub(crate) ranked: Ranked,
     /// Rank of each body, and body of each rank.
     pub(crate) rank_of: Vec<u32>,
     pub(crate) id_of: Vec<BodyId>,
@@ -159,33 +158,6 @@ pub struct Model {
     pub(crate) every_other_pair: Option<MaterialId>,
     /// Distinguishes models, for memory and snapshots.
     pub(crate) fingerprint: u64,
-}
-
-/// What the inner stages need of a body.
-#[derive(Clone, Debug)]
-pub(crate) struct RankedBody {
-    pub(crate) pieces: Vec<ConvexPolygon>,
-    /// Largest distance of a vertex from the centre of gravity [m].
-    pub(crate) radius_m: f64,
-    /// The same with the body's fenders [m].
-    pub(crate) reach_m: f64,
-    /// Its fenders, from and to, in `Model::faces`.
-    pub(crate) faces: (u32, u32),
-    pub(crate) area_m2: f64,
-    /// 1/m [1/kg].
-    pub(crate) inverse_mass: f64,
-    /// 1/I [1/(kg·m²)].
-    pub(crate) inverse_inertia: f64,
-    /// M⁻¹ in the body's axes.
-    pub(crate) inverse: InverseMatrix,
-    /// Whether that is so in all axes.
-    pub(crate) is_alike: bool,
-    /// The largest inverse mass in any direction, without rotation [1/kg].
-    pub(crate) lightest_inverse_mass: f64,
-    /// About half of its width: a convex body's area is about its length times its width [m].
-    pub(crate) half_width_m: f64,
-    /// Masses in surge, sway and yaw of a body whose momentum the engine turns with it.
-    pub(crate) turns: Option<Turning>,
 }
 
 /// Collects the parts of a [`Model`].
@@ -270,8 +242,9 @@ impl ModelBuilder {
         for (index, material) in materials.iter().enumerate() {
             check_material(index, material)?;
         }
-        let Ranks { mut ranked, rank_of, id_of } = rank(&bodies)?;
-        let faces = rank_fenders(&fenders, &materials, &mut ranked, &rank_of)?;
+        let (rank_of, id_of) = rank(&bodies)?;
+        let faces = rank_fenders(&fenders, &materials, &rank_of)?;
+        let ranked = Ranked::new(id_of.iter().map(|id| &bodies[id.0 as usize]), &faces);
         let pairs = rank_pairs(&bodies, &materials, &pairs, (&ranked, &rank_of))?;
         if let Some(MaterialId(index)) = every_other_pair
             && index as usize >= materials.len()
@@ -352,14 +325,8 @@ fn check_material(index: usize, m: &Material) -> Result<(), ModelError> {
     check("restitution", m.restitution, 0.0, 1.0, "between 0 and 1")
 }
 
-/// The bodies in the order of their keys, and the ways from one order to the other.
-struct Ranks {
-    ranked: Vec<RankedBody>,
-    rank_of: Vec<u32>,
-    id_of: Vec<BodyId>,
-}
-
-fn rank(bodies: &[Body]) -> Result<Ranks, ModelError> {
+/// The rank of each body by its key, and the body of each rank.
+fn rank(bodies: &[Body]) -> Result<(Vec<u32>, Vec<BodyId>), ModelError> {
     let mut order: Vec<u32> = (0..bodies.len() as u32).collect();
     order.sort_by_key(|&i| bodies[i as usize].key);
     for two in order.windows(2) {
@@ -369,59 +336,16 @@ fn rank(bodies: &[Body]) -> Result<Ranks, ModelError> {
         }
     }
     let mut rank_of = vec![0; bodies.len()];
-    let mut ranked = Vec::with_capacity(bodies.len());
     for (rank, &id) in order.iter().enumerate() {
         rank_of[id as usize] = rank as u32;
-        ranked.push(RankedBody::new(&bodies[id as usize]));
     }
-    Ok(Ranks { ranked, rank_of, id_of: order.into_iter().map(BodyId).collect() })
+    Ok((rank_of, order.into_iter().map(BodyId).collect()))
 }
 
-impl RankedBody {
-    fn new(body: &Body) -> RankedBody {
-        let (mass_kg, yaw_inertia_kgm2, inverse) = match body.mobility {
-            Mobility::Fixed => (f64::INFINITY, f64::INFINITY, Some(InverseMatrix::default())),
-            Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
-                let inverse = InverseMatrix::isotropic(mass_kg, yaw_inertia_kgm2);
-                (mass_kg, yaw_inertia_kgm2, Some(inverse))
-            }
-            Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
-                let matrix = body.mobility.matrix().expect("it floats");
-                (surge_kg.min(sway_kg), yaw_inertia_kgm2, InverseMatrix::of(&matrix))
-            }
-            Mobility::Massive { matrix } => {
-                let lightest = matrix[0][0].min(matrix[1][1]);
-                (lightest, matrix[2][2], InverseMatrix::of(&matrix))
-            }
-        };
-        let inverse = inverse.expect("checked with the body");
-        RankedBody {
-            pieces: body.outline.pieces().iter().map(|p| ConvexPolygon::new(p)).collect(),
-            radius_m: body.outline.radius_m(),
-            reach_m: body.outline.radius_m(),
-            faces: (0, 0),
-            area_m2: body.outline.area_m2(),
-            inverse_mass: 1.0 / mass_kg,
-            inverse_inertia: 1.0 / yaw_inertia_kgm2,
-            inverse,
-            is_alike: inverse.is_isotropic(),
-            lightest_inverse_mass: inverse.lightest(),
-            half_width_m: 0.25 * body.outline.area_m2() / body.outline.radius_m(),
-            turns: Turning::of(&body.mobility),
-        }
-    }
-
-    #[inline]
-    pub(crate) fn is_fixed(&self) -> bool {
-        self.inverse_mass == 0.0
-    }
-}
-
-/// Checks the fenders, puts them in their order and tells the bodies of theirs.
+/// Checks the fenders and puts them in their order.
 fn rank_fenders(
     fenders: &[Fender],
     materials: &[Material],
-    ranked: &mut [RankedBody],
     rank_of: &[u32],
 ) -> Result<Vec<RankedFender>, ModelError> {
     let mut faces = Vec::with_capacity(fenders.len());
@@ -442,13 +366,6 @@ fn rank_fenders(
             return Err(ModelError::DuplicateKey { body: second.name.clone(), key: second.key });
         }
     }
-    for (rank, body) in ranked.iter_mut().enumerate() {
-        let from = faces.partition_point(|face| (face.host as usize) < rank);
-        let to = faces.partition_point(|face| face.host as usize <= rank);
-        body.faces = (from as u32, to as u32);
-        let farthest = faces[from..to].iter().map(RankedFender::reach_m).fold(0.0, f64::max);
-        body.reach_m = body.reach_m.max(farthest);
-    }
     Ok(faces)
 }
 
@@ -465,7 +382,7 @@ fn rank_pairs(
     bodies: &[Body],
     materials: &[Material],
     pairs: &[Pair],
-    (by_rank, rank_of): (&[RankedBody], &[u32]),
+    (by_rank, rank_of): (&Ranked, &[u32]),
 ) -> Result<Vec<RankedPair>, ModelError> {
     let mut ranked = Vec::with_capacity(pairs.len());
     for pair in pairs {
@@ -508,7 +425,8 @@ fn bad_pair(first: &Body, second: &Body, why: &'static str) -> ModelError {
 fn fingerprint(model: &Model) -> u64 {
     let mut hash = Fnv::default();
     hash.word(model.ranked.len() as u64);
-    for (ranked, id) in model.ranked.iter().zip(&model.id_of) {
+    for (rank, id) in model.id_of.iter().enumerate() {
+        let ranked = &model.ranked[rank];
         let body = &model.bodies[id.0 as usize];
         hash.word(body.key);
         hash.word(ranked.inverse_mass.to_bits());

@@ -115,16 +115,21 @@ pub(crate) fn overlap(
     let Workspace { candidates, poses, found, clip: buffers, own_candidates, .. } = work;
     found.clear();
     // As many as there are bodies: their ranks are checked once.
-    let poses = &poses[..model.ranked.len()];
+    let convex = model.ranked.convex();
+    let poses = &poses[..convex.len()];
     let own = own_candidates.clone();
     for (of, Pairing { candidate, .. }) in (own.start as u32..).zip(&candidates[own]) {
-        let b_in_a = poses[candidate.a as usize].to(poses[candidate.b as usize]);
-        let (pieces_a, pieces_b) = pieces_of(model, candidate);
+        let (a, b) = (candidate.a as usize, candidate.b as usize);
+        let b_in_a = poses[a].to(poses[b]);
         let hints = (&mut hints, &mut *next_hints);
-        if let ([a], [b]) = (pieces_a, pieces_b) {
+        let [mut a, mut b] = [a, b].map(|rank| convex.of(rank));
+        if let Some(face) = candidate.fender(model) {
+            *(if face.host == candidate.a { &mut a } else { &mut b }) = Some(&face.zone);
+        }
+        if let (Some(a), Some(b)) = (a, b) {
             clip_convex([a, b], (candidate, of), b_in_a, hints, buffers, found);
         } else {
-            clip_several([pieces_a, pieces_b], (candidate, of), b_in_a, hints, buffers, found);
+            clip_several(model, (candidate, of), b_in_a, hints, buffers, found);
         }
     }
     work.own_patches = 0..work.found.patches.len();
@@ -178,7 +183,7 @@ fn clip_convex(
 /// Clips bodies of several convex pieces, which may have several patches.
 #[inline(never)]
 fn clip_several(
-    pieces: [&[ConvexPolygon]; 2],
+    model: &Model,
     (candidate, of): (&Candidate, u32),
     b_in_a: Pose,
     hints: Hints<'_, '_>,
@@ -186,7 +191,7 @@ fn clip_several(
     found: &mut Overlap,
 ) {
     let (first, first_patch) = (found.lenses.len(), found.patches.len());
-    clip_pieces(pieces, candidate, b_in_a, hints, buffers, found);
+    clip_pieces(pieces_of(model, candidate), candidate, b_in_a, hints, buffers, found);
     match found.lenses.len() - first {
         0 => {}
         1 => new_patch(*candidate, b_in_a, 0, first, first + 1, found),
@@ -196,12 +201,11 @@ fn clip_several(
 }
 
 /// The convex pieces of both sides of a candidate: of an outline, or the one of a fender.
-#[inline]
 pub(crate) fn pieces_of<'m>(
     model: &'m Model,
     candidate: &Candidate,
 ) -> (&'m [ConvexPolygon], &'m [ConvexPolygon]) {
-    let of_body = |rank: u32| model.ranked[rank as usize].pieces.as_slice();
+    let of_body = |rank: u32| model.ranked.pieces(rank as usize);
     let of_side = |rank: u32| match candidate.fender(model) {
         Some(face) if face.host == rank => slice::from_ref(&face.zone),
         _ => of_body(rank),
@@ -211,7 +215,7 @@ pub(crate) fn pieces_of<'m>(
 
 /// Clips every piece of A against every piece of B that is near it.
 fn clip_pieces(
-    [pieces_a, pieces_b]: [&[ConvexPolygon]; 2],
+    (pieces_a, pieces_b): (&[ConvexPolygon], &[ConvexPolygon]),
     candidate: &Candidate,
     b_in_a: Pose,
     (hints, next_hints): Hints<'_, '_>,
@@ -484,9 +488,9 @@ fn normal_without_chord(
             return mean * (1.0 / length);
         }
     }
-    let body_a = &model.ranked[patch.candidate.a as usize];
-    let body_b = &model.ranked[patch.candidate.b as usize];
-    if (body_a.pieces.len() > 1 || body_b.pieces.len() > 1)
+    let [pieces_a, pieces_b] =
+        [patch.candidate.a, patch.candidate.b].map(|rank| model.ranked.pieces(rank as usize));
+    if (pieces_a.len() > 1 || pieces_b.len() > 1)
         && let Some(normal) = nearest_side(model, found, patch)
     {
         return normal;
@@ -501,7 +505,7 @@ fn normal_without_chord(
             (largest.piece_a as usize, largest.piece_b as usize)
         }
     };
-    let (a, b) = (&body_a.pieces[piece_a], &body_b.pieces[piece_b]);
+    let (a, b) = (&pieces_a[piece_a], &pieces_b[piece_b]);
     clip::least_penetration(a, b, patch.b_in_a, buffers)
 }
 

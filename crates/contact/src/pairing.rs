@@ -1,7 +1,8 @@
 //! Two bodies that may touch, and what is so of them in every step.
 
-use crate::model::{MaterialId, Model, RankedBody};
+use crate::model::{MaterialId, Model};
 use crate::number::lesser;
+use crate::ranked::RankedBody;
 
 /// Stands for the island of two bodies that both float: which it is depends on who else is near.
 pub(crate) const JOINED: u32 = u32::MAX;
@@ -45,7 +46,9 @@ impl RankedPair {
 
 impl Bounds {
     pub(crate) fn of(model: &Model, pair: &RankedPair) -> Bounds {
-        let [a, b] = [pair.a, pair.b].map(|rank| &model.ranked[rank as usize]);
+        let ranks = [pair.a as usize, pair.b as usize];
+        let [a, b] = ranks.map(|rank| &model.ranked[rank]);
+        let half_widths_m = ranks.map(|rank| model.ranked.rest(rank).half_width_m);
         let material = &model.materials()[pair.material.0 as usize];
         // Twice that without rotation allows for a contact off the centre.
         let inverse_mass = 2.0 * (a.lightest_inverse_mass + b.lightest_inverse_mass);
@@ -55,7 +58,7 @@ impl Bounds {
             spring_rate_squared: material.stiffness_npm2 * per_force,
             damping_rate_squared: damping_rate * damping_rate,
             inverse_mass,
-            half_width_m: lesser(a.half_width_m, b.half_width_m),
+            half_width_m: lesser(half_widths_m[0], half_widths_m[1]),
         }
     }
 }

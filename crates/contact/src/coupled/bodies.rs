@@ -1,7 +1,8 @@
 //! The bodies of a step: what they begin with, and how they move.
 
 use crate::mass::InverseMatrix;
-use crate::model::{Model, RankedBody};
+use crate::model::Model;
+use crate::ranked::Rest;
 use crate::report::{Motion, Wrench};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::Rotation;
@@ -11,8 +12,9 @@ use crate::workspace::Workspace;
 #[cold]
 pub(crate) fn take_all(model: &Model, work: &mut Workspace) {
     make_room(work, model.ranked.len());
-    for (rank, body) in model.ranked.iter().enumerate() {
-        work.inverses[rank] = body.inverse.turned(work.poses[rank].rotation);
+    for rank in 0..model.ranked.len() {
+        let inverse = &model.ranked.rest(rank).inverse;
+        work.inverses[rank] = inverse.turned(work.poses[rank].rotation);
         work.accelerations[rank] = Velocity::default();
     }
 }
@@ -21,7 +23,8 @@ pub(crate) fn take_all(model: &Model, work: &mut Workspace) {
 /// yet. Of bodies that stand as they stood nothing changes.
 #[inline(never)]
 pub(crate) fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
-    let count = model.ranked.len();
+    let ranked = model.ranked.bodies();
+    let count = ranked.len();
     work.moving_walls.clear();
     work.wrenches.clear();
     work.wrenches.resize(count, Wrench::default());
@@ -32,11 +35,10 @@ pub(crate) fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], 
     let (own, inverses) = (&mut own[..count], &inverses[..count]);
     let (motions, accelerations) = (&mut motions_by_rank[..count], &mut accelerations[..count]);
     let (fastest_mps, room_mps) = (&mut fastest_mps[..count], &mut room_mps[..count]);
-    let (reach_m, ranked, id_of) =
-        (&mut reach_m[..count], &model.ranked[..count], &model.id_of[..count]);
+    let (reach_m, id_of) = (&mut reach_m[..count], &model.id_of[..count]);
     for &rank in &*active {
         let rank = rank as usize;
-        let (body, state) = (&ranked[rank], &states[rank]);
+        let (body, state) = (ranked.of(rank), &states[rank]);
         let mut room = state.yaw_rate_radps.abs() * body.reach_m;
         if body.is_fixed() {
             moves[rank] = !state.is_at_rest();
@@ -101,10 +103,11 @@ pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
 pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
     let Workspace { island_bodies, before, states, poses, headings_rad, motions_by_rank, .. } =
         work;
-    let count = states.len();
-    let (before, motions) = (&before[..count], &mut motions_by_rank[..count]);
+    let alike = model.ranked.alike();
+    let count = alike.len();
+    let (states, before, motions) =
+        (&mut states[..count], &before[..count], &mut motions_by_rank[..count]);
     let (poses, headings_rad) = (&mut poses[..count], &mut headings_rad[..count]);
-    let ranked = &model.ranked[..count];
     for &rank in &*island_bodies {
         let rank = rank as usize;
         let (velocity_mps, yaw_rate_radps) = before[rank];
@@ -113,12 +116,13 @@ pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
         motion.turn_rad += (yaw_rate_radps + state.yaw_rate_radps) * (0.5 * h);
         move_body(state, h);
         pose.position_m = state.position_m;
-        if !ranked[rank].is_alike {
+        if !alike[rank] {
+            let rest = model.ranked.rest(rank);
             let (inverses, accelerations) = (&mut work.inverses, &mut work.accelerations);
             let before =
                 core::mem::replace(&mut pose.rotation, Rotation::from_angle(state.heading_rad));
-            turn_masses(&ranked[rank], state, (before, pose.rotation), h);
-            inverses[rank] = ranked[rank].inverse.turned(pose.rotation);
+            turn_masses(rest, state, (before, pose.rotation), h);
+            inverses[rank] = rest.inverse.turned(pose.rotation);
             let load = &work.loads[rank];
             accelerations[rank] = inverses[rank].response(load.force_n, load.moment_nm);
             headings_rad[rank] = state.heading_rad;
@@ -137,12 +141,7 @@ fn move_body(state: &mut BodyState, h: f64) {
 }
 
 /// The momentum of a body whose mass differs between surge and sway turns with it.
-fn turn_masses(
-    body: &RankedBody,
-    state: &mut BodyState,
-    (before, after): (Rotation, Rotation),
-    h: f64,
-) {
+fn turn_masses(body: &Rest, state: &mut BodyState, (before, after): (Rotation, Rotation), h: f64) {
     if let Some(turns) = &body.turns {
         turns.turn(state, before, after, h);
     }
@@ -152,13 +151,14 @@ fn turn_masses(
 #[inline(never)]
 pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
     let Workspace { active, in_island, states, accelerations, motions_by_rank, poses, .. } = work;
-    let count = states.len();
-    let (in_island, accelerations) = (&in_island[..count], &accelerations[..count]);
-    let (motions, poses, ranked) =
-        (&mut motions_by_rank[..count], &poses[..count], &model.ranked[..count]);
+    let ranked = model.ranked.bodies();
+    let count = ranked.len();
+    let (states, in_island, accelerations) =
+        (&mut states[..count], &in_island[..count], &accelerations[..count]);
+    let (motions, poses) = (&mut motions_by_rank[..count], &poses[..count]);
     for &rank in &*active {
         let rank = rank as usize;
-        if in_island[rank] || ranked[rank].is_fixed() {
+        if in_island[rank] || ranked.of(rank).is_fixed() {
             continue;
         }
         let (way, turn) = accelerations[rank];
@@ -169,9 +169,10 @@ pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
         state.velocity_mps += dv;
         state.yaw_rate_radps += dr;
         move_body(state, step_s);
-        if ranked[rank].turns.is_some() {
+        let rest = model.ranked.rest(rank);
+        if rest.turns.is_some() {
             let after = Rotation::from_angle(state.heading_rad);
-            turn_masses(&ranked[rank], state, (poses[rank].rotation, after), step_s);
+            turn_masses(rest, state, (poses[rank].rotation, after), step_s);
         }
     }
 }

@@ -7,10 +7,11 @@ use crate::fender::{FenderLaw, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::memory::HintMemory;
-use crate::model::{Model, RankedBody};
+use crate::model::Model;
 use crate::number::lesser;
 use crate::overlap::{Patch, pieces_of};
 use crate::pairing::{Bounds, longest_chord_m};
+use crate::ranked::{self, RankedBody};
 use crate::workspace::{Candidate, Pairing, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
@@ -61,8 +62,8 @@ pub(crate) fn set_paces(
     hints: &[HintMemory],
     step_s: f64,
 ) {
-    let count = model.ranked.len();
-    let bodies = Bodies { ranked: &model.ranked[..count], fastest_mps: &work.fastest_mps[..count] };
+    let ranked = model.ranked.bodies();
+    let bodies = Bodies { ranked, fastest_mps: &work.fastest_mps[..ranked.len()] };
     let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
     let most_rate_squared = 1.0 / (turn * turn);
     let (all, candidates) = (work.found.patches.as_slice(), work.candidates.as_slice());
@@ -110,7 +111,7 @@ fn is_slow(
     !may_travel(bodies, pair, bounds, step_s)
         && standing_rate_squared(
             bounds,
-            pair.map(|rank| &bodies.ranked[rank]),
+            pair.map(|rank| bodies.ranked.of(rank)),
             only,
             most_rate_squared,
         ) <= most_rate_squared
@@ -142,7 +143,7 @@ fn sub_steps(
         let bounds = work.bounds_of(model, *pair);
         let pair = [candidate.a as usize, candidate.b as usize];
         haste.rate_squared +=
-            standing_rate_squared(bounds, pair.map(|rank| &bodies.ranked[rank]), only, share);
+            standing_rate_squared(bounds, pair.map(|rank| bodies.ranked.of(rank)), only, share);
         if may_travel(bodies, pair, bounds, step_s) {
             haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
         }
@@ -153,7 +154,7 @@ fn sub_steps(
 /// What is known of each body, by rank.
 // Of one length, so that it is asked for once.
 struct Bodies<'m> {
-    ranked: &'m [RankedBody],
+    ranked: ranked::Bodies<'m>,
     fastest_mps: &'m [f64],
 }
 
@@ -238,7 +239,7 @@ fn inverse_mass([a, b]: [&RankedBody; 2], patch: &Patch) -> f64 {
     let half_chord_m = 0.5 * longest_chord_m(a, b);
     let of_body = |body: &RankedBody, patch_m: f64, smaller_m: f64| {
         let lever_m = lesser(patch_m.abs(), smaller_m.abs()) + half_chord_m;
-        let by_turning = body.inverse.of_turning() * lever_m * lever_m;
+        let by_turning = body.inverse_of_turning * lever_m * lever_m;
         body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
     };
     // Levers of the patch and of B's centre of gravity about A's, along the chord.
@@ -281,7 +282,7 @@ fn rates_squared_of_face(
         .map(|rank| {
             let arm_m = face_m - work.poses[rank as usize].position_m;
             let body = &model.ranked[rank as usize];
-            body.lightest_inverse_mass + body.inverse.of_turning() * arm_m.length_squared()
+            body.lightest_inverse_mass + body.inverse_of_turning * arm_m.length_squared()
         })
         .iter()
         .sum();

@@ -27,6 +27,11 @@ impl Turning {
         }
     }
 
+    /// All of it, to tell one from another.
+    pub(crate) fn to_bits(self) -> [u64; 3] {
+        [self.surge_kg, self.sway_kg, self.yaw_kgm2].map(f64::to_bits)
+    }
+
     /// The velocities after `h` seconds of Kirchhoff's equations without forces,
     ///
     /// m_x u̇ = m_y v r, m_y v̇ = −m_x u r, I ṙ = −(m_y − m_x) u v,

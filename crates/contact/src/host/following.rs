@@ -208,9 +208,9 @@ impl FollowingHost {
             let mut state = next.shown;
             for given in since_shown.iter().skip(index).step_by(bodies) {
                 let load = given.told.unwrap_or(next.observed);
-                let body = &model.ranked[model.rank_of[index] as usize];
+                let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
                 let integration = self.settings.integration;
-                state = predictor::next(integration, body, &state, given, &load);
+                state = predictor::next(integration, inverse, &state, given, &load);
             }
             work.present_now.push(state);
             work.loads_now.push(told_loads.map_or(next.observed, |loads| loads[index]));
@@ -221,8 +221,8 @@ impl FollowingHost {
     fn set_out(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
         work.starts.clear();
         for (index, present) in work.present_now.iter().enumerate() {
-            let body = &model.ranked[model.rank_of[index] as usize];
-            let half_kick = steering::half_kick(body, present, &work.loads_now[index], step_s);
+            let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+            let half_kick = steering::half_kick(inverse, present, &work.loads_now[index], step_s);
             let lead = half_kick.plus(work.next[index].ahead.unwrap_or_default());
             work.starts.push(steering::start(self.settings.integration, present, lead, step_s));
         }
@@ -254,8 +254,8 @@ fn steer(model: &Model, work: &mut HostWorkspace, step_s: f64) {
     work.wrenches.clear();
     work.wrenches.extend_from_slice(work.engine.wrenches());
     for (index, next) in work.next.iter_mut().enumerate() {
-        let body = &model.ranked[model.rank_of[index] as usize];
-        if body.is_fixed() || (!work.touching[index] && next.ahead.is_none()) {
+        let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+        if !inverse.floats() || (!work.touching[index] && next.ahead.is_none()) {
             continue;
         }
         let (present, load) = (&work.present_now[index], &work.loads_now[index]);
@@ -263,7 +263,7 @@ fn steer(model: &Model, work: &mut HostWorkspace, step_s: f64) {
         let mean = Velocity::mean(start, end, step_s);
         let mobility = &model.bodies()[index].mobility;
         work.wrenches[index] = steering::wrench(mobility, present, mean, load, step_s);
-        let half_kick = steering::half_kick(body, present, load, step_s);
+        let half_kick = steering::half_kick(inverse, present, load, step_s);
         next.ahead = work.touching[index].then(|| Velocity::of(end).minus(mean).minus(half_kick));
     }
 }

@@ -1,7 +1,8 @@
 //! A body's mass matrix in its attitude, as the host's equations have it.
 
 use crate::host::steering::Velocity;
-use crate::model::{Mobility, RankedBody};
+use crate::mass::InverseMatrix;
+use crate::model::Mobility;
 use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
@@ -24,12 +25,17 @@ pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -
     }
 }
 
-/// M⁻¹ W Δt: what a wrench does in `step_s` to a body turned as `state` is.
-pub(super) fn kick(body: &RankedBody, state: &BodyState, wrench: &Wrench, step_s: f64) -> Velocity {
-    if body.is_fixed() {
+/// M⁻¹ W Δt: what a wrench does in `step_s` to a body of that M⁻¹ in its own axes that is turned as `state` is.
+pub(super) fn kick(
+    inverse: &InverseMatrix,
+    state: &BodyState,
+    wrench: &Wrench,
+    step_s: f64,
+) -> Velocity {
+    if !inverse.floats() {
         return Velocity::default();
     }
-    let inverse = body.inverse.turned(Rotation::from_angle(state.heading_rad));
+    let inverse = inverse.turned(Rotation::from_angle(state.heading_rad));
     let (linear_mps, yaw_radps) =
         inverse.response(wrench.force_n * step_s, wrench.moment_nm * step_s);
     Velocity { linear_mps, yaw_radps }

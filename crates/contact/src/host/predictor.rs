@@ -4,14 +4,14 @@ use crate::host::following::Given;
 use crate::host::inertia;
 use crate::host::settings::HostIntegration;
 use crate::host::steering::Velocity;
-use crate::model::RankedBody;
+use crate::mass::InverseMatrix;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
 /// One step of the host, with the wrench that it was given and its load.
 pub(super) fn next(
     integration: HostIntegration,
-    body: &RankedBody,
+    inverse: &InverseMatrix,
     state: &BodyState,
     given: &Given,
     load: &Wrench,
@@ -21,7 +21,7 @@ pub(super) fn next(
         moment_nm: given.wrench.moment_nm + load.moment_nm,
     };
     let before = Velocity::of(state);
-    let after = before.plus(inertia::kick(body, state, &sum, given.step_s));
+    let after = before.plus(inertia::kick(inverse, state, &sum, given.step_s));
     let mean = match integration {
         HostIntegration::ForwardEuler => before,
         HostIntegration::SemiImplicit => after,

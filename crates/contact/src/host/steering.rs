@@ -17,7 +17,8 @@
 
 use crate::host::inertia;
 use crate::host::settings::HostIntegration;
-use crate::model::{Mobility, RankedBody};
+use crate::mass::InverseMatrix;
+use crate::model::Mobility;
 use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::Vec2;
@@ -73,12 +74,12 @@ impl Velocity {
 
 /// What half a step of the load does.
 pub(super) fn half_kick(
-    body: &RankedBody,
+    inverse: &InverseMatrix,
     present: &BodyState,
     load: &Wrench,
     step_s: f64,
 ) -> Velocity {
-    inertia::kick(body, present, load, 0.5 * step_s)
+    inertia::kick(inverse, present, load, 0.5 * step_s)
 }
 
 /// Where the engine begins, `lead` ahead of the host's velocity.

@@ -1,6 +1,6 @@
 //! How the relative velocity at a contact answers a force there (eq. 13–19, 23).
 
-use crate::model::RankedBody;
+use crate::ranked::RankedBody;
 use crate::vec2::Vec2;
 
 /// K = Σ_j [1/m_j + (‖r_j‖² 1 − r_j r_jᵀ)/I_j] in the axes n, t [1/kg]: ΔV_C = Δt K F.
