@@ -13,8 +13,10 @@ const STRAIGHT: f64 = 1e-12;
 /// A convex polygon in its body's frame, walked in the positive sense.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConvexPolygon {
-    /// The vertices twice round, so that edge `i` runs from `i` to `i + 1` and any part of the ring stands together.
-    twice_round: Vec<Vec2>,
+    /// The vertices with the first repeated at the end, so that edge `i` runs from `i` to `i + 1`.
+    closed: Vec<Vec2>,
+    /// Both ends of each edge: found at once.
+    ends: Vec<[Vec2; 2]>,
     /// Edge `i` runs from corner `i` on.
     edges: Vec<Edge>,
     /// First edge whose direction has an angle in [0, 2π): where a walk by angle starts.
@@ -35,9 +37,9 @@ impl ConvexPolygon {
         let corners = without_straight_vertices(vertices_m);
         let count = corners.len();
         assert!(count >= 3, "a convex piece has at least three corners");
-        let twice_round = corners.repeat(2);
-        let closed = &twice_round[..=count];
-        let (low, high) = bounds(closed);
+        let closed: Vec<Vec2> = corners.iter().chain(&corners[..1]).copied().collect();
+        let ends = closed.windows(2).map(|two| [two[0], two[1]]).collect();
+        let (low, high) = bounds(&closed);
         let center_m = (low + high) * 0.5;
         let radius_m =
             closed.iter().fold(0.0, |r, &v| f64::max(r, (v - center_m).length())) * (1.0 + 1e-12);
@@ -49,43 +51,49 @@ impl ConvexPolygon {
             })
             .unwrap_or(0) as u32;
         let (area_m2, edges) = (signed_area(&corners), Edge::of_all(&corners));
-        ConvexPolygon { twice_round, edges, first_by_angle, center_m, radius_m, area_m2 }
+        ConvexPolygon { closed, ends, edges, first_by_angle, center_m, radius_m, area_m2 }
     }
 
     /// Number of corners.
     #[must_use]
     #[inline]
     pub fn count(&self) -> usize {
-        self.twice_round.len() / 2
+        self.ends.len()
     }
 
     /// The corners in the positive sense [m].
     #[must_use]
     pub fn vertices(&self) -> &[Vec2] {
-        &self.twice_round[..self.count()]
+        &self.closed[..self.count()]
     }
 
     /// The corners with the first repeated at the end [m].
     #[inline]
     pub(crate) fn closed(&self) -> &[Vec2] {
-        &self.twice_round[..=self.count()]
+        &self.closed
     }
 
-    /// A corner, by its number or that and the count [m].
+    /// A corner, by its number; by the count the first again [m].
     #[inline]
     pub(crate) fn corner(&self, index: usize) -> Vec2 {
-        self.twice_round[index]
+        self.closed[index]
     }
 
-    /// The corners from the start of an edge round to the end of another [m].
+    /// Start and end of an edge; `None` where there is none of that number [m].
     #[inline(always)]
-    pub(crate) fn chain(&self, first: u32, last: u32) -> Option<&[Vec2]> {
-        let (first, last, count) = (first as usize, last as usize, self.count());
-        if first >= count || last >= count {
-            return None;
-        }
-        let last = if first < last { last } else { last + count };
-        self.twice_round.get(first..last + 2)
+    pub(crate) fn ends(&self, edge: u32) -> Option<&[Vec2; 2]> {
+        self.ends.get(edge as usize)
+    }
+
+    /// The corners between the end of an edge and the start of a later one of the ring [m].
+    #[inline(always)]
+    pub(crate) fn between(&self, first: u32, last: u32) -> impl Iterator<Item = Vec2> {
+        let (last, count) = (last as usize, self.count());
+        let mut edge = after(first as usize, count);
+        core::iter::from_fn(move || {
+            edge = if edge == last { last } else { after(edge, count) };
+            (edge != last).then(|| self.corner(edge))
+        })
     }
 
     /// The edges, each with what lies behind it.

@@ -207,17 +207,17 @@ fn behind(
     first: u32,
     last: u32,
 ) -> Option<Behind> {
-    let chain_m = polygon.chain(first, last)?;
-    let ([outside, inside, ..], [.., before, beyond]) = (chain_m, chain_m) else { return None };
+    let (between, [outside, inside], [before, beyond]) =
+        (polygon.between(first, last), *polygon.ends(first)?, *polygon.ends(last)?);
     let [outside, inside, before, beyond] =
-        [outside, inside, before, beyond].map(|&corner_m| frame.of(corner_m));
+        [outside, inside, before, beyond].map(|corner_m| frame.of(corner_m));
     let (first, last) = (Crosses::between(outside, inside), Crosses::between(beyond, before));
     // About the first crossing: what is small is measured against what is near.
     let origin = vec2(first.x_m, 0.0);
     let frame = frame.counted_from(first.x_m);
     let mut sums = Sums { from: inside - origin, twice_m2: 0.0, moment: Vec2::ZERO };
     let mut deepest_m = greater(inside.y, before.y);
-    for &corner_m in chain_m.get(2..chain_m.len() - 2).unwrap_or_default() {
+    for corner_m in between {
         let corner = frame.of(corner_m);
         deepest_m = greater(deepest_m, corner.y);
         sums.add(corner);
