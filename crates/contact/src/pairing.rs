@@ -26,6 +26,36 @@ pub(crate) struct Bounds {
     pub(crate) inverse_mass: f64,
     /// About half the width of the narrower body [m].
     pub(crate) half_width_m: f64,
+    /// Half of the longest chord [m].
+    pub(crate) half_chord_m: f64,
+    /// 1 where B is the smaller body, 0 where A is.
+    pub(crate) b_is_smaller: f64,
+    pub(crate) yields: [Yielding; 2],
+}
+
+/// Bounds on how a body answers a contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Yielding {
+    /// The largest inverse mass in any direction, without rotation [1/kg].
+    pub(crate) lightest_inverse_mass: f64,
+    /// Inverse of the inertia in yaw [1/(kg·m²)].
+    pub(crate) of_turning: f64,
+}
+
+impl Yielding {
+    fn of(body: &RankedBody) -> Yielding {
+        Yielding {
+            lightest_inverse_mass: body.lightest_inverse_mass,
+            of_turning: body.inverse_of_turning,
+        }
+    }
+
+    /// Does it not yield at all?
+    // By the bits: asked of a number, it would be asked for NaN too.
+    #[inline]
+    pub(crate) fn is_fixed(&self) -> bool {
+        self.lightest_inverse_mass.to_bits() == 0
+    }
 }
 
 impl RankedPair {
@@ -59,12 +89,14 @@ impl Bounds {
             damping_rate_squared: damping_rate * damping_rate,
             inverse_mass,
             half_width_m: lesser(half_widths_m[0], half_widths_m[1]),
+            half_chord_m: 0.5 * longest_chord_m(a, b),
+            b_is_smaller: if a.radius_m <= b.radius_m { 0.0 } else { 1.0 },
+            yields: [a, b].map(Yielding::of),
         }
     }
 }
 
 /// A chord is at most as long as the smaller body [m].
-#[inline]
-pub(crate) fn longest_chord_m(a: &RankedBody, b: &RankedBody) -> f64 {
+fn longest_chord_m(a: &RankedBody, b: &RankedBody) -> f64 {
     2.0 * lesser(a.radius_m, b.radius_m)
 }

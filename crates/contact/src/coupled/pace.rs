@@ -10,8 +10,7 @@ use crate::memory::HintMemory;
 use crate::model::Model;
 use crate::number::lesser;
 use crate::overlap::{Patch, pieces_of};
-use crate::pairing::{Bounds, longest_chord_m};
-use crate::ranked::{self, RankedBody};
+use crate::pairing::{Bounds, Yielding};
 use crate::workspace::{Candidate, Pairing, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
@@ -62,8 +61,8 @@ pub(crate) fn set_paces(
     hints: &[HintMemory],
     step_s: f64,
 ) {
-    let ranked = model.ranked.bodies();
-    let bodies = Bodies { ranked, fastest_mps: &work.fastest_mps[..ranked.len()] };
+    let count = model.ranked.len();
+    let fastest_mps = &work.fastest_mps[..count];
     let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
     let most_rate_squared = 1.0 / (turn * turn);
     let (all, candidates) = (work.found.patches.as_slice(), work.candidates.as_slice());
@@ -77,7 +76,7 @@ pub(crate) fn set_paces(
             && is_slow(
                 model,
                 work,
-                &bodies,
+                fastest_mps,
                 (&candidates[start], only),
                 (most_rate_squared, step_s),
             )
@@ -85,7 +84,8 @@ pub(crate) fn set_paces(
             left = others;
             island.sub_steps = 1;
         } else {
-            island.sub_steps = sub_steps(model, work, &bodies, island, (&mut left, hints), step_s);
+            island.sub_steps =
+                sub_steps(model, work, fastest_mps, island, (&mut left, hints), step_s);
         }
         let to = all.len() - left.len();
         island.patches = from..to;
@@ -98,7 +98,7 @@ pub(crate) fn set_paces(
 fn is_slow(
     model: &Model,
     work: &Workspace,
-    bodies: &Bodies<'_>,
+    fastest_mps: &[f64],
     (pairing, only): (&Pairing, &Patch),
     (most_rate_squared, step_s): (f64, f64),
 ) -> bool {
@@ -108,13 +108,8 @@ fn is_slow(
     }
     let bounds = work.bounds_of(model, *pair);
     let pair = [candidate.a as usize, candidate.b as usize];
-    !may_travel(bodies, pair, bounds, step_s)
-        && standing_rate_squared(
-            bounds,
-            pair.map(|rank| bodies.ranked.of(rank)),
-            only,
-            most_rate_squared,
-        ) <= most_rate_squared
+    !may_travel(fastest_mps, pair, bounds, step_s)
+        && standing_rate_squared(bounds, only, most_rate_squared) <= most_rate_squared
 }
 
 /// How many sub-steps an island needs; takes its patches off those that are left.
@@ -122,7 +117,7 @@ fn is_slow(
 fn sub_steps(
     model: &Model,
     work: &Workspace,
-    bodies: &Bodies<'_>,
+    fastest_mps: &[f64],
     island: &Island,
     (left, hints): (&mut &[Patch], &[HintMemory]),
     step_s: f64,
@@ -142,36 +137,28 @@ fn sub_steps(
         *left = others;
         let bounds = work.bounds_of(model, *pair);
         let pair = [candidate.a as usize, candidate.b as usize];
-        haste.rate_squared +=
-            standing_rate_squared(bounds, pair.map(|rank| bodies.ranked.of(rank)), only, share);
-        if may_travel(bodies, pair, bounds, step_s) {
+        haste.rate_squared += standing_rate_squared(bounds, only, share);
+        if may_travel(fastest_mps, pair, bounds, step_s) {
             haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
         }
     }
     haste.sub_steps(turn)
 }
 
-/// What is known of each body, by rank.
-// Of one length, so that it is asked for once.
-struct Bodies<'m> {
-    ranked: ranked::Bodies<'m>,
-    fastest_mps: &'m [f64],
-}
-
 /// May two outlines close more than the largest travel of a sub-step?
 #[inline(always)]
-fn may_travel(bodies: &Bodies<'_>, pair: [usize; 2], bounds: &Bounds, step_s: f64) -> bool {
-    let [fastest_a, fastest_b] = pair.map(|rank| bodies.fastest_mps[rank]);
+fn may_travel(fastest_mps: &[f64], pair: [usize; 2], bounds: &Bounds, step_s: f64) -> bool {
+    let [fastest_a, fastest_b] = pair.map(|rank| fastest_mps[rank]);
     (fastest_a + fastest_b) * step_s > TRAVEL_PER_SUB_STEP * bounds.half_width_m
 }
 
 /// A bound on the square of the rate of a contact of two outlines that stands in one patch [1/s²].
 #[inline(always)]
-fn standing_rate_squared(bounds: &Bounds, pair: [&RankedBody; 2], only: &Patch, share: f64) -> f64 {
+fn standing_rate_squared(bounds: &Bounds, only: &Patch, share: f64) -> f64 {
     let most = STANDING * bounds.spring_rate_squared + bounds.damping_rate_squared;
     // Where even the largest bound is small there is no more to find out.
     if most > share && only.per_chord_m > 0.0 {
-        let felt = inverse_mass(pair, only) / bounds.inverse_mass;
+        let felt = inverse_mass(bounds, only) / bounds.inverse_mass;
         return (STANDING * bounds.spring_rate_squared + bounds.damping_rate_squared * felt) * felt;
     }
     most
@@ -235,17 +222,17 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
 /// so that it moves by half of that at most; and within the smaller body, so that it comes no further from that
 /// one's centre of gravity.
 #[inline(always)]
-fn inverse_mass([a, b]: [&RankedBody; 2], patch: &Patch) -> f64 {
-    let half_chord_m = 0.5 * longest_chord_m(a, b);
-    let of_body = |body: &RankedBody, patch_m: f64, smaller_m: f64| {
-        let lever_m = lesser(patch_m.abs(), smaller_m.abs()) + half_chord_m;
-        let by_turning = body.inverse_of_turning * lever_m * lever_m;
+fn inverse_mass(bounds: &Bounds, patch: &Patch) -> f64 {
+    let of_body = |body: &Yielding, patch_m: f64, smaller_m: f64| {
+        let lever_m = lesser(patch_m.abs(), smaller_m.abs()) + bounds.half_chord_m;
+        let by_turning = body.of_turning * lever_m * lever_m;
         body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
     };
     // Levers of the patch and of B's centre of gravity about A's, along the chord.
     let along = patch.chord_m * patch.per_chord_m;
     let (patch_m, b_m) = (patch.centroid_m.dot(along), patch.b_in_a.position_m.dot(along));
-    let smaller_m = if a.radius_m <= b.radius_m { 0.0 } else { b_m };
+    let smaller_m = b_m * bounds.b_is_smaller;
+    let [a, b] = &bounds.yields;
     // What is fixed adds nothing.
     if b.is_fixed() {
         return of_body(a, patch_m, smaller_m);
