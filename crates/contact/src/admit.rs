@@ -18,7 +18,9 @@ pub(crate) const LARGEST_LOAD: f64 = 1e15;
 pub(crate) const LONGEST_STEP_S: f64 = 1e6;
 pub(crate) const SHORTEST_STEP_S: f64 = 1e-9;
 
-/// Checks what the host gave, but for the states themselves: [`place_active`] does that.
+/// Checks what the host gave, but for the states themselves: [`bodies::take`] does that.
+///
+/// [`bodies::take`]: crate::coupled::bodies::take
 pub(crate) fn admit_call(
     model: &Model,
     memory: &Memory,
@@ -49,7 +51,7 @@ pub(crate) fn admit(
 }
 
 /// Checks the states of all bodies.
-fn admit_states(model: &Model, states: &[BodyState]) -> Result<(), StepError> {
+pub(crate) fn admit_states(model: &Model, states: &[BodyState]) -> Result<(), StepError> {
     match states.iter().position(|state| !is_sound(state)) {
         None => Ok(()),
         Some(index) => Err(unsound(model, index, &states[index])),
@@ -82,7 +84,7 @@ impl Model {
 
 /// Is every number of a state finite and within its bounds?
 #[inline]
-fn is_sound(state: &BodyState) -> bool {
+pub(crate) fn is_sound(state: &BodyState) -> bool {
     // Not a number is within no bounds. All are compared, without a branch for each.
     (state.position_m.x.abs() <= FURTHEST_M)
         & (state.position_m.y.abs() <= FURTHEST_M)
@@ -156,10 +158,7 @@ fn unsound_load(model: &Model, index: usize, load: &Wrench) -> StepError {
 pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
     let count = model.ranked.len();
     make_room(work, count);
-    let Workspace { states: own, poses, headings_rad, teleported, active, reach_m, .. } =
-        &mut *work;
-    active.clear();
-    active.extend(0..count as u32);
+    let Workspace { states: own, poses, headings_rad, teleported, reach_m, .. } = &mut *work;
     let mut jumps = false;
     // In one pass: the bodies of a large model are far from the processor.
     let of_rank = own.iter_mut().zip(poses).zip(headings_rad).zip(teleported).zip(reach_m);
@@ -168,75 +167,13 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
         let state = states[model.id_of[rank].0 as usize];
         (*own, *reach_m) = (state, body.reach_m);
         put(pose, heading_rad, &state);
-        *teleported = jumped(memory, rank, &state, body.radius_m);
+        *teleported = memory
+            .last_states
+            .get(rank)
+            .is_some_and(|last| jumped((last, memory.last_step_s), &state, body.radius_m));
         jumps |= *teleported;
     }
     tell_of_jumps(model, work, jumps);
-}
-
-/// Admits and places the bodies but those that stand as they stood at the last step, as quays and fenders on them
-/// do: these are left as they are. `work.active` are the others. Whether the workspace knew the bodies: else all
-/// that it has of them but states and poses is of others.
-///
-/// # Errors
-/// A state that is not sound; nothing but what stages work with has changed then.
-#[inline(never)]
-pub(crate) fn place_active(
-    model: &Model,
-    memory: &Memory,
-    work: &mut Workspace,
-    states: &[BodyState],
-) -> Result<bool, StepError> {
-    let known = work.advanced.take() == Some(model.fingerprint);
-    if !known || memory.last_states.len() != model.ranked.len() {
-        admit_states(model, states)?;
-        place(model, memory, work, states);
-        return Ok(false);
-    }
-    let ranked = model.ranked.bodies();
-    let count = ranked.len();
-    let Workspace { states: own, poses, headings_rad, teleported, active, moves, inverses, .. } =
-        &mut *work;
-    // Of one length, so that it is asked for once.
-    let (own, last_states) = (&mut own[..count], &memory.last_states[..count]);
-    let (poses, headings_rad) = (&mut poses[..count], &mut headings_rad[..count]);
-    let (teleported, moves) = (&mut teleported[..count], &moves[..count]);
-    let id_of = &model.id_of[..count];
-    active.clear();
-    let mut jumps = false;
-    for rank in 0..count {
-        let state = &states[id_of[rank].0 as usize];
-        if !moves[rank] && stands(state, [&own[rank], &last_states[rank]], teleported[rank]) {
-            continue;
-        }
-        if !is_sound(state) {
-            return admit_states(model, states).map(|()| false);
-        }
-        active.push(rank as u32);
-        let body = ranked.of(rank);
-        own[rank] = *state;
-        poses[rank].position_m = state.position_m;
-        if state.heading_rad.to_bits() != headings_rad[rank].to_bits() {
-            headings_rad[rank] = state.heading_rad;
-            poses[rank].rotation = Rotation::from_angle(state.heading_rad);
-            if !body.is_alike {
-                inverses[rank] = model.ranked.rest(rank).inverse.turned(poses[rank].rotation);
-            }
-        }
-        teleported[rank] = false;
-        if jumped(memory, rank, state, body.radius_m) {
-            (teleported[rank], jumps) = (true, true);
-        }
-    }
-    tell_of_jumps(model, work, jumps);
-    Ok(true)
-}
-
-/// Does a body stand as it stood, and did not jump there, when both the workspace and the memory saw it last?
-#[inline(always)]
-fn stands(state: &BodyState, [own, last]: [&BodyState; 2], teleported: bool) -> bool {
-    // All is compared, without a branch for each.
-    own.apart(state) | last.apart(state) | u64::from(teleported) == 0
 }
 
 /// The pose of a body. What does not turn is spared its sine and cosine.
@@ -264,7 +201,7 @@ fn make_room(work: &mut Workspace, count: usize) {
 }
 
 /// Whether bodies jumped, and the events of it.
-fn tell_of_jumps(model: &Model, work: &mut Workspace, jumps: bool) {
+pub(crate) fn tell_of_jumps(model: &Model, work: &mut Workspace, jumps: bool) {
     work.jumps = jumps;
     work.events.clear();
     if jumps {
@@ -276,42 +213,17 @@ fn tell_of_jumps(model: &Model, work: &mut Workspace, jumps: bool) {
     }
 }
 
-/// Takes note of the states at the start of a step, for the next one.
-pub(crate) fn remember_states(
-    model: &Model,
-    memory: &mut Memory,
-    active: &[u32],
-    states: &[BodyState],
-) {
-    if memory.last_states.len() != model.id_of.len() {
-        memory.last_states.clear();
-        memory.last_states.extend(model.id_of.iter().map(|id| states[id.0 as usize]));
-        return;
-    }
-    let count = model.id_of.len();
-    let (last_states, id_of) = (&mut memory.last_states[..count], &model.id_of[..count]);
-    for &rank in active {
-        last_states[rank as usize] = states[id_of[rank as usize].0 as usize];
-    }
-}
-
-/// Did the body of this rank move by more than its two velocities explain? The allowance, a tenth of its size,
-/// is for hosts whose integrators differ from ours.
+/// Did a body move by more than its two velocities explain, from `last`, so many seconds ago? The allowance, a
+/// tenth of its size, is for hosts whose integrators differ from ours.
 #[inline(always)]
-fn jumped(memory: &Memory, rank: usize, now: &BodyState, radius_m: f64) -> bool {
-    let Some(last) = memory.last_states.get(rank) else { return false };
+pub(crate) fn jumped((last, step_s): (&BodyState, f64), now: &BodyState, radius_m: f64) -> bool {
     let moved = now.position_m - last.position_m;
-    let mean = (now.velocity_mps + last.velocity_mps) * (0.5 * memory.last_step_s);
+    let mean = (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);
     let unexplained = moved - mean;
     // Most bodies are well within the second half of the allowance, and need no roots.
     let near_m = 0.09 * radius_m;
     unexplained.length_squared() > near_m * near_m
-        && jumped_far(
-            unexplained,
-            now.velocity_mps - last.velocity_mps,
-            memory.last_step_s,
-            radius_m,
-        )
+        && jumped_far(unexplained, now.velocity_mps - last.velocity_mps, step_s, radius_m)
 }
 
 /// The same of a body that moved by so much more than the mean of its two velocities explains.

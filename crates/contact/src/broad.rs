@@ -8,14 +8,17 @@ use crate::model::Model;
 use crate::pairing::RankedPair;
 use crate::workspace::{Candidate, Pairing, Workspace};
 
-/// Leaves the candidates of this step in `work.candidates`.
-pub(crate) fn pair(model: &Model, work: &mut Workspace) {
+/// Leaves the candidates of this step in `work.candidates`. `all_held`: all bodies are within their circles in the
+/// list of those that are near.
+pub(crate) fn pair(model: &Model, work: &mut Workspace, all_held: bool) {
     let mut candidates = core::mem::take(&mut work.candidates);
     candidates.clear();
     push_near(model, work, &model.pairs, 0, &mut candidates);
     if let Some(material) = model.every_other_pair {
         let mut list = core::mem::take(&mut work.near);
-        list.refresh(model, material, &work.poses, &work.reach_m, &work.active);
+        if !all_held {
+            list.renew(model, material, &work.poses, &work.reach_m);
+        }
         push_near(model, work, list.pairs(), model.pairs.len() as u32, &mut candidates);
         work.near = list;
         if !model.pairs.is_empty() {

@@ -34,7 +34,7 @@ pub(crate) struct NearList {
 
 /// A body's enlarged circle.
 #[derive(Clone, Copy, Debug)]
-struct Circle {
+pub(crate) struct Circle {
     center_m: Vec2,
     radius_m: f64,
 }
@@ -48,7 +48,7 @@ impl Circle {
 
     /// Does it hold the circle of the same body now?
     #[inline]
-    fn holds(&self, center_m: Vec2, radius_m: f64) -> bool {
+    pub(crate) fn holds(&self, center_m: Vec2, radius_m: f64) -> bool {
         let slack_m = USABLE * (self.radius_m - radius_m);
         slack_m >= 0.0 && (center_m - self.center_m).length_squared() <= slack_m * slack_m
     }
@@ -66,28 +66,37 @@ impl NearList {
         &self.bounds
     }
 
-    /// Brings the list up to date for bodies at `poses` that reach so far, both by rank. Those that are not
-    /// `active` stand as they stood when it was last brought up to date.
-    pub(crate) fn refresh(
+    /// The circles by rank, where they are of that model; else none.
+    #[inline]
+    pub(crate) fn circles_for(&self, model: &Model) -> &[Circle] {
+        if self.fingerprint == model.fingerprint { &self.circles } else { &[] }
+    }
+
+    /// Does the circle of each body hold its own now, of bodies at `poses` that reach so far, both by rank?
+    pub(crate) fn holds(&self, model: &Model, poses: &[Pose], reach_m: &[f64]) -> bool {
+        let circles = self.circles_for(model);
+        circles.len() == poses.len()
+            && circles
+                .iter()
+                .zip(poses.iter().zip(reach_m))
+                .all(|(circle, (pose, &reach_m))| circle.holds(pose.position_m, reach_m))
+    }
+
+    /// Makes the list anew, for bodies at `poses` that reach so far.
+    pub(crate) fn renew(
         &mut self,
         model: &Model,
         material: MaterialId,
         poses: &[Pose],
         reach_m: &[f64],
-        active: &[u32],
     ) {
-        let good = self.fingerprint == model.fingerprint
-            && self.circles.len() == poses.len()
-            && hold(&self.circles, poses, reach_m, active);
-        if !good {
-            self.fingerprint = model.fingerprint;
-            self.circles.clear();
-            self.circles.extend(poses.iter().zip(reach_m).map(|(pose, &reach_m)| Circle {
-                center_m: pose.position_m,
-                radius_m: reach_m * (1.0 + SLACK),
-            }));
-            self.sweep(model, material);
-        }
+        self.fingerprint = model.fingerprint;
+        self.circles.clear();
+        self.circles.extend(poses.iter().zip(reach_m).map(|(pose, &reach_m)| Circle {
+            center_m: pose.position_m,
+            radius_m: reach_m * (1.0 + SLACK),
+        }));
+        self.sweep(model, material);
     }
 
     /// Sweep and prune: the bodies are kept sorted by the southern ends of their circles, which moves
@@ -125,17 +134,6 @@ impl NearList {
         self.bounds.clear();
         self.bounds.extend(self.pairs.iter().map(|pair| Bounds::of(model, pair)));
     }
-}
-
-/// Does the circle of each of these hold its own now?
-#[inline(never)]
-fn hold(circles: &[Circle], poses: &[Pose], reach_m: &[f64], of: &[u32]) -> bool {
-    // Of one length, so that it is asked for once.
-    let (poses, reach_m) = (&poses[..circles.len()], &reach_m[..circles.len()]);
-    of.iter().all(|&rank| {
-        let rank = rank as usize;
-        circles[rank].holds(poses[rank].position_m, reach_m[rank])
-    })
 }
 
 fn named(model: &Model, a: u32, b: u32) -> bool {

@@ -42,7 +42,8 @@ pub fn step(
     admit::admit(model, memory, states, step_s)?;
     work.advanced = None;
     admit::place(model, memory, work, states);
-    broad::pair(model, work);
+    let all_held = work.near.holds(model, &work.poses, &work.reach_m);
+    broad::pair(model, work, all_held);
     work.own_candidates = 0..work.candidates.len();
     let mut hints = core::mem::take(&mut work.next_hints);
     hints.clear();

@@ -4,6 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
 
+use crate::coupled::bodies::Sums;
 use crate::coupled::island::{Island, IslandMemory};
 use crate::coupled::leap::Trial;
 use crate::coupled::rows::Row;
@@ -40,6 +41,12 @@ pub struct Workspace {
     pub(crate) headings_rad: Vec<f64>,
     /// Ranks, in order, of the bodies that do not stand as they stood at the last step.
     pub(crate) active: Vec<u32>,
+    /// What the host showed, by rank, in this step; after it, in the one before the last of the memory, with which
+    /// it changes places.
+    pub(crate) shown: Vec<BodyState>,
+    /// By rank: what is fixed and at rest, where it was shown the same twice. What there is of it is then right as
+    /// long as `shown` and the memory both have it as it is shown.
+    pub(crate) settled: Vec<bool>,
     /// By rank: all but what is fixed and at rest.
     pub(crate) moves: Vec<bool>,
     /// Bodies that jumped, by rank.
@@ -65,6 +72,8 @@ pub struct Workspace {
     pub(crate) next_hints: Vec<HintMemory>,
     // What only the coupled method needs.
     pub(crate) states_after: Vec<BodyState>,
+    /// Of the bodies of islands and of what is fixed and came to move.
+    pub(crate) sums: Sums,
     /// How far each body went, by rank and then by id; and velocities before a solve, by rank.
     pub(crate) motions_by_rank: Vec<Motion>,
     pub(crate) motions: Vec<Motion>,
@@ -80,8 +89,10 @@ pub struct Workspace {
     pub(crate) islands: Vec<Island>,
     /// Whether there are islands of more than one body that floats.
     pub(crate) joined: bool,
+    /// Each active body has an island of its own.
+    pub(crate) all_meet: bool,
     pub(crate) island_root: Vec<u32>,
-    /// By rank: those that move and are in islands.
+    /// By rank: those that move and are in islands; not asked for where that is all that are active.
     pub(crate) in_island: Vec<bool>,
     /// What is fixed and moves, by rank, where it was shown.
     pub(crate) moving_walls: Vec<(u32, BodyState)>,
@@ -162,6 +173,8 @@ impl Workspace {
             poses: Vec::with_capacity(count),
             headings_rad: Vec::with_capacity(count),
             active: Vec::with_capacity(count),
+            shown: Vec::with_capacity(count),
+            settled: Vec::with_capacity(count),
             moves: Vec::with_capacity(count),
             teleported: Vec::with_capacity(count),
             reach_m: Vec::with_capacity(count),
@@ -177,6 +190,7 @@ impl Workspace {
             next_patches: Vec::new(),
             next_hints: Vec::new(),
             states_after: Vec::with_capacity(count),
+            sums: Sums::default(),
             motions_by_rank: Vec::with_capacity(count),
             motions: Vec::with_capacity(count),
             before: Vec::with_capacity(count),
@@ -186,6 +200,7 @@ impl Workspace {
             room_mps: Vec::with_capacity(count),
             islands: Vec::new(),
             joined: false,
+            all_meet: false,
             island_root: Vec::new(),
             in_island: Vec::new(),
             moving_walls: Vec::new(),

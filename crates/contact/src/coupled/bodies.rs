@@ -1,53 +1,140 @@
 //! The bodies of a step: what they begin with, and how they move.
 
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use crate::admit::{admit_states, is_sound, jumped, tell_of_jumps};
+use crate::error::StepError;
 use crate::mass::InverseMatrix;
+use crate::memory::Memory;
 use crate::model::Model;
 use crate::ranked::Rest;
 use crate::report::{Motion, Wrench};
 use crate::state::{BodyState, Velocity};
-use crate::vec2::Rotation;
+use crate::vec2::{Pose, Rotation, Vec2, vec2};
 use crate::workspace::Workspace;
 
-/// Of bodies of which this workspace knows nothing: inverse masses in their attitudes, and no loads on them.
-#[cold]
-pub(crate) fn take_all(model: &Model, work: &mut Workspace) {
-    make_room(work, model.ranked.len());
-    for rank in 0..model.ranked.len() {
-        let inverse = &model.ranked.rest(rank).inverse;
-        work.inverses[rank] = inverse.turned(work.poses[rank].rotation);
-        work.accelerations[rank] = Velocity::default();
+/// How many bodies are taken at once: what one pass over them leaves is near the processor still in the next.
+const AT_ONCE: usize = 64;
+
+/// Admits the bodies and what loads alone do to each that floats, and the room each may need in the step; but for
+/// those that stand as they stood at the last step, as quays and fenders on them do: these are left as they are.
+/// `work.active` are the others. Whether all are still within their circles in the list of those that are near.
+///
+/// # Errors
+/// A state that is not sound; nothing but what stages work with has changed then.
+pub(crate) fn take(
+    model: &Model,
+    memory: &Memory,
+    work: &mut Workspace,
+    (states, loads): (&[BodyState], &[Wrench]),
+    step_s: f64,
+) -> Result<bool, StepError> {
+    if work.advanced.take() != Some(model.fingerprint) {
+        forget(model, work);
     }
+    work.active.clear();
+    work.moving_walls.clear();
+    let count = model.ranked.len();
+    work.shown.resize(count, BodyState::default());
+    let (mut jumps, mut all_held) = (false, true);
+    for from in (0..count).step_by(AT_ONCE) {
+        let (first, ranks) = (work.active.len(), from..count.min(from + AT_ONCE));
+        match place(model, memory, work, states, ranks) {
+            Some(jumped) => jumps |= jumped,
+            None => return admit_states(model, states).map(|()| false),
+        }
+        all_held &= take_loads(model, work, loads, first, step_s);
+    }
+    tell_of_jumps(model, work, jumps);
+    Ok(all_held)
 }
 
-/// What loads alone do to each body that floats, the room each may need in the step, and no wrench of contacts
-/// yet. Of bodies that stand as they stood nothing changes.
+/// Places those of these bodies that do not stand as they stood, and adds them to the active ones. Whether any of
+/// them jumped; nothing where a state is not sound.
 #[inline(never)]
-pub(crate) fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], step_s: f64) {
+fn place(
+    model: &Model,
+    memory: &Memory,
+    work: &mut Workspace,
+    states: &[BodyState],
+    ranks: Range<usize>,
+) -> Option<bool> {
     let ranked = model.ranked.bodies();
     let count = ranked.len();
-    work.moving_walls.clear();
-    work.wrenches.clear();
-    work.wrenches.resize(count, Wrench::default());
+    let Workspace { states: own, poses, headings_rad, teleported, active, inverses, .. } = work;
+    let Workspace { shown, settled, .. } = work;
+    // Of one length, so that it is asked for once.
+    let (own, poses) = (&mut own[..count], &mut poses[..count]);
+    let (shown, settled) = (&mut shown[..count], &mut settled[..count]);
+    let (headings_rad, teleported) = (&mut headings_rad[..count], &mut teleported[..count]);
+    let id_of = &model.id_of[..count];
+    let mut jumps = false;
+    for rank in ranks.start..ranks.end.min(count) {
+        let (state, last) = (&states[id_of[rank].0 as usize], memory.last_states.get(rank));
+        if settled[rank]
+            && last.is_some_and(|last| (shown[rank].apart(state) | last.apart(state)) == 0)
+        {
+            continue;
+        }
+        if !is_sound(state) {
+            return None;
+        }
+        active.push(rank as u32);
+        (own[rank], shown[rank]) = (*state, *state);
+        poses[rank].position_m = state.position_m;
+        let body = ranked.of(rank);
+        if body.is_fixed() {
+            let as_before = last.is_some_and(|last| last.apart(state) == 0);
+            settled[rank] = as_before && state.is_at_rest();
+        }
+        if state.heading_rad.to_bits() != headings_rad[rank].to_bits() {
+            headings_rad[rank] = state.heading_rad;
+            poses[rank].rotation = Rotation::from_angle(state.heading_rad);
+            if !body.is_alike {
+                inverses[rank] = model.ranked.rest(rank).inverse.turned(poses[rank].rotation);
+            }
+        }
+        let jumped_now =
+            last.is_some_and(|last| jumped((last, memory.last_step_s), state, body.radius_m));
+        teleported[rank] = jumped_now;
+        jumps |= jumped_now;
+    }
+    Some(jumps)
+}
+
+/// What loads alone do to each active body that floats, from that one on, and the room each may need in the step.
+/// Whether all are within their circles.
+#[inline(never)]
+fn take_loads(
+    model: &Model,
+    work: &mut Workspace,
+    loads: &[Wrench],
+    first: usize,
+    step_s: f64,
+) -> bool {
+    let ranked = model.ranked.bodies();
+    let count = ranked.len();
     let Workspace { active, states, moves, before, loads: own, inverses, accelerations, .. } = work;
     let Workspace { motions_by_rank, room_mps, fastest_mps, reach_m, moving_walls, .. } = work;
     // Of one length, so that it is asked for once.
-    let (states, moves, before) = (&states[..count], &mut moves[..count], &mut before[..count]);
-    let (own, inverses) = (&mut own[..count], &inverses[..count]);
-    let (motions, accelerations) = (&mut motions_by_rank[..count], &mut accelerations[..count]);
+    let (states, accelerations) = (&states[..count], &mut accelerations[..count]);
     let (fastest_mps, room_mps) = (&mut fastest_mps[..count], &mut room_mps[..count]);
     let (reach_m, id_of) = (&mut reach_m[..count], &model.id_of[..count]);
-    for &rank in &*active {
+    let circles = work.near.circles_for(model);
+    let mut all_held = true;
+    for &rank in &active[first..] {
         let rank = rank as usize;
         let (body, state) = (ranked.of(rank), &states[rank]);
         let mut room = state.yaw_rate_radps.abs() * body.reach_m;
         if body.is_fixed() {
             moves[rank] = !state.is_at_rest();
             before[rank] = state.velocity();
+            motions_by_rank[rank] = Motion::default();
             if moves[rank] {
                 moving_walls.push((rank as u32, *state));
             }
         } else {
-            moves[rank] = true;
             let load = &loads[id_of[rank].0 as usize];
             let (way, turn) = if body.is_alike {
                 (load.force_n * body.inverse_mass, load.moment_nm * body.inverse_inertia)
@@ -58,28 +145,70 @@ pub(crate) fn take_loads(model: &Model, work: &mut Workspace, loads: &[Wrench], 
             accelerations[rank] = (way, turn);
             room += (way.length() + turn.abs() * body.reach_m) * step_s;
         }
-        motions[rank] = Motion::default();
-        room_mps[rank] = room;
-        fastest_mps[rank] = state.velocity_mps.length() + room;
-        reach_m[rank] = body.reach_m + fastest_mps[rank] * step_s;
+        let fastest = state.velocity_mps.length() + room;
+        let reach = body.reach_m + fastest * step_s;
+        (room_mps[rank], fastest_mps[rank], reach_m[rank]) = (room, fastest, reach);
+        all_held &= circles.get(rank).is_some_and(|circle| circle.holds(state.position_m, reach));
     }
+    all_held
 }
 
-/// Makes room for so many bodies.
-fn make_room(work: &mut Workspace, count: usize) {
-    if work.motions.len() == count {
-        return;
-    }
-    work.moves.resize(count, false);
+/// Makes room for the bodies of a model, of which this workspace knows nothing.
+#[cold]
+fn forget(model: &Model, work: &mut Workspace) {
+    let count = model.ranked.len();
+    // No heading is that one.
+    refill(&mut work.headings_rad, count, f64::NAN);
+    refill(&mut work.settled, count, false);
+    refill(&mut work.moves, count, true);
+    refill(&mut work.accelerations, count, Velocity::default());
+    work.states.resize(count, BodyState::default());
+    work.poses.resize(count, Pose::IDENTITY);
+    work.teleported.resize(count, false);
+    work.reach_m.resize(count, 0.0);
     work.before.resize(count, Velocity::default());
     work.loads.resize(count, Wrench::default());
-    work.inverses.resize(count, InverseMatrix::default());
-    work.accelerations.resize(count, Velocity::default());
+    work.inverses.clear();
+    work.inverses.extend((0..count).map(|rank| model.ranked.rest(rank).inverse));
     work.room_mps.resize(count, 0.0);
     work.fastest_mps.resize(count, 0.0);
     work.motions_by_rank.resize(count, Motion::default());
     work.states_after.resize(count, BodyState::default());
     work.motions.resize(count, Motion::default());
+}
+
+/// So many of one.
+fn refill<T: Copy>(list: &mut Vec<T>, count: usize, one: T) {
+    list.clear();
+    list.resize(count, one);
+}
+
+/// No wrench of contacts yet, and nothing that was added up.
+pub(crate) fn clear_results(model: &Model, work: &mut Workspace) {
+    refill(&mut work.wrenches, model.ranked.len(), Wrench::default());
+    work.sums = Sums::default();
+}
+
+/// Sums of all that a step leaves of its bodies: finite where all is, but for the largest of numbers.
+// Asked at the end, without a branch for each.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Sums {
+    ways: Vec2,
+    turns: Vec2,
+    moment_nm: f64,
+}
+
+impl Sums {
+    #[inline(always)]
+    fn add(&mut self, state: &BodyState, push: &Wrench) {
+        self.ways += state.position_m + state.velocity_mps + push.force_n;
+        self.turns += vec2(state.heading_rad, state.yaw_rate_radps);
+        self.moment_nm += push.moment_nm;
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
+        self.ways.is_finite() && self.turns.is_finite() && self.moment_nm.is_finite()
+    }
 }
 
 /// v_free = v + h M⁻¹ W. Takes note of v.
@@ -99,8 +228,8 @@ pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
 
 /// Positions with the new velocities, and inverse masses as the bodies are turned then; and how far the
 /// bodies went by the mean of the velocities before and after the solve: a force times it is that force's work
-/// exactly.
-pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
+/// exactly. After it others of the step are to come.
+pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64, is_first: bool) {
     let Workspace { island_bodies, before, states, poses, headings_rad, motions_by_rank, .. } =
         work;
     let alike = model.ranked.alike();
@@ -110,21 +239,15 @@ pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
     let (poses, headings_rad) = (&mut poses[..count], &mut headings_rad[..count]);
     for &rank in &*island_bodies {
         let rank = rank as usize;
-        let (velocity_mps, yaw_rate_radps) = before[rank];
         let (state, motion, pose) = (&mut states[rank], &mut motions[rank], &mut poses[rank]);
-        motion.way_m += (velocity_mps + state.velocity_mps) * (0.5 * h);
-        motion.turn_rad += (yaw_rate_radps + state.yaw_rate_radps) * (0.5 * h);
+        let so_far = if is_first { Motion::default() } else { *motion };
+        *motion = moved_on(so_far, before[rank], state.velocity(), h);
         move_body(state, h);
         pose.position_m = state.position_m;
         if !alike[rank] {
-            let rest = model.ranked.rest(rank);
-            let (inverses, accelerations) = (&mut work.inverses, &mut work.accelerations);
-            let before =
-                core::mem::replace(&mut pose.rotation, Rotation::from_angle(state.heading_rad));
-            turn_masses(rest, state, (before, pose.rotation), h);
-            inverses[rank] = rest.inverse.turned(pose.rotation);
+            turn_with(model.ranked.rest(rank), (state, pose), &mut work.inverses[rank], h);
             let load = &work.loads[rank];
-            accelerations[rank] = inverses[rank].response(load.force_n, load.moment_nm);
+            work.accelerations[rank] = work.inverses[rank].response(load.force_n, load.moment_nm);
             headings_rad[rank] = state.heading_rad;
         } else if state.yaw_rate_radps != 0.0 {
             headings_rad[rank] = state.heading_rad;
@@ -134,10 +257,62 @@ pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64) {
     work.jumps = false;
 }
 
+/// The same at the end of the step: what there is of the bodies then is a result, and nothing asks for their poses
+/// any more.
+pub(crate) fn arrive(model: &Model, work: &mut Workspace, h: f64, is_first: bool) {
+    let Workspace { island_bodies, before, states, motions_by_rank, .. } = work;
+    let Workspace { wrenches, states_after, motions, sums, .. } = work;
+    let alike = model.ranked.alike();
+    let count = alike.len();
+    let (states, before, motions_by_rank) =
+        (&states[..count], &before[..count], &motions_by_rank[..count]);
+    let (wrenches, states_after) = (&wrenches[..count], &mut states_after[..count]);
+    let (motions, id_of) = (&mut motions[..count], &model.id_of[..count]);
+    let mut summed = *sums;
+    for &rank in &*island_bodies {
+        let rank = rank as usize;
+        let (id, mut state) = (id_of[rank].0 as usize, states[rank]);
+        let so_far = if is_first { Motion::default() } else { motions_by_rank[rank] };
+        motions[id] = moved_on(so_far, before[rank], state.velocity(), h);
+        move_body(&mut state, h);
+        if !alike[rank] {
+            // Turned for the momentum's sake: so the next step need not.
+            let (pose, inverse) = (&mut work.poses[rank], &mut work.inverses[rank]);
+            turn_with(model.ranked.rest(rank), (&mut state, pose), inverse, h);
+            work.headings_rad[rank] = state.heading_rad;
+        }
+        summed.add(&state, &wrenches[id]);
+        states_after[id] = state;
+    }
+    *sums = summed;
+}
+
+/// How far a body went, with a sub-step from one velocity to the other.
+#[inline(always)]
+fn moved_on(so_far: Motion, before: Velocity, after: Velocity, h: f64) -> Motion {
+    let ((from_mps, from_radps), (to_mps, to_radps)) = (before, after);
+    Motion {
+        way_m: so_far.way_m + (from_mps + to_mps) * (0.5 * h),
+        turn_rad: so_far.turn_rad + (from_radps + to_radps) * (0.5 * h),
+    }
+}
+
 #[inline(always)]
 fn move_body(state: &mut BodyState, h: f64) {
     state.position_m += state.velocity_mps * h;
     state.heading_rad += state.yaw_rate_radps * h;
+}
+
+/// Turns pose, momentum and inverse mass of a body that moved.
+fn turn_with(
+    body: &Rest,
+    (state, pose): (&mut BodyState, &mut Pose),
+    inverse: &mut InverseMatrix,
+    h: f64,
+) {
+    let before = core::mem::replace(&mut pose.rotation, Rotation::from_angle(state.heading_rad));
+    turn_masses(body, state, (before, pose.rotation), h);
+    *inverse = body.inverse.turned(pose.rotation);
 }
 
 /// The momentum of a body whose mass differs between surge and sway turns with it.
@@ -147,32 +322,50 @@ fn turn_masses(body: &Rest, state: &mut BodyState, (before, after): (Rotation, R
     }
 }
 
-/// Bodies that nothing is near: one step by their loads.
+/// Bodies that nothing is near: one step by their loads. Of what is fixed, where it is now.
 #[inline(never)]
 pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
+    if work.all_meet {
+        return;
+    }
     let Workspace { active, in_island, states, accelerations, motions_by_rank, poses, .. } = work;
-    let ranked = model.ranked.bodies();
-    let count = ranked.len();
-    let (states, in_island, accelerations) =
-        (&mut states[..count], &in_island[..count], &accelerations[..count]);
-    let (motions, poses) = (&mut motions_by_rank[..count], &poses[..count]);
+    let Workspace { wrenches, states_after, motions, sums, .. } = work;
+    let in_island = &in_island[..model.ranked.len()];
     for &rank in &*active {
         let rank = rank as usize;
-        if in_island[rank] || ranked.of(rank).is_fixed() {
+        if in_island[rank] {
             continue;
         }
-        let (way, turn) = accelerations[rank];
-        let (dv, dr) = (way * step_s, turn * step_s);
-        let (state, motion) = (&mut states[rank], &mut motions[rank]);
-        motion.way_m = (state.velocity_mps + dv * 0.5) * step_s;
-        motion.turn_rad = (state.yaw_rate_radps + 0.5 * dr) * step_s;
-        state.velocity_mps += dv;
-        state.yaw_rate_radps += dr;
-        move_body(state, step_s);
-        let rest = model.ranked.rest(rank);
-        if rest.turns.is_some() {
-            let after = Rotation::from_angle(state.heading_rad);
-            turn_masses(rest, state, (poses[rank].rotation, after), step_s);
-        }
+        let (id, mut state) = (model.id_of[rank].0 as usize, states[rank]);
+        motions[id] = if model.ranked[rank].is_fixed() {
+            motions_by_rank[rank]
+        } else {
+            let body = model.ranked.rest(rank);
+            drift(body, &mut state, accelerations[rank], poses[rank].rotation, step_s)
+        };
+        sums.add(&state, &wrenches[id]);
+        states_after[id] = state;
     }
+}
+
+/// One step of a body by its acceleration alone, and how far it went.
+fn drift(
+    body: &Rest,
+    state: &mut BodyState,
+    (way, turn): Velocity,
+    before: Rotation,
+    step_s: f64,
+) -> Motion {
+    let (dv, dr) = (way * step_s, turn * step_s);
+    let motion = Motion {
+        way_m: (state.velocity_mps + dv * 0.5) * step_s,
+        turn_rad: (state.yaw_rate_radps + 0.5 * dr) * step_s,
+    };
+    state.velocity_mps += dv;
+    state.yaw_rate_radps += dr;
+    move_body(state, step_s);
+    if body.turns.is_some() {
+        turn_masses(body, state, (before, Rotation::from_angle(state.heading_rad)), step_s);
+    }
+    motion
 }

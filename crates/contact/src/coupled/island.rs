@@ -7,7 +7,6 @@ use core::ops::Range;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
 use crate::pairing::JOINED;
-use crate::report::Motion;
 use crate::workspace::{Pairing, Workspace};
 
 /// Bodies that may touch each other: a range of `Workspace::candidates`.
@@ -73,8 +72,6 @@ fn run_of<T: Copy>(
 
 /// Splits the candidates into islands, in the order of their first candidates.
 pub(crate) fn split(model: &Model, work: &mut Workspace) {
-    work.in_island.clear();
-    work.in_island.resize(model.ranked.len(), false);
     let mut order = part(&work.candidates, &mut work.islands);
     work.joined = order == Order::Unknown;
     if work.joined {
@@ -86,6 +83,12 @@ pub(crate) fn split(model: &Model, work: &mut Workspace) {
         // By island; the candidates' own order within.
         work.candidates.sort_unstable_by_key(|p| (p.island, p.candidate.key()));
         part(&work.candidates, &mut work.islands);
+    }
+    work.all_meet =
+        !work.joined && work.moving_walls.is_empty() && work.islands.len() == work.active.len();
+    if !work.all_meet {
+        work.in_island.clear();
+        work.in_island.resize(model.ranked.len(), false);
     }
 }
 
@@ -170,10 +173,15 @@ fn find_bodies(work: &mut Workspace, islands: &[Island]) {
         return find_among_candidates(work);
     }
     // Each has one, by which it goes, and they are in the order of these.
-    let Workspace { candidates, in_island, island_bodies, .. } = work;
+    let Workspace { candidates, in_island, island_bodies, active, .. } = work;
     island_bodies.clear();
+    if work.all_meet && islands.len() == active.len() {
+        return island_bodies.extend_from_slice(active);
+    }
     island_bodies.extend(islands.iter().map(|of| candidates[of.candidates.start].island));
-    island_bodies.iter().for_each(|&rank| in_island[rank as usize] = true);
+    if !work.all_meet {
+        island_bodies.iter().for_each(|&rank| in_island[rank as usize] = true);
+    }
 }
 
 /// The same where several that float are in one island, or what is fixed moves too.
@@ -213,19 +221,22 @@ pub(crate) fn put_walls_back(work: &mut Workspace, candidates: Range<usize>) {
             work.states[rank] = shown;
             work.poses[rank] = shown.pose();
             work.headings_rad[rank] = shown.heading_rad;
-            work.motions_by_rank[rank] = Motion::default();
         }
     }
 }
 
-/// What is fixed and moves may stand in several islands.
+/// What is fixed and moves may stand in several islands: where it came to with these.
 pub(crate) fn leave(model: &Model, work: &mut Workspace) {
     if work.moving_walls.is_empty() {
         return;
     }
     for &rank in &work.island_bodies {
-        if model.ranked[rank as usize].is_fixed() {
-            work.in_island[rank as usize] = false;
+        let rank = rank as usize;
+        if model.ranked[rank].is_fixed() {
+            let id = model.id_of[rank].0 as usize;
+            work.in_island[rank] = false;
+            work.states[rank] = work.states_after[id];
+            work.motions_by_rank[rank] = work.motions[id];
         }
     }
 }

@@ -38,7 +38,6 @@ use crate::model::Model;
 use crate::overlap::overlap;
 use crate::report::{EventKind, Wrench};
 use crate::state::BodyState;
-use crate::vec2::{Vec2, vec2};
 use crate::workspace::Workspace;
 
 /// Contact forces for the step of `step_s` seconds that begins at `states`, by the coupled method,
@@ -62,19 +61,17 @@ pub fn advance(
 ) -> Result<(), StepError> {
     admit::admit_call(model, memory, states, step_s)?;
     admit::admit_loads(model, states, loads)?;
-    if !admit::place_active(model, memory, work, states)? {
-        bodies::take_all(model, work);
-    }
+    let all_held = bodies::take(model, memory, work, (states, loads), step_s)?;
     work.contacts.clear();
-    bodies::take_loads(model, work, loads, step_s);
-    broad::pair(model, work);
+    bodies::clear_results(model, work);
+    broad::pair(model, work, all_held);
     island::split(model, work);
     work.next_patches.clear();
     work.next_hints.clear();
     advance_islands(model, memory, work, step_s);
     bodies::drift_apart(model, work, step_s);
     report(model, work)?;
-    remember(model, memory, work, states, step_s);
+    remember(memory, work, step_s);
     work.advanced = Some(model.fingerprint);
     Ok(())
 }
@@ -168,7 +165,7 @@ fn advance_group(
     step_s: f64,
 ) {
     let sub_steps = islands[0].sub_steps;
-    sub_step(model, begun, work, islands, step_s);
+    sub_step(model, begun, work, islands, (0, step_s));
     if sub_steps == 1 {
         return;
     }
@@ -184,25 +181,34 @@ fn advance_group(
         overlap(model, &own.hints, work, &mut hints);
         work.next_hints = hints;
         let last_step_s = step_s / f64::from(sub_steps);
-        sub_step(model, own.past(last_step_s), work, islands, step_s);
+        sub_step(model, own.past(last_step_s), work, islands, (later, step_s));
     }
     core::mem::swap(&mut first_found, &mut work.found);
     work.first_found = first_found;
     work.island_memory = own;
 }
 
-/// One of the sub-steps, of `h` seconds, after its overlap.
-fn sub_step(model: &Model, past: Past<'_>, work: &mut Workspace, islands: &[Island], step_s: f64) {
-    let sub_steps = f64::from(islands[0].sub_steps);
-    let h = step_s / sub_steps;
+/// One of the sub-steps, after its overlap.
+fn sub_step(
+    model: &Model,
+    past: Past<'_>,
+    work: &mut Workspace,
+    islands: &[Island],
+    (number, step_s): (u32, f64),
+) {
+    let sub_steps = islands[0].sub_steps;
+    let h = step_s / f64::from(sub_steps);
     inherit_all(model, past.patches, work);
     bodies::free_velocities(work, h);
-    contacts::act(model, past, work, islands, (h, 1.0 / sub_steps));
-    bodies::advance_positions(model, work, h);
+    contacts::act(model, past, work, islands, (h, 1.0 / f64::from(sub_steps)));
+    if number + 1 < sub_steps {
+        bodies::advance_positions(model, work, h, number == 0);
+    } else {
+        bodies::arrive(model, work, h, number == 0);
+    }
 }
 
-/// Contacts in the order of the keys, and what there is of each body in the order in which they were added: of
-/// those that stand as they stood, the last step's is still right.
+/// Contacts in the order of the keys.
 ///
 /// # Errors
 /// A number that is none: the step is too long for its sub-steps, of which there is a bound.
@@ -215,27 +221,7 @@ fn report(model: &Model, work: &mut Workspace) -> Result<(), StepError> {
     if !work.in_order {
         work.contacts.sort_unstable_by_key(key);
     }
-    let Workspace { wrenches, states_after, motions, states, motions_by_rank, active, .. } = work;
-    let count = states.len();
-    let (wrenches, states_after) = (&wrenches[..count], &mut states_after[..count]);
-    let (motions, motions_by_rank) = (&mut motions[..count], &motions_by_rank[..count]);
-    let id_of = &model.id_of[..count];
-    // Sums are finite where all is, but for the largest of numbers. Without a branch for each.
-    let (mut sum, mut turned, mut moment_nm) = (Vec2::ZERO, Vec2::ZERO, 0.0);
-    for &rank in &*active {
-        let rank = rank as usize;
-        let id = id_of[rank].0 as usize;
-        let (state, push) = (&states[rank], &wrenches[id]);
-        states_after[id] = *state;
-        motions[id] = motions_by_rank[rank];
-        sum += state.position_m + state.velocity_mps + push.force_n;
-        turned += vec2(state.heading_rad, state.yaw_rate_radps);
-        moment_nm += push.moment_nm;
-    }
-    if sum.is_finite() && turned.is_finite() && moment_nm.is_finite() {
-        return Ok(());
-    }
-    overflow(model, work)
+    if work.sums.is_finite() { Ok(()) } else { overflow(model, work) }
 }
 
 /// Names the first body whose state or wrench is not finite.
@@ -257,19 +243,13 @@ fn overflow(model: &Model, work: &Workspace) -> Result<(), StepError> {
 }
 
 /// The step is done: what it found becomes the memory of the next.
-fn remember(
-    model: &Model,
-    memory: &mut Memory,
-    work: &mut Workspace,
-    states: &[BodyState],
-    step_s: f64,
-) {
+fn remember(memory: &mut Memory, work: &mut Workspace, step_s: f64) {
     if !work.in_order {
         work.next_patches.sort_unstable_by_key(PatchMemory::key);
         work.next_hints.sort_unstable_by_key(HintMemory::key);
     }
     core::mem::swap(&mut memory.patches, &mut work.next_patches);
     core::mem::swap(&mut memory.hints, &mut work.next_hints);
-    admit::remember_states(model, memory, &work.active, states);
+    core::mem::swap(&mut memory.last_states, &mut work.shown);
     memory.last_step_s = step_s;
 }
