@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use fenderline_contact::{
     Body, BodyId, BodyState, Fender, FenderLaw, MaterialId, Memory, Mobility, Model, Outline, Pair,
-    ReactionFactors, Vec2, Workspace, Wrench, advance, step, vec2,
+    ReactionFactors, Vec2, Workspace, Wrench, advance_in_place, step, vec2,
 };
 
 use crate::scenes::{FENDER_M, Mass, Part, Plan};
@@ -86,15 +86,15 @@ impl World for Ours {
 
     fn step(&mut self) {
         let Ours { model, memory, work, states, loads, step_s, .. } = self;
-        let states = black_box(states.as_slice());
+        let states = black_box(states);
         match self.method {
             Method::Paper => {
                 step(model, memory, work, states, *step_s).expect("the scenes are sound");
                 self.euler();
             }
             Method::Coupled => {
-                advance(model, memory, work, states, loads, *step_s).expect("the scenes are sound");
-                self.states.copy_from_slice(self.work.states_after());
+                advance_in_place(model, memory, work, states, loads, *step_s)
+                    .expect("the scenes are sound");
             }
         }
     }

@@ -69,7 +69,7 @@ mod touch;
 mod vec2;
 mod workspace;
 
-pub use coupled::advance;
+pub use coupled::{advance, advance_in_place};
 pub use error::{ModelError, RestoreError, StepError};
 pub use fender::{Fender, FenderId, FenderLaw, ReactionFactors, Stop};
 pub use geometry::clip::{Clip, PairClip};

@@ -235,7 +235,7 @@ impl Workspace {
     }
 
     /// States at the end of the last step by [`crate::advance`], one a body: what a host that lets
-    /// the engine move its bodies goes on with.
+    /// the engine move its bodies goes on with. None after [`crate::advance_in_place`], which has moved them.
     #[must_use]
     pub fn states_after(&self) -> &[BodyState] {
         &self.states_after

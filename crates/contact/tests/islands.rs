@@ -4,7 +4,7 @@ mod support;
 
 use fenderline_contact::{
     Body, BodyId, BodyState, Event, EventKind, Memory, Mobility, Model, Workspace, Wrench, advance,
-    vec2,
+    advance_in_place, vec2,
 };
 use support::harbour::{PAPER, at, body, model};
 use support::shapes::{points, rectangle};
@@ -189,14 +189,18 @@ fn a_step_of_days_within_a_contact_is_finite_or_refused() {
         run.states[0].yaw_rate_radps = 0.05;
         run.states[0].heading_rad = 0.1 * f64::from(angle);
         let Run { model, memory, work, states } = &mut run;
-        match advance(model, memory, work, states, &[Wrench::default(); 2], 1e6) {
+        let shown = states.clone();
+        let loads = [Wrench::default(); 2];
+        match advance_in_place(model, memory, work, states, &loads, 1e6) {
             Ok(()) => {
                 let finite = |s: &BodyState| s.position_m.is_finite() && s.heading_rad.is_finite();
-                assert!(work.states_after().iter().all(finite));
+                assert!(states.iter().all(finite));
             }
             Err(error) => {
                 assert!(error.to_string().contains("overflows"), "{error}");
-                assert_eq!(memory.snapshot(), before);
+                assert_eq!((memory.snapshot(), &*states), (before, &shown));
+                let again = advance(model, memory, work, states, &loads, 1e6);
+                assert_eq!(again.expect_err("as before").to_string(), error.to_string());
                 refused += 1;
             }
         }

@@ -6,7 +6,7 @@ mod support;
 
 use fenderline_contact::{
     BodyId, BodyState, Contact, Event, Fender, FenderLaw, Material, MaterialId, Memory, Mobility,
-    Model, ReactionFactors, Vec2, Workspace, Wrench, advance, step, vec2,
+    Model, ReactionFactors, Vec2, Workspace, Wrench, advance, advance_in_place, step, vec2,
 };
 use support::harbour::{PAPER, at, body};
 use support::shapes::{ellipse, hull, points, rectangle, stepped_ship};
@@ -197,6 +197,7 @@ fn use_otherwise(
     match index % 5 {
         1 => step(model, other, work, &states, STEP_S).expect("good states"),
         2 => advance(model, other, work, &states, loads, STEP_S).expect("good states"),
+        4 => advance_in_place(model, other, work, &mut states, loads, STEP_S).expect("good states"),
         3 => {
             let last = states.len() - 1;
             states[last].yaw_rate_radps = f64::NAN;
@@ -225,5 +226,27 @@ fn a_workspace_used_otherwise_in_between_changes_no_bit() {
             });
         assert!(found[0] == found[1], "step {index}");
         states.copy_from_slice(own.states_after());
+    }
+}
+
+/// Now and then a step that does not, so that each finds what the other left.
+#[test]
+fn bodies_moved_in_place_go_where_they_go_otherwise() {
+    let (model, mut states, loads) = crowd();
+    let (mut memory, mut own) = (Memory::new(&model), Workspace::new(&model));
+    let (mut same_memory, mut other) = (Memory::new(&model), Workspace::new(&model));
+    for index in 0..STEPS {
+        move_what_is_fixed(&mut states, index);
+        let mut moved = states.clone();
+        if index % 9 < 7 {
+            advance_in_place(&model, &mut memory, &mut own, &mut moved, &loads, STEP_S)
+                .expect("good states and loads");
+            assert!(own.states_after().is_empty());
+        } else {
+            by_the_coupled_method(&model, &mut memory, &mut own, &mut moved, &loads);
+        }
+        by_the_coupled_method(&model, &mut same_memory, &mut other, &mut states, &loads);
+        assert_eq!((&moved, own.motions()), (&states, other.motions()), "step {index}");
+        assert_eq!(memory, same_memory, "step {index}");
     }
 }

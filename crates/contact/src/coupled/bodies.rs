@@ -173,7 +173,7 @@ fn forget(model: &Model, work: &mut Workspace) {
     work.room_mps.resize(count, 0.0);
     work.fastest_mps.resize(count, 0.0);
     work.motions_by_rank.resize(count, Motion::default());
-    work.states_after.resize(count, BodyState::default());
+    work.states_after.clear();
     work.motions.resize(count, Motion::default());
 }
 

@@ -27,6 +27,8 @@ pub(crate) mod solve;
 pub(crate) mod tie;
 pub(crate) mod turning;
 
+use alloc::vec::Vec;
+
 use crate::admit;
 use crate::broad;
 use crate::coupled::island::Island;
@@ -59,9 +61,81 @@ pub fn advance(
     loads: &[Wrench],
     step_s: f64,
 ) -> Result<(), StepError> {
+    let all_held = admit(model, memory, work, (states, loads), step_s)?;
+    // Of those that stand as they stood nothing is written.
+    if work.states_after.len() != states.len() {
+        work.states_after.clear();
+        work.states_after.extend_from_slice(states);
+    }
+    carry_out(model, memory, work, all_held, step_s)
+}
+
+/// The same for hosts that let the engine move their bodies: `states` become those at the end of the step, with
+/// nothing to copy. [`Workspace::states_after`] has none then.
+///
+/// ```
+/// use fenderline_contact::*;
+/// # let square = [vec2(-5.0, -5.0), vec2(5.0, -5.0), vec2(5.0, 5.0), vec2(-5.0, 5.0)];
+/// # let (outline, _) = Outline::new(&square)?;
+/// # let mut builder = Model::builder();
+/// # builder.body(Body { name: "barge".into(), key: 1, outline,
+/// #     mobility: Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 6e7 } });
+/// # let model = builder.build()?;
+/// # let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
+/// let mut states = vec![BodyState { velocity_mps: vec2(0.5, 0.0), ..Default::default() }];
+/// let loads = [Wrench { force_n: vec2(0.0, 1e5), moment_nm: 0.0 }];
+/// for _ in 0..100 {
+///     advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, 0.1)?;
+/// }
+/// assert!((states[0].velocity_mps.y - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`crate::step`]; `states` are what they were then.
+pub fn advance_in_place(
+    model: &Model,
+    memory: &mut Memory,
+    work: &mut Workspace,
+    states: &mut Vec<BodyState>,
+    loads: &[Wrench],
+    step_s: f64,
+) -> Result<(), StepError> {
+    let all_held = admit(model, memory, work, (states, loads), step_s)?;
+    core::mem::swap(states, &mut work.states_after);
+    let carried_out = carry_out(model, memory, work, all_held, step_s);
+    core::mem::swap(states, &mut work.states_after);
+    work.states_after.clear();
+    if carried_out.is_err() {
+        for (id, shown) in model.id_of.iter().zip(&work.shown) {
+            states[id.0 as usize] = *shown;
+        }
+    }
+    carried_out
+}
+
+/// Stage 1: nothing but what stages work with has changed where it fails. Whether all bodies are within their
+/// circles in the list of those that are near.
+fn admit(
+    model: &Model,
+    memory: &Memory,
+    work: &mut Workspace,
+    (states, loads): (&[BodyState], &[Wrench]),
+    step_s: f64,
+) -> Result<bool, StepError> {
     admit::admit_call(model, memory, states, step_s)?;
     admit::admit_loads(model, states, loads)?;
-    let all_held = bodies::take(model, memory, work, (states, loads), step_s)?;
+    bodies::take(model, memory, work, (states, loads), step_s)
+}
+
+/// The stages after it. `states_after` in `work` have what does not move already.
+fn carry_out(
+    model: &Model,
+    memory: &mut Memory,
+    work: &mut Workspace,
+    all_held: bool,
+    step_s: f64,
+) -> Result<(), StepError> {
     work.contacts.clear();
     bodies::clear_results(model, work);
     broad::pair(model, work, all_held);
