@@ -45,13 +45,26 @@ impl Inherited {
 /// For every patch of this step what it inherits of those of the `last`, in `work.inherited`; and the events of
 /// contacts that ended and patches that split.
 pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Workspace) {
+    inherit_from(model, last, work, 0);
+}
+
+/// The same where as many patches as `gone_on` go on from as many of the `last`, one by one: of all that come
+/// after them.
+pub(crate) fn inherit_from(
+    model: &Model,
+    last: &[PatchMemory],
+    work: &mut Workspace,
+    gone_on: usize,
+) {
     work.inherited.clear();
     work.shares.clear();
-    let mut old = last;
-    let Range { start: mut from, end } = work.own_patches;
+    let mut old = &last[gone_on..];
+    let Range { start, end } = work.own_patches;
+    let mut from = start + gone_on;
     while from < end {
         if !work.jumps {
-            let count = going_on(&work.found.patches[from..end], old);
+            let patches = &work.found.patches[from..end];
+            let count = (0..patches.len()).take_while(|&i| goes_on(patches, old, i)).count();
             let place = (last.len() - old.len()) as u32;
             work.inherited.extend((place..place + count as u32).map(Inherited::One));
             (from, old) = (from + count, &old[count..]);
@@ -86,18 +99,22 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
     old.iter().for_each(|m| note(model, &mut work.events, m.a, m.b, EventKind::ContactEnded));
 }
 
-/// How many of the patches go on from as many old ones, each as its pair's only one: most of them.
-#[inline]
-fn going_on(patches: &[Patch], old: &[PatchMemory]) -> usize {
-    let first_of_pair = |(patch, memory): &(&Patch, &PatchMemory)| {
-        let (a, b, face) = patch.candidate.key();
-        patch.number == 0 && memory.key() == (a, b, face, 0)
-    };
-    let count = patches.iter().zip(old).take_while(first_of_pair).count();
-    // The last of them may have others of its pair behind it.
-    let more = patches.get(count).is_some_and(|patch| patch.number != 0)
-        || old.get(count).is_some_and(|memory| memory.patch != 0);
-    count.saturating_sub(usize::from(more))
+/// Does patch number `index` of these go on from the old one of that number, each as its pair's only one? Most do.
+#[inline(always)]
+pub(crate) fn goes_on(patches: &[Patch], old: &[PatchMemory], index: usize) -> bool {
+    let (Some(patch), Some(memory)) = (patches.get(index), old.get(index)) else { return false };
+    let (a, b, face) = patch.candidate.key();
+    // Of two convex bodies there is only one.
+    memory.key() == (a, b, face, 0)
+        && (patch.place().is_none() || are_only_ones(patches, old, index))
+}
+
+/// Are these two, of one pair, its only ones: the old one, its first, and the patch?
+#[inline(never)]
+fn are_only_ones(patches: &[Patch], old: &[PatchMemory], index: usize) -> bool {
+    patches[index].number == 0
+        && patches.get(index + 1).is_none_or(|patch| patch.number == 0)
+        && old.get(index + 1).is_none_or(|memory| memory.patch == 0)
 }
 
 /// The last step's patches of candidates before `key`, and those of the candidate itself; `memory` is sorted,

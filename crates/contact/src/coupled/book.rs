@@ -9,7 +9,8 @@ use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::report::{Contact, ContactWork, ForceParts, Friction, Wrench};
-use crate::touch::{Scene, Touch};
+use crate::touch::{Scene, Touch, arms_m};
+use crate::vec2::Vec2;
 
 /// Beyond this a memory would not be restored [J].
 const MOST_TAKEN_J: f64 = 1e29;
@@ -18,11 +19,6 @@ const MOST_TAKEN_J: f64 = 1e29;
 pub(crate) struct Books<'w> {
     /// Mean wrenches of the step as far as they are known, by id.
     pub(crate) wrenches: &'w mut [Wrench],
-    pub(crate) contacts: &'w mut Vec<Contact>,
-    /// First of the group's contacts.
-    pub(crate) first_contact: usize,
-    pub(crate) in_order: &'w mut bool,
-    pub(crate) first_sub_step: bool,
     /// Length of the sub-step [s], and its share of the step.
     pub(crate) h: f64,
     pub(crate) share: f64,
@@ -56,46 +52,61 @@ impl Books<'_> {
         );
         moved
     }
+}
 
-    /// Adds a contact that is booked, number `index` of its group, to the report.
+/// Where contacts are reported one by one.
+pub(crate) struct Reports<'w> {
+    pub(crate) contacts: &'w mut Vec<Contact>,
+    /// First of the group's contacts.
+    pub(crate) first_contact: usize,
+    pub(crate) in_order: &'w mut bool,
+}
+
+/// The solved contacts of a sub-step: as the solve saw them, what they leave, and what else is told of them.
+type Solved<'w> = (&'w [Tie], &'w mut [PatchMemory], &'w [Row]);
+
+impl Reports<'_> {
+    /// Books contacts as [`Books::book`] does, and reports them.
     #[inline(never)]
-    pub(crate) fn tell(
+    pub(crate) fn book_all(
         &mut self,
         scene: &Scene<'_>,
-        (index, patch): (usize, &Patch),
-        (tie, memory, row): (&Tie, &PatchMemory, &Row),
-        moved: &Moved,
+        books: &mut Books<'_>,
+        patches: &[Patch],
+        (ties, memories, rows): Solved<'_>,
     ) {
-        let Forces { normal_n, tangential_n, friction } = tie.forces;
-        let limiter_n = tie.law_n - normal_n;
-        let booked = Booked {
-            normal_n,
-            tangential_n,
-            friction,
-            depth_m: row.depth_m,
-            stored_j: row.stored_j,
-            work: ContactWork {
-                normal_j: -normal_n * moved.closing_m,
-                tangential_j: tangential_n * moved.slip_m,
-                damper_j: -row.parts.damper_n * moved.closing_m,
-                limiter_j: -limiter_n * moved.closing_m,
-            },
-            parts: ForceParts { limiter_n, ..row.parts },
-            factor: memory.factor,
-            shear_m: moved.shear_m,
-            shear_stored_j: moved.shear_stored_j,
-        };
-        if !self.first_sub_step && self.has_added(scene.model, index, patch, &booked) {
+        let solved = patches.iter().zip(ties.iter().zip(memories).zip(rows));
+        if self.contacts.len() == self.first_contact {
+            // The first sub-step: as many as there are, written where they are to stay.
+            self.contacts.extend(solved.map(|(patch, ((tie, memory), row))| {
+                let moved = books.book(scene.model, tie, memory);
+                let booked = Booked::of((tie, memory, row), &moved);
+                booked.contact(scene, patch, (tie, row), memory.point_in_a_m, books.share)
+            }));
             return;
         }
-        *self.in_order &= self.first_sub_step;
-        self.contacts.push(booked.contact(scene, patch, (tie, row), self.share));
+        for (index, (patch, ((tie, memory), row))) in solved.enumerate() {
+            let moved = books.book(scene.model, tie, memory);
+            let booked = Booked::of((tie, memory, row), &moved);
+            if !self.has_added(scene.model, (index, books.share), patch, &booked) {
+                let point_in_a_m = memory.point_in_a_m;
+                let contact = booked.contact(scene, patch, (tie, row), point_in_a_m, books.share);
+                *self.in_order = false;
+                self.contacts.push(contact);
+            }
+        }
     }
 
     /// Adds to the step's report of this patch, if there is one among the group's: at `guess` as long as the
-    /// patches are those of the first sub-step.
+    /// patches are those of the first sub-step. A sub-step of this `share` of the step.
     #[inline(never)]
-    fn has_added(&mut self, model: &Model, guess: usize, patch: &Patch, booked: &Booked) -> bool {
+    fn has_added(
+        &mut self,
+        model: &Model,
+        (guess, share): (usize, f64),
+        patch: &Patch,
+        booked: &Booked,
+    ) -> bool {
         let candidate = &patch.candidate;
         let [one, two] = [candidate.a, candidate.b].map(|rank| model.id_of[rank as usize]);
         let fender = candidate.fender(model).map(|face| face.id);
@@ -106,7 +117,7 @@ impl Books<'_> {
             Some(contact) if same(contact) => Some(guess),
             _ => own.iter().position(same),
         };
-        place.inspect(|&place| booked.add_to(&mut own[place], self.share)).is_some()
+        place.inspect(|&place| booked.add_to(&mut own[place], share)).is_some()
     }
 }
 
@@ -155,6 +166,30 @@ struct Booked {
 }
 
 impl Booked {
+    /// Of a contact that is booked.
+    #[inline(always)]
+    fn of((tie, memory, row): (&Tie, &PatchMemory, &Row), moved: &Moved) -> Booked {
+        let Forces { normal_n, tangential_n, friction } = tie.forces;
+        let limiter_n = tie.law_n - normal_n;
+        Booked {
+            normal_n,
+            tangential_n,
+            friction,
+            depth_m: row.depth_m,
+            stored_j: row.stored_j,
+            work: ContactWork {
+                normal_j: -normal_n * moved.closing_m,
+                tangential_j: tangential_n * moved.slip_m,
+                damper_j: -row.parts.damper_n * moved.closing_m,
+                limiter_j: -limiter_n * moved.closing_m,
+            },
+            parts: ForceParts { limiter_n, ..row.parts },
+            factor: memory.factor,
+            shear_m: moved.shear_m,
+            shear_stored_j: moved.shear_stored_j,
+        }
+    }
+
     /// The report of a contact that begins with this sub-step.
     #[inline(always)]
     fn contact(
@@ -162,6 +197,7 @@ impl Booked {
         scene: &Scene<'_>,
         patch: &Patch,
         (tie, row): (&Tie, &Row),
+        point_in_a_m: Vec2,
         share: f64,
     ) -> Contact {
         let face = patch.candidate.fender(scene.model);
@@ -184,7 +220,7 @@ impl Booked {
             stored_j: self.stored_j,
             peak_stored_j: self.stored_j,
             shear_stored_j: self.shear_stored_j,
-            ..touch_of(tie, row).contact(scene, patch, face, row.arms_m)
+            ..touch_of(tie, row).contact(scene, patch, face, arms_m(scene, patch, point_in_a_m))
         }
     }
 

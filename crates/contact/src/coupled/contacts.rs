@@ -2,14 +2,14 @@
 
 use alloc::vec::Vec;
 
-use crate::coupled::book::Books;
+use crate::coupled::book::{Books, Reports};
 use crate::coupled::island::Island;
 use crate::coupled::let_go;
-use crate::coupled::rows::{self, Aside, Begun, Taken};
+use crate::coupled::rows::{self, Aside, Begun, Row, Taken};
 use crate::coupled::solve;
 use crate::coupled::tie::Tie;
 use crate::events::note;
-use crate::inherit::Inherited;
+use crate::inherit::{Inherited, goes_on, inherit_from};
 use crate::memory::{Past, PatchMemory};
 use crate::model::Model;
 use crate::overlap::Patch;
@@ -26,18 +26,19 @@ pub(crate) fn act(
     islands: &[Island],
     (h, share): (f64, f64),
 ) {
+    let first_patch = work.next_patches.len();
+    // Each stage over all contacts, so that none waits for what another's solve does.
+    let gone_on = laws_of_old(model, past, work, h);
+    if gone_on < past.patches.len().max(work.own_patches.len()) {
+        inherit_from(model, past.patches, work, gone_on);
+        laws_of_others(model, past, work, (gone_on, h));
+    }
     let Workspace {
         found,
         own_patches,
-        inherited,
-        shares,
         poses,
         states,
-        before,
         inverses,
-        jumps,
-        teleported,
-        clip: buffers,
         events,
         rows,
         ties,
@@ -51,46 +52,11 @@ pub(crate) fn act(
         in_order,
         ..
     } = work;
-    let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
+    let patches = &found.patches[own_patches.clone()];
+    let ties = &mut ties[..patches.len()];
+    let memories = &mut next_patches[first_patch..][..patches.len()];
     // As many as there are bodies: their ranks are checked once.
     let count = model.ranked.len();
-    let begun = Begun {
-        scene: Scene { model, found, poses: &poses[..count] },
-        before: &before[..count],
-        inverses: &inverses[..count],
-        elapsed_s,
-        h,
-    };
-    let told = *contacts_told;
-    rows.clear();
-    let mut aside = Aside { events, buffers, rows, told };
-    let taken = |patch: &Patch, inherited: Inherited| Taken {
-        inherited,
-        old: inherited.of(past.patches, shares),
-        placed: past.last_step_s == 0.0
-            || *jumps && either(teleported, patch.candidate.a, patch.candidate.b),
-    };
-    // Each stage over all contacts, so that none waits for what another's solve does; written where they are to
-    // stay.
-    let patches = &found.patches[own_patches.clone()];
-    if ties.len() < patches.len() {
-        ties.resize(patches.len(), Tie::default());
-    }
-    let ties = &mut ties[..patches.len()];
-    let first_patch = next_patches.len();
-    for ((patch, &inherited), tie) in patches.iter().zip(&*inherited).zip(&mut *ties) {
-        // Most of them: two outlines that touched before, of which much is known then.
-        if let (0, Inherited::One(place)) = (patch.candidate.face, inherited) {
-            let old = Some(&past.patches[place as usize]);
-            let taken = Taken { inherited, old, placed: false };
-            let memory = rows::collect(&begun, &mut aside, patch, None, taken, tie);
-            memory.add_to(patch, &found.places, next_patches);
-        } else {
-            let taken = taken(patch, inherited);
-            collect_other(begun, &mut aside, patch, taken, tie, next_patches);
-        }
-    }
-    let memories = &mut next_patches[first_patch..][..patches.len()];
     let (states, inverses) = (&mut states[..count], &inverses[..count]);
     let mut from = 0;
     for island in islands {
@@ -113,32 +79,133 @@ pub(crate) fn act(
             }
         };
         if change_mps > solve::TOLD_MPS {
-            note(model, aside.events, ties[first].a, ties[first].b, EventKind::NotConverged);
+            note(model, events, ties[first].a, ties[first].b, EventKind::NotConverged);
         }
     }
-    let first_sub_step = contacts.len() == *first_contact;
-    let first_contact = *first_contact;
-    let mut books = Books { wrenches, contacts, first_contact, in_order, first_sub_step, h, share };
-    for ((tie, memory), index) in ties.iter().zip(memories).zip(0..) {
-        let moved = books.book(model, tie, memory);
-        if told {
-            let row = &aside.rows[index];
-            books.tell(&begun.scene, (index, &patches[index]), (tie, memory, row), &moved);
+    let mut books = Books { wrenches, h, share };
+    if *contacts_told {
+        let scene = Scene { model, found, poses: &poses[..count] };
+        let mut reports = Reports { contacts, first_contact: *first_contact, in_order };
+        return reports.book_all(&scene, &mut books, patches, (ties, memories, rows));
+    }
+    for (tie, memory) in ties.iter().zip(memories) {
+        books.book(model, tie, memory);
+    }
+}
+
+/// What the laws of a sub-step's contacts come from, and where they are written.
+struct Laying<'w> {
+    begun: Begun<'w>,
+    aside: Aside<'w>,
+    patches: &'w [Patch],
+    /// One for each patch.
+    ties: &'w mut [Tie],
+    /// One for each patch where contacts are told, else none.
+    rows: &'w mut [Row],
+    next_patches: &'w mut Vec<PatchMemory>,
+    /// What patches inherit that do not simply go on, and bodies that were put where they are.
+    inherited: &'w [Inherited],
+    shares: &'w [PatchMemory],
+    teleported: Option<&'w [bool]>,
+}
+
+impl<'w> Laying<'w> {
+    #[inline(always)]
+    fn new(model: &'w Model, past: Past<'_>, work: &'w mut Workspace, h: f64) -> Laying<'w> {
+        // As many as there are bodies: their ranks are checked once.
+        let count = model.ranked.len();
+        let patches = &work.found.patches[work.own_patches.clone()];
+        // Written where they are to stay.
+        if work.ties.len() < patches.len() {
+            work.ties.resize(patches.len(), Tie::default());
+        }
+        let told = if work.contacts_told { patches.len() } else { 0 };
+        if work.rows.len() < told {
+            work.rows.resize(told, Row::default());
+        }
+        let scene = Scene { model, found: &work.found, poses: &work.poses[..count] };
+        let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
+        let (before, inverses) = (&work.before[..count], &work.inverses[..count]);
+        Laying {
+            begun: Begun { scene, before, inverses, elapsed_s, h },
+            aside: Aside { events: &mut work.events, buffers: &mut work.clip },
+            patches,
+            ties: &mut work.ties[..patches.len()],
+            rows: &mut work.rows[..told],
+            next_patches: &mut work.next_patches,
+            inherited: &work.inherited,
+            shares: &work.shares,
+            teleported: work.jumps.then_some(&work.teleported),
         }
     }
 }
 
-/// The laws of a contact that is new, at a fender, or heir of several or of a part.
+/// The laws of contacts as long as each goes on from the old one in its place, and how many those are: most often
+/// all, of which nobody has to be told what they inherit. None where bodies jumped.
+#[inline(always)]
+fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> usize {
+    if work.jumps {
+        return 0;
+    }
+    let Laying { begun, mut aside, patches, ties, rows, next_patches, .. } =
+        Laying::new(model, past, work, h);
+    for (index, tie) in ties.iter_mut().enumerate() {
+        if !goes_on(patches, past.patches, index) {
+            return index;
+        }
+        let (patch, old) = (&patches[index], &past.patches[index]);
+        let inherited = Inherited::One(index as u32);
+        let taken = Taken { inherited, old: Some(old), placed: false };
+        let into = (tie, rows.get_mut(index));
+        // Most of them are two outlines: much is known then.
+        if patch.candidate.face == 0 {
+            let memory = rows::collect(&begun, &mut aside, patch, None, taken, into);
+            memory.add_to(patch, &begun.scene.found.places, next_patches);
+        } else {
+            collect_other(begun, &mut aside, patch, taken, into, next_patches);
+        }
+    }
+    patches.len()
+}
+
+/// The laws of contacts from number `from` on, some of which are new, or heirs of several or of a part.
+#[inline(never)]
+fn laws_of_others(model: &Model, past: Past<'_>, work: &mut Workspace, (from, h): (usize, f64)) {
+    let Laying {
+        begun,
+        mut aside,
+        patches,
+        ties,
+        rows,
+        next_patches,
+        inherited,
+        shares,
+        teleported,
+    } = Laying::new(model, past, work, h);
+    let others = patches.iter().zip(ties).enumerate().skip(from);
+    for ((index, (patch, tie)), &inherited) in others.zip(inherited) {
+        let jumped = |of_rank: &[bool]| either(of_rank, patch.candidate.a, patch.candidate.b);
+        let taken = Taken {
+            inherited,
+            old: inherited.of(past.patches, shares),
+            placed: past.last_step_s == 0.0 || teleported.is_some_and(jumped),
+        };
+        let into = (tie, rows.get_mut(index));
+        collect_other(begun, &mut aside, patch, taken, into, next_patches);
+    }
+}
+
+/// The laws of a contact that is new, at a fender, or comes after one that is.
 #[inline(never)]
 fn collect_other(
     begun: Begun<'_>,
     aside: &mut Aside<'_>,
     patch: &Patch,
     taken: Taken<'_>,
-    tie: &mut Tie,
+    into: (&mut Tie, Option<&mut Row>),
     next_patches: &mut Vec<PatchMemory>,
 ) {
     let face = patch.candidate.fender(begun.scene.model);
-    let memory = rows::collect(&begun, aside, patch, face, taken, tie);
+    let memory = rows::collect(&begun, aside, patch, face, taken, into);
     memory.add_to(patch, &begun.scene.found.places, next_patches);
 }

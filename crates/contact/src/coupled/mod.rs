@@ -34,7 +34,6 @@ use crate::broad;
 use crate::coupled::island::Island;
 use crate::error::StepError;
 use crate::events::note;
-use crate::inherit::inherit_all;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory};
 use crate::model::Model;
 use crate::overlap::overlap;
@@ -175,7 +174,7 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
 }
 
 /// Tells of contacts whose pairs are no candidates any more, as they are only where a body jumped, where
-/// [`inherit_all`] does not come upon them.
+/// [`crate::inherit`] does not come upon them.
 fn end_what_left(model: &Model, memory: &Memory, work: &mut Workspace) {
     if !work.jumps {
         return;
@@ -272,7 +271,6 @@ fn sub_step(
 ) {
     let sub_steps = islands[0].sub_steps;
     let h = step_s / f64::from(sub_steps);
-    inherit_all(model, past.patches, work);
     bodies::free_velocities(work, h);
     contacts::act(model, past, work, islands, (h, 1.0 / f64::from(sub_steps)));
     if number + 1 < sub_steps {

@@ -15,15 +15,12 @@ use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::report::{Event, ForceParts, Friction};
 use crate::state::Velocity;
-use crate::touch::{Scene, Touch, arms_m, touch};
-use crate::vec2::Vec2;
+use crate::touch::{Scene, Touch, touch};
 
 /// One contact of a sub-step, where contacts are reported: what is told of it besides what its [`Tie`] and its
 /// [`PatchMemory`] know.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Row {
-    /// As in [`arms_m`].
-    pub(crate) arms_m: [Vec2; 2],
     /// As in [`Touch`].
     pub(crate) depth_m: f64,
     pub(crate) tilt_rad: f64,
@@ -64,9 +61,6 @@ pub(crate) struct Begun<'w> {
 pub(crate) struct Aside<'w> {
     pub(crate) events: &'w mut Vec<Event>,
     pub(crate) buffers: &'w mut ClipBuffers,
-    /// One for each contact where they are `told`, else none.
-    pub(crate) rows: &'w mut Vec<Row>,
-    pub(crate) told: bool,
 }
 
 /// What a patch takes over from the last (sub-)step.
@@ -78,7 +72,8 @@ pub(crate) struct Taken<'m> {
     pub(crate) placed: bool,
 }
 
-/// Laws and effective masses of a patch, in its `tie`, and its memory as it is before the solve.
+/// Laws and effective masses of a patch, in its `tie`, what is told of it, in its `row`, and its memory as it is
+/// before the solve.
 // Always inlined: what it returns is written where it is to stay.
 #[inline(always)]
 pub(crate) fn collect(
@@ -87,7 +82,7 @@ pub(crate) fn collect(
     patch: &Patch,
     face: Option<&RankedFender>,
     taken: Taken<'_>,
-    tie: &mut Tie,
+    (tie, row): (&mut Tie, Option<&mut Row>),
 ) -> PatchMemory {
     let (model, old) = (begun.scene.model, taken.old);
     let (a, b) = (patch.candidate.a, patch.candidate.b);
@@ -118,14 +113,9 @@ pub(crate) fn collect(
     tie.obey(&touch, &laws, begins_with, begun.h);
     let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING);
-    if aside.told {
-        aside.rows.push(Row {
-            arms_m: arms_m(&begun.scene, patch, touch.point_in_a_m),
-            depth_m: touch.depth_m,
-            tilt_rad: touch.tilt_rad,
-            parts,
-            stored_j: touch.stored_j * factor,
-        });
+    if let Some(row) = row {
+        let Touch { depth_m, tilt_rad, stored_j, .. } = touch;
+        *row = Row { depth_m, tilt_rad, parts, stored_j: stored_j * factor };
     }
     PatchMemory {
         flags,
