@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::fender::{FenderId, RankedFender};
 use crate::inherit::{Inherited, continues};
-use crate::memory::PatchMemory;
+use crate::memory::{PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
 use crate::number::lesser;
 use crate::overlap::Patch;
@@ -16,7 +16,7 @@ use crate::workspace::Workspace;
 pub(crate) fn tell_ends_and_splits(
     model: &Model,
     work: &mut Workspace,
-    own: &[PatchMemory],
+    (own, places): (&[PatchMemory], &[PlaceMemory]),
     from: usize,
     to: usize,
 ) {
@@ -24,9 +24,10 @@ pub(crate) fn tell_ends_and_splits(
         return; // one patch that goes on
     }
     for m in own {
+        let place = place_of(m, places);
         let heirs = work.found.patches[from..to]
             .iter()
-            .filter(|p| continues(m, p, &work.found.places))
+            .filter(|p| continues(place, p, &work.found.places))
             .count();
         match heirs {
             0 => note(model, &mut work.events, m.a, m.b, EventKind::ContactEnded),

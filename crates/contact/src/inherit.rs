@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use crate::events::{note, tell_ends_and_splits};
-use crate::memory::PatchMemory;
+use crate::memory::{Past, PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
 use crate::overlap::{Overlap, Patch, Place};
 use crate::report::EventKind;
@@ -44,7 +44,7 @@ impl Inherited {
 
 /// For every patch of this step what it inherits of those of the `last`, in `work.inherited`; and the events of
 /// contacts that ended and patches that split.
-pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Workspace) {
+pub(crate) fn inherit_all(model: &Model, last: Past<'_>, work: &mut Workspace) {
     inherit_from(model, last, work, 0);
 }
 
@@ -52,7 +52,7 @@ pub(crate) fn inherit_all(model: &Model, last: &[PatchMemory], work: &mut Worksp
 /// after them.
 pub(crate) fn inherit_from(
     model: &Model,
-    last: &[PatchMemory],
+    Past { patches: last, places: old_places, .. }: Past<'_>,
     work: &mut Workspace,
     gone_on: usize,
 ) {
@@ -84,7 +84,7 @@ pub(crate) fn inherit_from(
             own.iter().for_each(|_| note(model, &mut work.events, a, b, EventKind::ContactEnded));
             own = &[];
         }
-        tell_ends_and_splits(model, work, own, from, to);
+        tell_ends_and_splits(model, work, (own, old_places), from, to);
         let Workspace { found: Overlap { patches, places, .. }, inherited, shares, .. } =
             &mut *work;
         let patches = &patches[from..to];
@@ -92,7 +92,7 @@ pub(crate) fn inherit_from(
             [] => Inherited::Nothing,
             // The patches that are left come after this one, and nothing else does.
             [_] if patches.len() == 1 => Inherited::One((last.len() - old.len() - 1) as u32),
-            _ => inherit_of_several(own, patches, patch, places, shares),
+            _ => inherit_of_several((own, old_places), patches, patch, places, shares),
         }));
         from = to;
     }
@@ -134,7 +134,7 @@ fn patches_of<'a>(
 
 /// What `patch`, one of `patches` of its pair, inherits from `old`.
 fn inherit_of_several(
-    old: &[PatchMemory],
+    (old, old_places): (&[PatchMemory], &[PlaceMemory]),
     patches: &[Patch],
     patch: &Patch,
     places: &[Place],
@@ -142,8 +142,9 @@ fn inherit_of_several(
 ) -> Inherited {
     let mut parents = old
         .iter()
-        .filter(|m| continues(m, patch, places))
-        .map(|m| share_of(m, patches, patch, places));
+        .map(|m| (m, place_of(m, old_places)))
+        .filter(|&(_, place)| continues(place, patch, places))
+        .map(|old| share_of(old, patches, patch, places));
     let Some(first) = parents.next() else { return Inherited::Nothing };
     let mut merged = first;
     let mut several = false;
@@ -170,14 +171,14 @@ fn inherit_of_several(
 }
 
 /// The memory of one parent, with the part of its area that falls to `patch` among all that
-/// continue it: what an overlap loses by parting is no loss of area to the damper. Energy parts likewise.
+/// continue its `place`: what an overlap loses by parting is no loss of area to the damper. Energy parts likewise.
 fn share_of(
-    parent: &PatchMemory,
+    (parent, place): (&PatchMemory, Option<Place>),
     patches: &[Patch],
     patch: &Patch,
     places: &[Place],
 ) -> PatchMemory {
-    let heirs = patches.iter().filter(|p| continues(parent, p, places));
+    let heirs = patches.iter().filter(|p| continues(place, p, places));
     let heirs_m2: f64 = heirs.map(|p| p.area_m2).sum();
     let share = patch.area_m2 / heirs_m2;
     PatchMemory {
@@ -188,11 +189,10 @@ fn share_of(
     }
 }
 
-/// Does the patch lie where the old one lay, as one of the two bodies sees it? A contact that slides
+/// Does the patch lie where the `old` one lay, as one of the two bodies sees it? A contact that slides
 /// stays in place on at least one of them. Of two convex bodies there is one patch, which is the same.
-pub(crate) fn continues(old: &PatchMemory, patch: &Patch, places: &[Place]) -> bool {
-    patch.place().is_none_or(|place| {
-        let Place { in_a, in_b } = places[place as usize];
-        old.extent_in_a.overlaps(&in_a) || old.extent_in_b.overlaps(&in_b)
-    })
+pub(crate) fn continues(old: Option<Place>, patch: &Patch, places: &[Place]) -> bool {
+    let (Some(old), Some(place)) = (old, patch.place()) else { return true };
+    let Place { in_a, in_b } = places[place as usize];
+    old.in_a.overlaps(&in_a) || old.in_b.overlaps(&in_b)
 }

@@ -16,6 +16,8 @@ pub struct Memory {
     pub(crate) fingerprint: u64,
     /// Touching patches, sorted by pair and patch.
     pub(crate) patches: Vec<PatchMemory>,
+    /// Where those of them lay that have places, sorted in the same way.
+    pub(crate) places: Vec<PlaceMemory>,
     /// Where the clip begins, for pieces that are near one another, sorted.
     pub(crate) hints: Vec<HintMemory>,
     /// States of the last step by rank; empty before the first.
@@ -61,9 +63,6 @@ pub(crate) struct PatchMemory {
     /// What the shear spring has taken from the bodies and still stores, by the coupled method [J]: the
     /// most that it may give them.
     pub(crate) sheared_j: f64,
-    /// Extent of the patch in each body's frame [m]: which patch is which when there are several.
-    pub(crate) extent_in_a: Extent,
-    pub(crate) extent_in_b: Extent,
 }
 
 impl PatchMemory {
@@ -96,17 +95,6 @@ impl PatchMemory {
         self.b_in_a.apply_inverse(self.normal_in_a)
     }
 
-    /// Adds itself to what the next (sub-)step begins with.
-    // The extents by themselves, where there are any: copied as a whole, it would be waited for.
-    #[inline(always)]
-    pub(crate) fn add_to(self, patch: &Patch, places: &[Place], into: &mut Vec<PatchMemory>) {
-        into.push(self);
-        if let (Some(place), Some(last)) = (patch.place(), into.last_mut()) {
-            let Place { in_a, in_b } = places[place as usize];
-            (last.extent_in_a, last.extent_in_b) = (in_a, in_b);
-        }
-    }
-
     pub(crate) fn key(&self) -> (u32, u32, u32, u32) {
         (self.a, self.b, self.face, self.patch)
     }
@@ -115,6 +103,46 @@ impl PatchMemory {
     pub(crate) fn candidate(&self) -> (u32, u32, u32) {
         (self.a, self.b, self.face)
     }
+}
+
+/// Where a patch of bodies of several pieces lay: which patch is which when there are several. Apart from
+/// [`PatchMemory`], as most patches are of convex bodies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct PlaceMemory {
+    pub(crate) a: u32,
+    pub(crate) b: u32,
+    pub(crate) face: u32,
+    pub(crate) patch: u32,
+    pub(crate) place: Place,
+}
+
+impl PlaceMemory {
+    /// Adds the places of these patches, as far as they have any, to what the next (sub-)step begins with.
+    #[inline]
+    pub(crate) fn add_all(patches: &[Patch], places: &[Place], into: &mut Vec<PlaceMemory>) {
+        if places.is_empty() {
+            return;
+        }
+        into.extend(patches.iter().filter_map(|patch| {
+            let (a, b, face) = patch.candidate.key();
+            let place = places[patch.place()? as usize];
+            Some(PlaceMemory { a, b, face, patch: patch.number, place })
+        }));
+    }
+
+    pub(crate) fn key(&self) -> (u32, u32, u32, u32) {
+        (self.a, self.b, self.face, self.patch)
+    }
+
+    pub(crate) fn candidate(&self) -> (u32, u32, u32) {
+        (self.a, self.b, self.face)
+    }
+}
+
+/// The place of an old patch in a sorted list of them, where it has one.
+pub(crate) fn place_of(patch: &PatchMemory, places: &[PlaceMemory]) -> Option<Place> {
+    let found = places.binary_search_by_key(&patch.key(), PlaceMemory::key);
+    found.ok().map(|index| places[index].place)
 }
 
 /// A box along the axes of a frame.
@@ -160,12 +188,14 @@ impl HintMemory {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Past<'m> {
     pub(crate) patches: &'m [PatchMemory],
+    pub(crate) places: &'m [PlaceMemory],
     pub(crate) hints: &'m [HintMemory],
     pub(crate) last_step_s: f64,
 }
 
 impl<'m> Past<'m> {
-    /// Takes off what belongs to candidates before `next`; all where there is none.
+    /// Takes off what belongs to candidates before `next`; all where there is none. Both keep all places, which are
+    /// looked up.
     pub(crate) fn before(&mut self, next: Option<(u32, u32, u32)>) -> Past<'m> {
         let Some(next) = next else { return *self };
         let patches = self.patches.iter().take_while(|m| m.candidate() < next).count();
@@ -173,14 +203,15 @@ impl<'m> Past<'m> {
         let (own_patches, other_patches) = self.patches.split_at(patches);
         let (own_hints, other_hints) = self.hints.split_at(hints);
         (self.patches, self.hints) = (other_patches, other_hints);
-        Past { patches: own_patches, hints: own_hints, last_step_s: self.last_step_s }
+        Past { patches: own_patches, hints: own_hints, ..*self }
     }
 }
 
 impl Memory {
     /// All of it.
     pub(crate) fn past(&self) -> Past<'_> {
-        Past { patches: &self.patches, hints: &self.hints, last_step_s: self.last_step_s }
+        let Memory { patches, places, hints, last_step_s, .. } = self;
+        Past { patches, places, hints, last_step_s: *last_step_s }
     }
 
     /// Memory of bodies that have never touched.
@@ -189,6 +220,7 @@ impl Memory {
         Memory {
             fingerprint: model.fingerprint,
             patches: Vec::new(),
+            places: Vec::new(),
             hints: Vec::new(),
             last_states: Vec::new(),
             last_step_s: 0.0,
@@ -216,6 +248,7 @@ impl Memory {
     pub fn copy_from(&mut self, other: &Memory) {
         self.fingerprint = other.fingerprint;
         self.patches.clone_from(&other.patches);
+        self.places.clone_from(&other.places);
         self.hints.clone_from(&other.hints);
         self.last_states.clone_from(&other.last_states);
         self.last_step_s = other.last_step_s;

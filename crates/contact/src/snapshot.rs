@@ -20,8 +20,9 @@ use alloc::vec::Vec;
 use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
 use crate::geometry::clip::Hint;
-use crate::memory::{Extent, HintMemory, Memory, PatchMemory};
+use crate::memory::{Extent, HintMemory, Memory, PatchMemory, PlaceMemory, place_of};
 use crate::model::{Fnv, Model};
+use crate::overlap::Place;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, Vec2, vec2};
 
@@ -50,7 +51,10 @@ impl Memory {
         out.word32(self.patches.len() as u32);
         out.word32(self.hints.len() as u32);
         self.last_states.iter().for_each(|s| out.state(s));
-        self.patches.iter().for_each(|p| out.patch(p));
+        for patch in &self.patches {
+            out.patch(patch);
+            out.place(&place_of(patch, &self.places).unwrap_or_default());
+        }
         self.hints.iter().for_each(|h| out.hint(h));
         let mut sum = Fnv::default();
         sum.bytes(&out.0);
@@ -103,7 +107,14 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
         memory.last_states.push(input.state()?);
     }
     for _ in 0..patches {
-        memory.patches.push(input.patch()?);
+        let patch = input.patch()?;
+        memory.patches.push(patch);
+        // Nothing but nought where it has none.
+        let place = input.place()?;
+        if place != Place::default() {
+            let PatchMemory { a, b, face, patch, .. } = patch;
+            memory.places.push(PlaceMemory { a, b, face, patch, place });
+        }
     }
     for _ in 0..hints {
         memory.hints.push(input.hint()?);
@@ -176,8 +187,11 @@ impl Writer {
             .for_each(|v| self.number(v));
         [p.point_in_a_m, p.point_in_b_m, p.normal_in_a].into_iter().for_each(|v| self.vector(v));
         [p.b_in_a.cos, p.b_in_a.sin].into_iter().for_each(|v| self.number(v));
-        self.extent(&p.extent_in_a);
-        self.extent(&p.extent_in_b);
+    }
+
+    fn place(&mut self, p: &Place) {
+        self.extent(&p.in_a);
+        self.extent(&p.in_b);
     }
 
     fn hint(&mut self, h: &HintMemory) {
@@ -248,9 +262,11 @@ impl<'a> Reader<'a> {
             point_in_b_m: self.vector()?,
             normal_in_a: self.vector()?,
             b_in_a: Rotation { cos: self.number()?, sin: self.number()? },
-            extent_in_a: self.extent()?,
-            extent_in_b: self.extent()?,
         })
+    }
+
+    fn place(&mut self) -> Result<Place, RestoreError> {
+        Ok(Place { in_a: self.extent()?, in_b: self.extent()? })
     }
 
     fn hint(&mut self) -> Result<HintMemory, RestoreError> {

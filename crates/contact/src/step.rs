@@ -13,7 +13,7 @@ use crate::law::normal::{factor, normal_force};
 use crate::law::shear;
 use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
-use crate::memory::{Memory, PatchMemory};
+use crate::memory::{Memory, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::overlap::{Patch, overlap};
 use crate::report::{Contact, Event, Wrench};
@@ -49,7 +49,7 @@ pub fn step(
     hints.clear();
     overlap(model, &memory.hints, work, &mut hints);
     work.next_hints = hints;
-    inherit_all(model, &memory.patches, work);
+    inherit_all(model, memory.past(), work);
     forces(model, memory, work, step_s);
     remember(memory, work, step_s);
     Ok(())
@@ -60,6 +60,8 @@ pub fn step(
 fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     work.contacts.clear();
     work.next_patches.clear();
+    work.next_places.clear();
+    PlaceMemory::add_all(&work.found.patches, &work.found.places, &mut work.next_places);
     work.wrenches.clear();
     work.wrenches.resize(model.bodies().len(), Wrench::default());
     // The backward difference of eq. 3 is over the step that has gone, not the one to come.
@@ -195,7 +197,7 @@ fn contact(
         factor,
         ..PatchMemory::of(patch, touch.point_in_a_m, touch.normal_in_a)
     };
-    memory.add_to(patch, &scene.found.places, books.next_patches);
+    books.next_patches.push(memory);
 }
 
 /// Stage 6, gather: adds a contact to the wrenches of its bodies. The force on body 2 is exactly the
@@ -214,6 +216,7 @@ fn gather(contact: &Contact, wrenches: &mut [Wrench]) {
 /// The step is done: what it found becomes the memory of the next.
 fn remember(memory: &mut Memory, work: &mut Workspace, step_s: f64) {
     core::mem::swap(&mut memory.patches, &mut work.next_patches);
+    core::mem::swap(&mut memory.places, &mut work.next_places);
     core::mem::swap(&mut memory.hints, &mut work.next_hints);
     core::mem::swap(&mut memory.last_states, &mut work.states);
     memory.last_step_s = step_s;

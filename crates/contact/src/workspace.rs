@@ -13,7 +13,7 @@ use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
 use crate::mass::InverseMatrix;
-use crate::memory::{HintMemory, PatchMemory};
+use crate::memory::{HintMemory, PatchMemory, PlaceMemory};
 use crate::model::{MaterialId, Model};
 use crate::near::NearList;
 use crate::overlap::Overlap;
@@ -69,6 +69,7 @@ pub struct Workspace {
     pub(crate) shares: Vec<PatchMemory>,
     pub(crate) clip: ClipBuffers,
     pub(crate) next_patches: Vec<PatchMemory>,
+    pub(crate) next_places: Vec<PlaceMemory>,
     pub(crate) next_hints: Vec<HintMemory>,
     // What only the coupled method needs.
     pub(crate) states_after: Vec<BodyState>,
@@ -104,8 +105,10 @@ pub struct Workspace {
     /// What the first overlap of the step leaves, while later ones are found.
     pub(crate) first_found: Overlap,
     pub(crate) first_hints: Vec<HintMemory>,
-    /// First of the islands' patches, hints and contacts in `next_patches`, `next_hints` and `contacts`.
+    /// First of the islands' patches, places, hints and contacts in `next_patches`, `next_places`, `next_hints` and
+    /// `contacts`.
     pub(crate) first_patch: usize,
+    pub(crate) first_place: usize,
     pub(crate) first_hint: usize,
     pub(crate) first_contact: usize,
     /// Islands, and so what they leave, are in the order of the candidates' keys.
@@ -188,6 +191,7 @@ impl Workspace {
             shares: Vec::new(),
             clip: ClipBuffers::default(),
             next_patches: Vec::new(),
+            next_places: Vec::new(),
             next_hints: Vec::new(),
             states_after: Vec::with_capacity(count),
             sums: Sums::default(),
@@ -210,6 +214,7 @@ impl Workspace {
             first_found: Overlap::default(),
             first_hints: Vec::new(),
             first_patch: 0,
+            first_place: 0,
             first_hint: 0,
             first_contact: 0,
             in_order: true,

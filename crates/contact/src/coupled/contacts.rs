@@ -10,7 +10,7 @@ use crate::coupled::solve;
 use crate::coupled::tie::Tie;
 use crate::events::note;
 use crate::inherit::{Inherited, goes_on, inherit_from};
-use crate::memory::{Past, PatchMemory};
+use crate::memory::{Past, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::overlap::Patch;
 use crate::report::EventKind;
@@ -30,7 +30,7 @@ pub(crate) fn act(
     // Each stage over all contacts, so that none waits for what another's solve does.
     let gone_on = laws_of_old(model, past, work, h);
     if gone_on < past.patches.len().max(work.own_patches.len()) {
-        inherit_from(model, past.patches, work, gone_on);
+        inherit_from(model, past, work, gone_on);
         laws_of_others(model, past, work, (gone_on, h));
     }
     let Workspace {
@@ -49,10 +49,12 @@ pub(crate) fn act(
         contacts,
         first_contact,
         next_patches,
+        next_places,
         in_order,
         ..
     } = work;
     let patches = &found.patches[own_patches.clone()];
+    PlaceMemory::add_all(patches, &found.places, next_places);
     let ties = &mut ties[..patches.len()];
     let memories = &mut next_patches[first_patch..][..patches.len()];
     // As many as there are bodies: their ranks are checked once.
@@ -160,7 +162,7 @@ fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> u
         // Most of them are two outlines: much is known then.
         if patch.candidate.face == 0 {
             let memory = rows::collect(&begun, &mut aside, patch, None, taken, into);
-            memory.add_to(patch, &begun.scene.found.places, next_patches);
+            next_patches.push(memory);
         } else {
             collect_other(begun, &mut aside, patch, taken, into, next_patches);
         }
@@ -207,5 +209,5 @@ fn collect_other(
 ) {
     let face = patch.candidate.fender(begun.scene.model);
     let memory = rows::collect(&begun, aside, patch, face, taken, into);
-    memory.add_to(patch, &begun.scene.found.places, next_patches);
+    next_patches.push(memory);
 }

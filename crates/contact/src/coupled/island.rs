@@ -4,7 +4,7 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::memory::{HintMemory, Memory, Past, PatchMemory};
+use crate::memory::{HintMemory, Memory, Past, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::pairing::JOINED;
 use crate::workspace::{Pairing, Workspace};
@@ -23,38 +23,48 @@ pub(crate) struct Island {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct IslandMemory {
     patches: Vec<PatchMemory>,
+    places: Vec<PlaceMemory>,
     pub(crate) hints: Vec<HintMemory>,
 }
 
 impl IslandMemory {
     pub(crate) fn past(&self, last_step_s: f64) -> Past<'_> {
-        Past { patches: &self.patches, hints: &self.hints, last_step_s }
+        let IslandMemory { patches, places, hints } = self;
+        Past { patches, places, hints, last_step_s }
     }
 
     /// Takes what the islands' first sub-step left off what goes on to the next step; `hints` are those of its
     /// overlap.
     pub(crate) fn take_first(&mut self, work: &mut Workspace, hints: &[HintMemory]) {
-        self.patches.clear();
-        self.patches.extend(work.next_patches.drain(work.first_patch..));
+        self.take_patches(work);
         self.hints.clear();
         self.hints.extend_from_slice(hints);
     }
 
     /// The same of a later sub-step, which left its hints there too.
     pub(crate) fn take(&mut self, work: &mut Workspace) {
-        self.patches.clear();
-        self.patches.extend(work.next_patches.drain(work.first_patch..));
+        self.take_patches(work);
         self.hints.clear();
         self.hints.extend(work.next_hints.drain(work.first_hint..));
+    }
+
+    /// The patches of that, and where they lay.
+    fn take_patches(&mut self, work: &mut Workspace) {
+        self.patches.clear();
+        self.patches.extend(work.next_patches.drain(work.first_patch..));
+        self.places.clear();
+        self.places.extend(work.next_places.drain(work.first_place..));
     }
 
     /// Gathers what the last step left of an island.
     pub(crate) fn gather(&mut self, memory: &Memory, candidates: &[Pairing]) {
         self.patches.clear();
+        self.places.clear();
         self.hints.clear();
         for pairing in candidates {
             let key = pairing.candidate.key();
             self.patches.extend(run_of(&memory.patches, key, PatchMemory::candidate));
+            self.places.extend(run_of(&memory.places, key, PlaceMemory::candidate));
             self.hints.extend(run_of(&memory.hints, key, HintMemory::candidate));
         }
     }
@@ -161,6 +171,7 @@ pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
     work.own_candidates = first.candidates.start..last.candidates.end;
     work.own_patches = first.patches.start..last.patches.end;
     work.first_patch = work.next_patches.len();
+    work.first_place = work.next_places.len();
     work.first_hint = work.next_hints.len();
     work.first_contact = work.contacts.len();
     find_bodies(work, islands);

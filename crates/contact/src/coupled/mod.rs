@@ -34,7 +34,7 @@ use crate::broad;
 use crate::coupled::island::Island;
 use crate::error::StepError;
 use crate::events::note;
-use crate::memory::{HintMemory, Memory, Past, PatchMemory};
+use crate::memory::{HintMemory, Memory, Past, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::overlap::overlap;
 use crate::report::{EventKind, Wrench};
@@ -140,6 +140,7 @@ fn carry_out(
     broad::pair(model, work, all_held);
     island::split(model, work);
     work.next_patches.clear();
+    work.next_places.clear();
     work.next_hints.clear();
     advance_islands(model, memory, work, step_s);
     bodies::drift_apart(model, work, step_s);
@@ -318,9 +319,11 @@ fn overflow(model: &Model, work: &Workspace) -> Result<(), StepError> {
 fn remember(memory: &mut Memory, work: &mut Workspace, step_s: f64) {
     if !work.in_order {
         work.next_patches.sort_unstable_by_key(PatchMemory::key);
+        work.next_places.sort_unstable_by_key(PlaceMemory::key);
         work.next_hints.sort_unstable_by_key(HintMemory::key);
     }
     core::mem::swap(&mut memory.patches, &mut work.next_patches);
+    core::mem::swap(&mut memory.places, &mut work.next_places);
     core::mem::swap(&mut memory.hints, &mut work.next_hints);
     core::mem::swap(&mut memory.last_states, &mut work.shown);
     memory.last_step_s = step_s;
