@@ -64,7 +64,8 @@ pub(crate) fn inherit_from(
     while from < end {
         if !work.jumps {
             let patches = &work.found.patches[from..end];
-            let count = (0..patches.len()).take_while(|&i| goes_on(patches, old, i)).count();
+            let pairs = patches.iter().zip(old).enumerate();
+            let count = pairs.take_while(|&(i, pair)| goes_on(pair, patches, old, i)).count();
             let place = (last.len() - old.len()) as u32;
             work.inherited.extend((place..place + count as u32).map(Inherited::One));
             (from, old) = (from + count, &old[count..]);
@@ -99,10 +100,14 @@ pub(crate) fn inherit_from(
     old.iter().for_each(|m| note(model, &mut work.events, m.a, m.b, EventKind::ContactEnded));
 }
 
-/// Does patch number `index` of these go on from the old one of that number, each as its pair's only one? Most do.
+/// Does a patch go on from an old one, each number `index` of these, as its pair's only one? Most do.
 #[inline(always)]
-pub(crate) fn goes_on(patches: &[Patch], old: &[PatchMemory], index: usize) -> bool {
-    let (Some(patch), Some(memory)) = (patches.get(index), old.get(index)) else { return false };
+pub(crate) fn goes_on(
+    (patch, memory): (&Patch, &PatchMemory),
+    patches: &[Patch],
+    old: &[PatchMemory],
+    index: usize,
+) -> bool {
     let (a, b, face) = patch.candidate.key();
     // Of two convex bodies there is only one.
     memory.key() == (a, b, face, 0)

@@ -151,11 +151,12 @@ fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> u
     }
     let Laying { begun, mut aside, patches, ties, rows, next_patches, .. } =
         Laying::new(model, past, work, h);
-    for (index, tie) in ties.iter_mut().enumerate() {
-        if !goes_on(patches, past.patches, index) {
+    for (index, (tie, (patch, old))) in
+        ties.iter_mut().zip(patches.iter().zip(past.patches)).enumerate()
+    {
+        if !goes_on((patch, old), patches, past.patches, index) {
             return index;
         }
-        let (patch, old) = (&patches[index], &past.patches[index]);
         let inherited = Inherited::One(index as u32);
         let taken = Taken { inherited, old: Some(old), placed: false };
         let into = (tie, rows.get_mut(index));
@@ -167,7 +168,7 @@ fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> u
             collect_other(begun, &mut aside, patch, taken, into, next_patches);
         }
     }
-    patches.len()
+    patches.len().min(past.patches.len())
 }
 
 /// The laws of contacts from number `from` on, some of which are new, or heirs of several or of a part.
