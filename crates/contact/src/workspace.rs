@@ -75,10 +75,11 @@ pub struct Workspace {
     pub(crate) states_after: Vec<BodyState>,
     /// Of the bodies of islands and of what is fixed and came to move.
     pub(crate) sums: Sums,
-    /// How far each body went, by rank and then by id; and velocities before a solve, by rank.
+    /// How far each body went, by rank and then by id; and velocities by rank, without
+    /// contact before a solve and new after it, while `states` have those from before.
     pub(crate) motions_by_rank: Vec<Motion>,
     pub(crate) motions: Vec<Motion>,
-    pub(crate) before: Vec<Velocity>,
+    pub(crate) velocities: Vec<Velocity>,
     /// What loads alone accelerate each body at, by rank [m/s², rad/s²]; and the loads themselves, of those whose
     /// mass is not the same in all directions.
     pub(crate) accelerations: Vec<Velocity>,
@@ -197,7 +198,7 @@ impl Workspace {
             sums: Sums::default(),
             motions_by_rank: Vec::with_capacity(count),
             motions: Vec::with_capacity(count),
-            before: Vec::with_capacity(count),
+            velocities: Vec::with_capacity(count),
             accelerations: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
             fastest_mps: Vec::with_capacity(count),

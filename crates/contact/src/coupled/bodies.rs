@@ -115,10 +115,12 @@ fn take_loads(
 ) -> bool {
     let ranked = model.ranked.bodies();
     let count = ranked.len();
-    let Workspace { active, states, moves, before, loads: own, inverses, accelerations, .. } = work;
-    let Workspace { motions_by_rank, room_mps, fastest_mps, reach_m, moving_walls, .. } = work;
+    let Workspace { active, states, moves, velocities, loads: own, inverses, .. } = work;
+    let Workspace { accelerations, motions_by_rank, moving_walls, .. } = work;
+    let Workspace { room_mps, fastest_mps, reach_m, .. } = work;
     // Of one length, so that it is asked for once.
-    let (states, accelerations) = (&states[..count], &mut accelerations[..count]);
+    let (states, velocities) = (&states[..count], &mut velocities[..count]);
+    let accelerations = &mut accelerations[..count];
     let (fastest_mps, room_mps) = (&mut fastest_mps[..count], &mut room_mps[..count]);
     let (reach_m, id_of) = (&mut reach_m[..count], &model.id_of[..count]);
     let circles = work.near.circles_for(model);
@@ -129,7 +131,7 @@ fn take_loads(
         let mut room = state.yaw_rate_radps.abs() * body.reach_m;
         if body.is_fixed() {
             moves[rank] = !state.is_at_rest();
-            before[rank] = state.velocity();
+            velocities[rank] = state.velocity();
             motions_by_rank[rank] = Motion::default();
             if moves[rank] {
                 moving_walls.push((rank as u32, *state));
@@ -143,6 +145,7 @@ fn take_loads(
                 inverses[rank].response(load.force_n, load.moment_nm)
             };
             accelerations[rank] = (way, turn);
+            velocities[rank] = free_velocity(state, (way, turn), step_s);
             room += (way.length() + turn.abs() * body.reach_m) * step_s;
         }
         let fastest = state.velocity_mps.length() + room;
@@ -166,7 +169,7 @@ fn forget(model: &Model, work: &mut Workspace) {
     work.poses.resize(count, Pose::IDENTITY);
     work.teleported.resize(count, false);
     work.reach_m.resize(count, 0.0);
-    work.before.resize(count, Velocity::default());
+    work.velocities.resize(count, Velocity::default());
     work.loads.resize(count, Wrench::default());
     work.inverses.clear();
     work.inverses.extend((0..count).map(|rank| model.ranked.rest(rank).inverse));
@@ -211,38 +214,40 @@ impl Sums {
     }
 }
 
-/// v_free = v + h M⁻¹ W. Takes note of v.
+/// v_free of the bodies of islands for a sub-step that is not the whole step, for which [`take`] has found it.
 pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
-    let Workspace { island_bodies, states, before, accelerations, .. } = work;
+    let Workspace { island_bodies, states, velocities, accelerations, .. } = work;
     let count = states.len();
-    let (before, accelerations) = (&mut before[..count], &accelerations[..count]);
+    let (velocities, accelerations) = (&mut velocities[..count], &accelerations[..count]);
     for &rank in &*island_bodies {
         let rank = rank as usize;
-        let state = &mut states[rank];
-        before[rank] = state.velocity();
-        let (way, turn) = accelerations[rank];
-        state.velocity_mps += way * h;
-        state.yaw_rate_radps += turn * h;
+        velocities[rank] = free_velocity(&states[rank], accelerations[rank], h);
     }
+}
+
+/// v_free = v + h M⁻¹ W.
+#[inline(always)]
+fn free_velocity(state: &BodyState, (way, turn): Velocity, h: f64) -> Velocity {
+    (state.velocity_mps + way * h, state.yaw_rate_radps + turn * h)
 }
 
 /// Positions with the new velocities, and inverse masses as the bodies are turned then; and how far the
 /// bodies went by the mean of the velocities before and after the solve: a force times it is that force's work
 /// exactly. After it others of the step are to come.
 pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64, is_first: bool) {
-    let Workspace { island_bodies, before, states, poses, headings_rad, motions_by_rank, .. } =
-        work;
+    let Workspace { island_bodies, velocities, states, poses, headings_rad, .. } = work;
+    let motions = &mut work.motions_by_rank;
     let alike = model.ranked.alike();
     let count = alike.len();
-    let (states, before, motions) =
-        (&mut states[..count], &before[..count], &mut motions_by_rank[..count]);
+    let (states, velocities, motions) =
+        (&mut states[..count], &velocities[..count], &mut motions[..count]);
     let (poses, headings_rad) = (&mut poses[..count], &mut headings_rad[..count]);
     for &rank in &*island_bodies {
         let rank = rank as usize;
         let (state, motion, pose) = (&mut states[rank], &mut motions[rank], &mut poses[rank]);
         let so_far = if is_first { Motion::default() } else { *motion };
-        *motion = moved_on(so_far, before[rank], state.velocity(), h);
-        move_body(state, h);
+        *motion = moved_on(so_far, state.velocity(), velocities[rank], h);
+        move_body(state, velocities[rank], h);
         pose.position_m = state.position_m;
         if !alike[rank] {
             turn_with(model.ranked.rest(rank), (state, pose), &mut work.inverses[rank], h);
@@ -260,12 +265,12 @@ pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64, is_
 /// The same at the end of the step: what there is of the bodies then is a result, and nothing asks for their poses
 /// any more.
 pub(crate) fn arrive(model: &Model, work: &mut Workspace, h: f64, is_first: bool) {
-    let Workspace { island_bodies, before, states, motions_by_rank, .. } = work;
+    let Workspace { island_bodies, velocities, states, motions_by_rank, .. } = work;
     let Workspace { wrenches, states_after, motions, sums, .. } = work;
     let alike = model.ranked.alike();
     let count = alike.len();
-    let (states, before, motions_by_rank) =
-        (&states[..count], &before[..count], &motions_by_rank[..count]);
+    let (states, velocities, motions_by_rank) =
+        (&states[..count], &velocities[..count], &motions_by_rank[..count]);
     let (wrenches, states_after) = (&wrenches[..count], &mut states_after[..count]);
     let (motions, id_of) = (&mut motions[..count], &model.id_of[..count]);
     let mut summed = *sums;
@@ -273,8 +278,8 @@ pub(crate) fn arrive(model: &Model, work: &mut Workspace, h: f64, is_first: bool
         let rank = rank as usize;
         let (id, mut state) = (id_of[rank].0 as usize, states[rank]);
         let so_far = if is_first { Motion::default() } else { motions_by_rank[rank] };
-        motions[id] = moved_on(so_far, before[rank], state.velocity(), h);
-        move_body(&mut state, h);
+        motions[id] = moved_on(so_far, state.velocity(), velocities[rank], h);
+        move_body(&mut state, velocities[rank], h);
         if !alike[rank] {
             // Turned for the momentum's sake: so the next step need not.
             let (pose, inverse) = (&mut work.poses[rank], &mut work.inverses[rank]);
@@ -297,8 +302,10 @@ fn moved_on(so_far: Motion, before: Velocity, after: Velocity, h: f64) -> Motion
     }
 }
 
+/// Takes a body to where it comes to with this velocity.
 #[inline(always)]
-fn move_body(state: &mut BodyState, h: f64) {
+fn move_body(state: &mut BodyState, velocity: Velocity, h: f64) {
+    (state.velocity_mps, state.yaw_rate_radps) = velocity;
     state.position_m += state.velocity_mps * h;
     state.heading_rad += state.yaw_rate_radps * h;
 }
@@ -361,9 +368,8 @@ fn drift(
         way_m: (state.velocity_mps + dv * 0.5) * step_s,
         turn_rad: (state.yaw_rate_radps + 0.5 * dr) * step_s,
     };
-    state.velocity_mps += dv;
-    state.yaw_rate_radps += dr;
-    move_body(state, step_s);
+    let velocity = (state.velocity_mps + dv, state.yaw_rate_radps + dr);
+    move_body(state, velocity, step_s);
     if body.turns.is_some() {
         turn_masses(body, state, (before, Rotation::from_angle(state.heading_rad)), step_s);
     }

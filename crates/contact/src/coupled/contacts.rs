@@ -37,7 +37,7 @@ pub(crate) fn act(
         found,
         own_patches,
         poses,
-        states,
+        velocities,
         inverses,
         events,
         rows,
@@ -59,7 +59,7 @@ pub(crate) fn act(
     let memories = &mut next_patches[first_patch..][..patches.len()];
     // As many as there are bodies: their ranks are checked once.
     let count = model.ranked.len();
-    let (states, inverses) = (&mut states[..count], &inverses[..count]);
+    let (velocities, inverses) = (&mut velocities[..count], &inverses[..count]);
     let mut from = 0;
     for island in islands {
         let first = from;
@@ -71,13 +71,13 @@ pub(crate) fn act(
             1 => {
                 let tie = &mut ties[first];
                 let_go::alone(model, &patches[first], &mut memories[first], tie);
-                solve::alone(states, inverses, tie, h)
+                solve::alone(velocities, inverses, tie, h)
             }
             _ => {
                 let own = first..from;
                 let (ties, memories) = (&mut ties[own.clone()], &mut memories[own.clone()]);
                 let_go::let_go(model, &patches[own], memories, ties, unheld_j);
-                solve::velocities(states, inverses, ties, memories, trials, h)
+                solve::velocities(velocities, inverses, ties, memories, trials, h)
             }
         };
         if change_mps > solve::TOLD_MPS {
@@ -127,9 +127,9 @@ impl<'w> Laying<'w> {
         }
         let scene = Scene { model, found: &work.found, poses: &work.poses[..count] };
         let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
-        let (before, inverses) = (&work.before[..count], &work.inverses[..count]);
+        let (states, inverses) = (&work.states[..count], &work.inverses[..count]);
         Laying {
-            begun: Begun { scene, before, inverses, elapsed_s, h },
+            begun: Begun { scene, states, inverses, elapsed_s, h },
             aside: Aside { events: &mut work.events, buffers: &mut work.clip },
             patches,
             ties: &mut work.ties[..patches.len()],

@@ -14,16 +14,16 @@
 
 use crate::coupled::tie::{Grip, Side, Tie};
 use crate::mass::InverseMatrix;
-use crate::state::{BodyState, Velocity};
+use crate::state::{Velocity, is_at_rest};
 use crate::vec2::{Vec2, vec2};
 
-/// New velocities in `states` and forces in `ties`, from velocities without contact. False where a bound would be
-/// passed or more than one body floats: `states` are unchanged then, not so the forces. `ties` come with speeds
+/// New velocities of `bodies` and forces in `ties`, from velocities without contact. False where a bound would be
+/// passed or more than one body floats: `bodies` are unchanged then, not so the forces. `ties` come with speeds
 /// of nought.
 // Apart: it needs all registers.
 #[inline(never)]
 pub(crate) fn solve(
-    states: &mut [BodyState],
+    bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
     ties: &mut [Tie],
     h: f64,
@@ -48,13 +48,13 @@ pub(crate) fn solve(
                 tie.a
             }
         };
-        walls_rest &= states[wall as usize].is_at_rest();
+        walls_rest &= is_at_rest(bodies[wall as usize]);
     }
     if !walls_rest {
-        take_walls(states, ties, &mut push);
+        take_walls(bodies, ties, &mut push);
     }
-    let state = &mut states[body as usize];
-    let (free_mps, free_radps) = state.velocity();
+    let velocity = &mut bodies[body as usize];
+    let (free_mps, free_radps) = *velocity;
     let (dv, dr) = push.response(&of_force);
     let found = stiffness.hold(&of_force, (free_mps + dv, free_radps + dr));
     for tie in ties {
@@ -68,8 +68,7 @@ pub(crate) fn solve(
     }
     // By the forces themselves: no momentum is lost but by rounding, however stiff the springs.
     let (dv, dr) = push.response(&of_force);
-    state.velocity_mps += dv;
-    state.yaw_rate_radps += dr;
+    *velocity = (free_mps + dv, free_radps + dr);
     true
 }
 
@@ -85,15 +84,14 @@ fn take(tie: &Tie, side: Side, push: &mut Push, stiffness: &mut Stiffness) {
 /// And what their other bodies do to them, which do not float but may move, as lock gates do.
 #[cold]
 #[inline(never)]
-fn take_walls(states: &[BodyState], ties: &mut [Tie], push: &mut Push) {
+fn take_walls(bodies: &[Velocity], ties: &mut [Tie], push: &mut Push) {
     for tie in ties {
         let side = tie.floating_side();
         let (wall, sign) = match side {
             Side::A => (tie.b, 1.0),
             Side::B => (tie.a, -1.0),
         };
-        let (normal_mps, tangential_mps) =
-            tie.grip(side.other()).speeds(states[wall as usize].velocity());
+        let (normal_mps, tangential_mps) = tie.grip(side.other()).speeds(bodies[wall as usize]);
         tie.after_mps = (-sign * normal_mps, -sign * tangential_mps);
         push.shear(&tie.grip(side), tie.spring_slope() * tangential_mps);
     }
@@ -229,12 +227,8 @@ mod tests {
     const H: f64 = 0.1;
 
     /// A ship that closes on four fenders and slides along them, as body B: her inverse masses are coupled.
-    fn ship_on_fenders(friction_static: f64) -> (Vec<BodyState>, Vec<InverseMatrix>, Vec<Tie>) {
-        let ship = BodyState {
-            velocity_mps: vec2(2e-3, -0.05),
-            yaw_rate_radps: 1e-5,
-            ..BodyState::default()
-        };
+    fn ship_on_fenders(friction_static: f64) -> (Vec<Velocity>, Vec<InverseMatrix>, Vec<Tie>) {
+        let ship = (vec2(2e-3, -0.05), 1e-5);
         let mass = [[9e7, 2e6, 1e8], [2e6, 1.4e8, -4e8], [1e8, -4e8, 5e11]];
         let inverse = InverseMatrix::of(&mass).expect("positive definite");
         let inverses = [InverseMatrix::default(), inverse].to_vec();
@@ -260,25 +254,21 @@ mod tests {
             Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, H)
         });
         let ties = ties.collect();
-        ([BodyState::default(), ship].to_vec(), inverses, ties)
+        ([Velocity::default(), ship].to_vec(), inverses, ties)
     }
 
     /// To rounding: each contact's forces are those that it would have with all others' as they are.
     #[test]
     fn the_direct_solve_is_where_a_sweep_changes_nothing() {
-        let moving = BodyState {
-            velocity_mps: vec2(4e-3, 1e-2),
-            yaw_rate_radps: 2e-4,
-            ..Default::default()
-        };
-        for wall in [BodyState::default(), moving] {
-            let (mut states, inverses, mut ties) = ship_on_fenders(0.5);
-            states[0] = wall;
-            let before = states[1];
-            assert!(solve(&mut states, &inverses, &mut ties, H));
-            assert!(states[1].velocity_mps.y > before.velocity_mps.y, "the fenders push");
+        let moving = (vec2(4e-3, 1e-2), 2e-4);
+        for wall in [Velocity::default(), moving] {
+            let (mut bodies, inverses, mut ties) = ship_on_fenders(0.5);
+            bodies[0] = wall;
+            let before = bodies[1];
+            assert!(solve(&mut bodies, &inverses, &mut ties, H));
+            assert!(bodies[1].0.y > before.0.y, "the fenders push");
             for tie in &ties {
-                let (normal_mps, tangential_mps) = tie.speeds(&states);
+                let (normal_mps, tangential_mps) = tie.speeds(&bodies);
                 assert!((tie.after_mps.0 - normal_mps).abs() < 1e-15, "{tie:?}");
                 assert!((tie.after_mps.1 - tangential_mps).abs() < 1e-15, "{tie:?}");
                 let relaxed = tie.relaxed((normal_mps, tangential_mps), H);
@@ -291,9 +281,9 @@ mod tests {
 
     #[test]
     fn where_a_bound_would_be_passed_no_body_changes() {
-        let (states, inverses, mut ties) = ship_on_fenders(1e-3);
-        let mut tried = states.clone();
+        let (bodies, inverses, mut ties) = ship_on_fenders(1e-3);
+        let mut tried = bodies.clone();
         assert!(!solve(&mut tried, &inverses, &mut ties, H), "friction cannot hold");
-        assert_eq!(tried, states);
+        assert_eq!(tried, bodies);
     }
 }

@@ -16,7 +16,7 @@ use alloc::vec::Vec;
 
 use crate::coupled::tie::{Kind, Tie};
 use crate::mass::InverseMatrix;
-use crate::state::BodyState;
+use crate::state::Velocity;
 
 /// Most floating bodies of an island that is leapt.
 const MOST_BODIES: usize = 4;
@@ -45,10 +45,10 @@ impl Trial {
 /// Velocities of all the island's floating bodies.
 type Velocities = [f64; SIZE];
 
-/// Changes the forces in `ties` and the velocities in `states` to where the sweeps seem to go. False, and
+/// Changes the forces in `ties` and the bodies' `velocities` to where the sweeps seem to go. False, and
 /// nothing changed, where the island is too large.
 pub(crate) fn leap(
-    states: &mut [BodyState],
+    velocities: &mut [Velocity],
     inverses: &[InverseMatrix],
     ties: &mut [Tie],
     trials: &mut Vec<Trial>,
@@ -57,7 +57,7 @@ pub(crate) fn leap(
     let Some(bodies) = Bodies::of(inverses, ties) else { return false };
     trials.clear();
     trials.extend(ties.iter().map(|tie| {
-        let speeds = tie.speeds(states);
+        let speeds = tie.speeds(velocities);
         Trial { speeds, along: (0.0, 0.0), kind: tie.kind(speeds.0, STIFFNESS, h) }
     }));
     let mut moved = [0.0; SIZE];
@@ -84,7 +84,7 @@ pub(crate) fn leap(
         let forces = tie.stiffened(trial.speeds, trial.kind, STIFFNESS, h);
         let more = forces.less(&tie.forces);
         tie.forces = forces;
-        tie.push(states, inverses, more.0 * h, more.1 * h);
+        tie.push(velocities, inverses, more.0 * h, more.1 * h);
     }
     true
 }

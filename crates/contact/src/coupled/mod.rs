@@ -272,7 +272,9 @@ fn sub_step(
 ) {
     let sub_steps = islands[0].sub_steps;
     let h = step_s / f64::from(sub_steps);
-    bodies::free_velocities(work, h);
+    if sub_steps > 1 {
+        bodies::free_velocities(work, h);
+    }
     contacts::act(model, past, work, islands, (h, 1.0 / f64::from(sub_steps)));
     if number + 1 < sub_steps {
         bodies::advance_positions(model, work, h, number == 0);

@@ -14,7 +14,7 @@ use crate::model::Material;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::report::{Event, ForceParts, Friction};
-use crate::state::Velocity;
+use crate::state::BodyState;
 use crate::touch::{Scene, Touch, touch};
 
 /// One contact of a sub-step, where contacts are reported: what is told of it besides what its [`Tie`] and its
@@ -49,8 +49,8 @@ pub(crate) struct Laws<'m> {
 #[derive(Clone, Copy)]
 pub(crate) struct Begun<'w> {
     pub(crate) scene: Scene<'w>,
-    /// Velocities and earth-fixed inverse masses by rank.
-    pub(crate) before: &'w [Velocity],
+    /// States and earth-fixed inverse masses by rank.
+    pub(crate) states: &'w [BodyState],
     pub(crate) inverses: &'w [InverseMatrix],
     /// Time since the last (sub-)step began, and length of this one [s].
     pub(crate) elapsed_s: f64,
@@ -87,7 +87,7 @@ pub(crate) fn collect(
     let (model, old) = (begun.scene.model, taken.old);
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
-    let velocities = [begun.before[a as usize], begun.before[b as usize]];
+    let velocities = [a, b].map(|rank| begun.states[rank as usize].velocity());
     let touch = touch(&begun.scene, aside.buffers, patch, face, material, old, velocities);
     let inverse_of = |rank: u32| (rank, &begun.inverses[rank as usize]);
     tie.join(inverse_of(a), inverse_of(b), &touch);

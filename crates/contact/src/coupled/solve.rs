@@ -22,7 +22,7 @@ use crate::coupled::tie::{Forces, Tie};
 use crate::mass::InverseMatrix;
 use crate::memory::PatchMemory;
 use crate::report::Friction;
-use crate::state::BodyState;
+use crate::state::Velocity;
 
 /// Most sweeps over the contacts.
 const SWEEPS: u32 = 400;
@@ -34,19 +34,18 @@ const SETTLED_MPS: f64 = 1e-13;
 /// A change larger than this in the last sweep is told to the user [m/s].
 pub(crate) const TOLD_MPS: f64 = 1e-6;
 
-/// New velocities of an island's bodies in `states`, from those that they have without contact, and the forces in
-/// its `ties`, whose `memories` have those that sweeps begin with. Returns the last sweep's largest change of
+/// New velocities of an island's `bodies`, from those that they have without contact, and the forces in its `ties`, whose `memories` have those that sweeps begin with. Returns the last sweep's largest change of
 /// velocity [m/s].
 #[inline]
 pub(crate) fn velocities(
-    states: &mut [BodyState],
+    bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
     ties: &mut [Tie],
     memories: &[PatchMemory],
     trials: &mut Vec<Trial>,
     h: f64,
 ) -> f64 {
-    if direct::solve(states, inverses, ties, h) {
+    if direct::solve(bodies, inverses, ties, h) {
         return 0.0;
     }
     for (tie, memory) in ties.iter_mut().zip(memories) {
@@ -56,9 +55,9 @@ pub(crate) fn velocities(
             friction: Friction::Stick,
         };
     }
-    let change_mps = together(states, inverses, ties, trials, h);
+    let change_mps = together(bodies, inverses, ties, trials, h);
     for tie in ties {
-        tie.after_mps = tie.speeds(states);
+        tie.after_mps = tie.speeds(bodies);
     }
     change_mps
 }
@@ -66,22 +65,22 @@ pub(crate) fn velocities(
 /// Sweeps over all contacts until they have settled. Returns the last sweep's largest change of
 /// velocity [m/s].
 fn together(
-    states: &mut [BodyState],
+    bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
     ties: &mut [Tie],
     trials: &mut Vec<Trial>,
     h: f64,
 ) -> f64 {
-    push_all(states, inverses, ties, h);
+    push_all(bodies, inverses, ties, h);
     let mut change_mps = 0.0;
     let mut leaps = 0;
     for count in 1..=SWEEPS {
-        change_mps = sweep(states, inverses, ties, h);
+        change_mps = sweep(bodies, inverses, ties, h);
         if change_mps <= SETTLED_MPS {
             break;
         }
         if count % SWEEPS_PER_LEAP == 0 && leaps < LEAPS {
-            let leapt = leap(states, inverses, ties, trials, h);
+            let leapt = leap(bodies, inverses, ties, trials, h);
             leaps = if leapt { leaps + 1 } else { LEAPS };
         }
     }
@@ -89,21 +88,21 @@ fn together(
 }
 
 /// The impulses of the forces that all contacts begin with.
-fn push_all(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie], h: f64) {
+fn push_all(bodies: &mut [Velocity], inverses: &[InverseMatrix], ties: &mut [Tie], h: f64) {
     for tie in ties {
-        tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
+        tie.push(bodies, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
     }
 }
 
 /// Each contact's forces in turn, given all others'. Returns the largest change of velocity [m/s].
-fn sweep(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie], h: f64) -> f64 {
+fn sweep(bodies: &mut [Velocity], inverses: &[InverseMatrix], ties: &mut [Tie], h: f64) -> f64 {
     let mut change_mps = 0.0;
     for tie in ties {
-        let forces = tie.relaxed(tie.speeds(states), h);
+        let forces = tie.relaxed(tie.speeds(bodies), h);
         let more = forces.less(&tie.forces);
         tie.forces = forces;
         if more != (0.0, 0.0) {
-            tie.push(states, inverses, more.0 * h, more.1 * h);
+            tie.push(bodies, inverses, more.0 * h, more.1 * h);
             change_mps = f64::max(change_mps, tie.change_mps(more, h));
         }
     }
@@ -114,12 +113,12 @@ fn sweep(states: &mut [BodyState], inverses: &[InverseMatrix], ties: &mut [Tie],
 /// no bound is reached its forces follow at once.
 #[inline(always)]
 pub(crate) fn alone(
-    states: &mut [BodyState],
+    bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
     tie: &mut Tie,
     h: f64,
 ) -> f64 {
-    let free = tie.speeds(states);
+    let free = tie.speeds(bodies);
     let (tangential_n, speeds) = tie.sticking(free, h);
     let mut change_mps = 0.0;
     if tie.is_within_bounds(speeds, tangential_n, h) {
@@ -127,7 +126,7 @@ pub(crate) fn alone(
     } else {
         change_mps = alone_within_bounds(tie, free, h);
     }
-    tie.push(states, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
+    tie.push(bodies, inverses, tie.forces.normal_n * h, tie.forces.tangential_n * h);
     change_mps
 }
 
@@ -169,12 +168,8 @@ mod tests {
     const H: f64 = 0.1;
 
     /// A ship on eight fenders that would throw her back too fast, each with a bound of its own.
-    fn ship_on_fenders() -> (Vec<BodyState>, Vec<InverseMatrix>, Vec<Tie>) {
-        let states = [0, 1].map(|rank| BodyState {
-            velocity_mps: vec2(1e-3, 1e-3) * f64::from(1 - rank),
-            yaw_rate_radps: 3e-6 * f64::from(1 - rank),
-            ..BodyState::default()
-        });
+    fn ship_on_fenders() -> (Vec<Velocity>, Vec<InverseMatrix>, Vec<Tie>) {
+        let bodies = [(vec2(1e-3, 1e-3), 3e-6), Velocity::default()];
         let inverses = [InverseMatrix::isotropic(9e7, 5e11), InverseMatrix::default()];
         let ties = (0..8).map(|k| {
             let arm_a_m = vec2(-110.0 + 28.0 * f64::from(k), 23.0);
@@ -189,13 +184,13 @@ mod tests {
             let forces = Forces { normal_n: law_n, tangential_n: 0.0, friction: Friction::Stick };
             Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, H)
         });
-        (states.to_vec(), inverses.to_vec(), ties.collect())
+        (bodies.to_vec(), inverses.to_vec(), ties.collect())
     }
 
     #[test]
     fn leaps_end_where_the_sweeps_do() {
-        let (mut states, inverses, mut ties) = ship_on_fenders();
-        let last_mps = together(&mut states, &inverses, &mut ties, &mut Vec::new(), H);
+        let (mut bodies, inverses, mut ties) = ship_on_fenders();
+        let last_mps = together(&mut bodies, &inverses, &mut ties, &mut Vec::new(), H);
         assert!(last_mps <= SETTLED_MPS, "{last_mps}");
 
         let (mut swept, _, mut swept_ties) = ship_on_fenders();
@@ -207,8 +202,8 @@ mod tests {
         }
         assert!(count > 30, "{count}: slow without leaps");
         // Both have settled to 1e-13 m/s a sweep; the slowest sweeps take a few per cent off what is left.
-        let apart = swept[0].velocity_mps - states[0].velocity_mps;
-        let turn = swept[0].yaw_rate_radps - states[0].yaw_rate_radps;
+        let apart = swept[0].0 - bodies[0].0;
+        let turn = swept[0].1 - bodies[0].1;
         assert!(apart.length() < 1e-11 && turn.abs() < 1e-13, "{apart:?} {turn}");
     }
 
@@ -218,19 +213,18 @@ mod tests {
     fn a_shear_spring_that_is_stiff_for_the_step_gives_back_more_than_it_took() {
         let material = Material { shear_stiffness_npm: 1e8, friction_static: 1e30, ..RUBBER };
         let inverses = [InverseMatrix::isotropic(9e5, 6e7), InverseMatrix::default()];
-        let mut state = BodyState { velocity_mps: vec2(0.3, 0.0), ..BodyState::default() };
-        let kinetic_j = |state: &BodyState| {
-            0.5 * (9e5 * state.velocity_mps.length_squared()
-                + 6e7 * state.yaw_rate_radps * state.yaw_rate_radps)
+        let mut body: Velocity = (vec2(0.3, 0.0), 0.0);
+        let kinetic_j = |(velocity_mps, turn_radps): Velocity| {
+            0.5 * (9e5 * velocity_mps.length_squared() + 6e7 * turn_radps * turn_radps)
         };
-        let start_j = kinetic_j(&state);
+        let start_j = kinetic_j(body);
         let (mut shear_m, mut stored_j) = (0.0, 0.0);
         for step in 0..400_i32 {
             // A push to and fro, as neighbouring contacts give it.
             let pushed_mps = 0.02 * f64::from((step * step) % 7 - 3);
             let touch = Touch {
                 shear_m,
-                v_tangential_mps: -(state.velocity_mps.x - 5.0 * state.yaw_rate_radps),
+                v_tangential_mps: -(body.0.x - 5.0 * body.1),
                 ..Touch::at(vec2(0.0, 1.0), [vec2(0.0, 5.0), vec2(0.0, 0.0)])
             };
             let laws = Laws {
@@ -244,19 +238,19 @@ mod tests {
             let forces = Forces { normal_n: 0.0, tangential_n: 0.0, friction: Friction::Stick };
             let mut tie =
                 Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, 0.5);
-            let (before_mps, before_j) = (state.velocity_mps.x, kinetic_j(&state) + stored_j);
-            let mut states = [state, BodyState::default()];
-            states[0].velocity_mps.x += pushed_mps;
-            let last_mps = alone(&mut states, &inverses, &mut tie, 0.5);
+            let (before_mps, before_j) = (body.0.x, kinetic_j(body) + stored_j);
+            let mut bodies = [body, Velocity::default()];
+            bodies[0].0.x += pushed_mps;
+            let last_mps = alone(&mut bodies, &inverses, &mut tie, 0.5);
             assert!(last_mps <= SETTLED_MPS, "{last_mps}");
-            state = states[0];
-            let put_in_j = 9e5 * pushed_mps * 0.5 * (before_mps + state.velocity_mps.x);
-            let after_mps = tie.speeds(&states).1;
+            body = bodies[0];
+            let put_in_j = 9e5 * pushed_mps * 0.5 * (before_mps + body.0.x);
+            let after_mps = tie.speeds(&bodies).1;
             let slip_m = 0.25 * (touch.v_tangential_mps + after_mps);
             shear_m = tie.shear_after_m(shear_m, after_mps, 0.5);
             stored_j = (stored_j - tie.forces.tangential_n * slip_m)
                 .clamp(0.0, tie.shear_stored_j(shear_m));
-            let gain_j = kinetic_j(&state) + stored_j - before_j - put_in_j;
+            let gain_j = kinetic_j(body) + stored_j - before_j - put_in_j;
             assert!(gain_j < 1e-9 * start_j, "step {step}: {gain_j} J");
         }
     }

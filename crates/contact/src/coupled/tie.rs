@@ -3,7 +3,7 @@
 use crate::coupled::rows::Laws;
 use crate::mass::{InverseMatrix, Seen};
 use crate::report::Friction;
-use crate::state::{BodyState, Velocity};
+use crate::state::Velocity;
 use crate::touch::{Levers, Touch};
 use crate::vec2::Vec2;
 
@@ -209,10 +209,10 @@ impl Tie {
 
     /// V_n and V_t of the two bodies as they move now [m/s].
     #[inline]
-    pub(crate) fn speeds(&self, states: &[BodyState]) -> (f64, f64) {
-        let (a, b) = (&states[self.a as usize], &states[self.b as usize]);
-        let apart = a.velocity_mps - b.velocity_mps;
-        let (turn_a, turn_b) = (a.yaw_rate_radps, b.yaw_rate_radps);
+    pub(crate) fn speeds(&self, velocities: &[Velocity]) -> (f64, f64) {
+        let [(a_mps, turn_a), (b_mps, turn_b)] =
+            [self.a, self.b].map(|rank| velocities[rank as usize]);
+        let apart = a_mps - b_mps;
         let (on_a, on_b) = (&self.levers_a, &self.levers_b);
         (
             apart.dot(self.along_n) + (turn_a * on_a.n_m - turn_b * on_b.n_m),
@@ -225,7 +225,7 @@ impl Tie {
     #[inline(always)]
     pub(crate) fn push(
         &self,
-        states: &mut [BodyState],
+        velocities: &mut [Velocity],
         inverses: &[InverseMatrix],
         normal_ns: f64,
         tangential_ns: f64,
@@ -233,16 +233,16 @@ impl Tie {
         if self.a_floats {
             let (impulse, moment) = self.grip(Side::A).wrench(normal_ns, tangential_ns);
             let (dv, dr) = inverses[self.a as usize].response(impulse, moment);
-            let state = &mut states[self.a as usize];
-            state.velocity_mps += dv;
-            state.yaw_rate_radps += dr;
+            let (velocity_mps, turn_radps) = &mut velocities[self.a as usize];
+            *velocity_mps += dv;
+            *turn_radps += dr;
         }
         if self.b_floats {
             let (impulse, moment) = self.grip(Side::B).wrench(normal_ns, tangential_ns);
             let (dv, dr) = inverses[self.b as usize].response(impulse, moment);
-            let state = &mut states[self.b as usize];
-            state.velocity_mps -= dv;
-            state.yaw_rate_radps -= dr;
+            let (velocity_mps, turn_radps) = &mut velocities[self.b as usize];
+            *velocity_mps -= dv;
+            *turn_radps -= dr;
         }
     }
 
