@@ -136,21 +136,31 @@ pub(crate) struct Seen {
     pub(crate) tangential: f64,
     /// n·K n without rotation.
     pub(crate) linear: f64,
+    /// Only one body answers, whose mass is the same in all axes; and the inverse of its inertia in yaw
+    /// [1/(kg·m²)]. Its inverse mass is `linear`.
+    pub(crate) is_alike: bool,
+    pub(crate) turning: f64,
 }
 
 impl Seen {
-    /// Adds a body about whose centre of gravity n and t have these levers [m].
+    /// Of one body with the same mass in all axes, about whose centre of gravity n and t have these levers [m].
     #[inline(always)]
-    pub(crate) fn add(&mut self, of: &InverseMatrix, n: Vec2, levers: Levers) {
-        let Levers { n_m: lever_n_m, t_m: lever_t_m } = levers;
-        if of.is_isotropic() {
-            let (turn_n, turn_t) = (of.rr * lever_n_m, of.rr * lever_t_m);
-            self.linear += of.xx;
-            self.normal += of.xx + turn_n * lever_n_m;
-            self.cross += turn_n * lever_t_m;
-            self.tangential += of.xx + turn_t * lever_t_m;
-            return;
+    pub(crate) fn alike(inverse_mass: f64, turning: f64, levers: Levers) -> Seen {
+        let (turn_n, turn_t) = (turning * levers.n_m, turning * levers.t_m);
+        Seen {
+            normal: inverse_mass + turn_n * levers.n_m,
+            cross: turn_n * levers.t_m,
+            tangential: inverse_mass + turn_t * levers.t_m,
+            linear: inverse_mass,
+            is_alike: true,
+            turning,
         }
+    }
+
+    /// Of one body.
+    #[inline(always)]
+    pub(crate) fn of(of: &InverseMatrix, n: Vec2, levers: Levers) -> Seen {
+        let Levers { n_m: lever_n_m, t_m: lever_t_m } = levers;
         // The quadratic form of (n, lever of n) and (t, lever of t), with t = (−n_y, n_x).
         let (x_x, y_y, x_y) = (n.x * n.x, n.y * n.y, n.x * n.y);
         let mixed = 2.0 * of.xy * x_y;
@@ -159,10 +169,26 @@ impl Seen {
         let linear_cross = (of.yy - of.xx) * x_y + of.xy * (x_x - y_y);
         let turn_n = of.xr * n.x + of.yr * n.y;
         let turn_t = of.yr * n.x - of.xr * n.y;
-        self.linear += linear;
-        self.normal += linear + lever_n_m * (2.0 * turn_n + of.rr * lever_n_m);
-        self.cross += linear_cross + turn_n * lever_t_m + lever_n_m * (turn_t + of.rr * lever_t_m);
-        self.tangential += linear_t + lever_t_m * (2.0 * turn_t + of.rr * lever_t_m);
+        Seen {
+            normal: linear + lever_n_m * (2.0 * turn_n + of.rr * lever_n_m),
+            cross: linear_cross + turn_n * lever_t_m + lever_n_m * (turn_t + of.rr * lever_t_m),
+            tangential: linear_t + lever_t_m * (2.0 * turn_t + of.rr * lever_t_m),
+            linear,
+            is_alike: false,
+            turning: of.rr,
+        }
+    }
+
+    /// Of two bodies.
+    pub(crate) fn both(a: Seen, b: Seen) -> Seen {
+        Seen {
+            normal: a.normal + b.normal,
+            cross: a.cross + b.cross,
+            tangential: a.tangential + b.tangential,
+            linear: a.linear + b.linear,
+            is_alike: false,
+            turning: 0.0,
+        }
     }
 }
 
@@ -193,8 +219,7 @@ mod tests {
         let inverse = InverseMatrix::of(&m).expect("positive definite");
         let (n, lever_n_m, lever_t_m) = (vec2(0.6, -0.8), 1.5, -0.7);
         let t = n.quarter_turn();
-        let mut seen = Seen::default();
-        seen.add(&inverse, n, Levers { n_m: lever_n_m, t_m: lever_t_m });
+        let seen = Seen::of(&inverse, n, Levers { n_m: lever_n_m, t_m: lever_t_m });
         let speed = |(v, r): (Vec2, f64), along: Vec2, lever_m: f64| v.dot(along) + r * lever_m;
         let (of_n, of_t) = (inverse.response(n, lever_n_m), inverse.response(t, lever_t_m));
         for (ours, exact) in [

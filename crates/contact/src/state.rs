@@ -18,13 +18,6 @@ pub struct BodyState {
     pub yaw_rate_radps: f64,
 }
 
-/// Neither goes nor turns.
-#[inline]
-pub(crate) fn is_at_rest((Vec2 { x, y }, turn_radps): Velocity) -> bool {
-    // All bits but the signs are nought: asked of all three at once.
-    (x.to_bits() | y.to_bits() | turn_radps.to_bits()) << 1 == 0
-}
-
 impl BodyState {
     /// Position and attitude.
     #[must_use]
@@ -59,7 +52,9 @@ impl BodyState {
     /// Neither goes nor turns.
     #[inline]
     pub(crate) fn is_at_rest(&self) -> bool {
-        is_at_rest(self.velocity())
+        // All bits but the signs are nought: asked of all three at once.
+        let Vec2 { x, y } = self.velocity_mps;
+        (x.to_bits() | y.to_bits() | self.yaw_rate_radps.to_bits()) << 1 == 0
     }
 
     /// Velocity of the body's material point at earth-fixed `point_m` (eq. 14) [m/s].

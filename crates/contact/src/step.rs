@@ -17,10 +17,10 @@ use crate::memory::{Memory, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::overlap::{Patch, overlap};
 use crate::report::{Contact, Event, Wrench};
-use crate::state::{BodyState, Velocity};
-use crate::touch::{Scene, arms_m, touch};
+use crate::state::BodyState;
+use crate::touch::{Movers, Scene, arms_m, touch};
 use crate::vec2::Vec2;
-use crate::workspace::{Candidate, Workspace};
+use crate::workspace::Workspace;
 
 /// Contact forces between all bodies for the step of `step_s` seconds that begins at `states`, by
 /// the paper's method. `states` are in the order in which the bodies were added.
@@ -79,13 +79,11 @@ fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     };
     for (patch, &inherited) in found.patches.iter().zip(&*inherited) {
         let old = inherited.of(&memory.patches, shares);
-        let Candidate { a, b, .. } = patch.candidate;
-        let velocities = [a, b].map(|rank| states[rank as usize].velocity());
         let past = (inherited, old);
         // Twice the same: without a fender most of it is nought, which the compiler then knows.
         match patch.candidate.fender(model) {
-            None => contact(&scene, &mut books, patch, None, past, velocities, time),
-            Some(face) => contact_at_face(&scene, &mut books, patch, face, past, velocities, time),
+            None => contact(&scene, &mut books, patch, None, past, states, time),
+            Some(face) => contact_at_face(&scene, &mut books, patch, face, past, states, time),
         }
     }
 }
@@ -119,10 +117,10 @@ fn contact_at_face(
     patch: &Patch,
     face: &RankedFender,
     past: Taken<'_>,
-    velocities: [Velocity; 2],
+    states: &[BodyState],
     time: Time,
 ) {
-    contact(scene, books, patch, Some(face), past, velocities, time);
+    contact(scene, books, patch, Some(face), past, states, time);
 }
 
 /// Law and limit for one patch: adds its contact to the report and its memory to the next step's.
@@ -133,12 +131,12 @@ fn contact(
     patch: &Patch,
     face: Option<&RankedFender>,
     (inherited, old): Taken<'_>,
-    velocities: [Velocity; 2],
+    states: &[BodyState],
     Time { step_s, elapsed_s }: Time,
 ) {
     let model = scene.model;
     let material = &model.materials()[patch.candidate.material.0 as usize];
-    let touch = touch(scene, books.buffers, patch, face, material, old, velocities);
+    let touch = touch(scene, books.buffers, patch, face, material, old, (Movers::Both, states));
     let arms_m @ [arm_a_m, arm_b_m] = arms_m(scene, patch, touch.point_in_a_m);
 
     // §3.2 and §3.4: the normal force.

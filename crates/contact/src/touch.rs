@@ -6,7 +6,7 @@ use crate::memory::PatchMemory;
 use crate::model::{Material, Model};
 use crate::overlap::{self, Overlap, Patch};
 use crate::report::{Contact, ContactWork, ForceParts, Friction};
-use crate::state::Velocity;
+use crate::state::{BodyState, Velocity};
 use crate::vec2::{Pose, Vec2};
 
 /// One patch as the laws see it; body A is the one with the lower rank.
@@ -53,6 +53,63 @@ impl Levers {
     }
 }
 
+/// Which bodies of a contact move: those that float, and what is fixed and moves nevertheless.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Movers {
+    /// Only A: B is fixed and rests.
+    A,
+    /// Only B.
+    B,
+    /// Both, as far as is known.
+    #[default]
+    Both,
+}
+
+impl Movers {
+    /// The other of the two rests.
+    #[inline(always)]
+    pub(crate) fn of([a_moves, b_moves]: [bool; 2]) -> Movers {
+        match (a_moves, b_moves) {
+            (true, false) => Movers::A,
+            (false, true) => Movers::B,
+            _ => Movers::Both,
+        }
+    }
+
+    /// V_n and V_t of two bodies along n and t, about whose centres of gravity these have these levers [m/s]. Of a body
+    /// that rests nothing is asked.
+    #[inline(always)]
+    pub(crate) fn speeds(
+        self,
+        velocity_of_a: impl Fn() -> Velocity,
+        velocity_of_b: impl Fn() -> Velocity,
+        (n, levers_a, levers_b): (Vec2, Levers, Levers),
+    ) -> (f64, f64) {
+        let alone = |(velocity_mps, turn_radps): Velocity, levers: Levers| {
+            (
+                velocity_mps.dot(n) + turn_radps * levers.n_m,
+                velocity_mps.dot(n.quarter_turn()) + turn_radps * levers.t_m,
+            )
+        };
+        match self {
+            Movers::A => alone(velocity_of_a(), levers_a),
+            Movers::B => {
+                let (normal_mps, tangential_mps) = alone(velocity_of_b(), levers_b);
+                (-normal_mps, -tangential_mps)
+            }
+            Movers::Both => {
+                let ((a_mps, turn_a), (b_mps, turn_b)) = (velocity_of_a(), velocity_of_b());
+                let apart_mps = a_mps - b_mps;
+                (
+                    apart_mps.dot(n) + (turn_a * levers_a.n_m - turn_b * levers_b.n_m),
+                    apart_mps.dot(n.quarter_turn())
+                        + (turn_a * levers_a.t_m - turn_b * levers_b.t_m),
+                )
+            }
+        }
+    }
+}
+
 /// What there is when the contacts of a (sub-)step are looked at.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'w> {
@@ -62,7 +119,7 @@ pub(crate) struct Scene<'w> {
     pub(crate) poses: &'w [Pose],
 }
 
-/// Kinematics of a patch between bodies of these velocities, A's and B's; `face` is the fender of it, where there
+/// Kinematics of a patch between bodies with these states by rank, of which these move; `face` is the fender of it, where there
 /// is one.
 // Always inlined: what it returns stays in registers.
 #[inline(always)]
@@ -73,7 +130,7 @@ pub(crate) fn touch(
     face: Option<&RankedFender>,
     material: &Material,
     old: Option<&PatchMemory>,
-    [(velocity_a_mps, turn_a_radps), (velocity_b_mps, turn_b_radps)]: [Velocity; 2],
+    (movers, states): (Movers, &[BodyState]),
 ) -> Touch {
     let pressed = match face {
         None => by_area(scene, buffers, patch, material, old),
@@ -84,24 +141,19 @@ pub(crate) fn touch(
     // In A's frame, where nobody has to turn the arms.
     let levers_a = Levers::new(point_in_a_m, normal_in_a);
     let levers_b = Levers::new(point_in_a_m - patch.b_in_a.position_m, normal_in_a);
-    let apart_mps = velocity_a_mps - velocity_b_mps;
-    let turning_n_mps = turn_a_radps * levers_a.n_m - turn_b_radps * levers_b.n_m;
-    let turning_t_mps = turn_a_radps * levers_a.t_m - turn_b_radps * levers_b.t_m;
+    let velocity_of = |rank: u32| states[rank as usize].velocity();
+    let (v_normal_mps, v_tangential_mps) = movers.speeds(
+        || velocity_of(patch.candidate.a),
+        || velocity_of(patch.candidate.b),
+        (normal, levers_a, levers_b),
+    );
     let shear_m = old.map_or(0.0, |m| {
         // How far the material points that were at C have moved apart, in A's frame, where nothing
         // is lost far from the origin.
         let apart = m.point_in_a_m - patch.b_in_a.apply(m.point_in_b_m);
         m.shear_m + apart.dot(normal_in_a.quarter_turn())
     });
-    Touch {
-        normal,
-        levers_a,
-        levers_b,
-        v_normal_mps: apart_mps.dot(normal) + turning_n_mps,
-        v_tangential_mps: apart_mps.dot(normal.quarter_turn()) + turning_t_mps,
-        shear_m,
-        ..pressed
-    }
+    Touch { normal, levers_a, levers_b, v_normal_mps, v_tangential_mps, shear_m, ..pressed }
 }
 
 /// Outline against outline: kS along the chord's normal, at the centroid (§1, §2 of the sheet).

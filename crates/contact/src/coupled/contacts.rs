@@ -127,9 +127,16 @@ impl<'w> Laying<'w> {
         }
         let scene = Scene { model, found: &work.found, poses: &work.poses[..count] };
         let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
-        let (states, inverses) = (&work.states[..count], &work.inverses[..count]);
         Laying {
-            begun: Begun { scene, states, inverses, elapsed_s, h },
+            begun: Begun {
+                scene,
+                bodies: model.ranked.bodies(),
+                states: &work.states[..count],
+                moves: &work.moves[..count],
+                inverses: &work.inverses[..count],
+                elapsed_s,
+                h,
+            },
             aside: Aside { events: &mut work.events, buffers: &mut work.clip },
             patches,
             ties: &mut work.ties[..patches.len()],

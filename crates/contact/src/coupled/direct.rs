@@ -14,7 +14,8 @@
 
 use crate::coupled::tie::{Grip, Side, Tie};
 use crate::mass::InverseMatrix;
-use crate::state::{Velocity, is_at_rest};
+use crate::state::Velocity;
+use crate::touch::Movers;
 use crate::vec2::{Vec2, vec2};
 
 /// New velocities of `bodies` and forces in `ties`, from velocities without contact. False where a bound would be
@@ -38,17 +39,11 @@ pub(crate) fn solve(
             return false;
         }
         // Twice the same, so that no sign is asked for.
-        let wall = match tie.floating_side() {
-            Side::A => {
-                take(tie, Side::A, &mut push, &mut stiffness);
-                tie.b
-            }
-            Side::B => {
-                take(tie, Side::B, &mut push, &mut stiffness);
-                tie.a
-            }
-        };
-        walls_rest &= is_at_rest(bodies[wall as usize]);
+        match tie.floating_side() {
+            Side::A => take(tie, Side::A, &mut push, &mut stiffness),
+            Side::B => take(tie, Side::B, &mut push, &mut stiffness),
+        }
+        walls_rest &= tie.movers != Movers::Both;
     }
     if !walls_rest {
         take_walls(bodies, ties, &mut push);
@@ -264,6 +259,9 @@ mod tests {
         for wall in [Velocity::default(), moving] {
             let (mut bodies, inverses, mut ties) = ship_on_fenders(0.5);
             bodies[0] = wall;
+            if wall == moving {
+                ties.iter_mut().for_each(|tie| tie.movers = Movers::Both);
+            }
             let before = bodies[1];
             assert!(solve(&mut bodies, &inverses, &mut ties, H));
             assert!(bodies[1].0.y > before.0.y, "the fenders push");

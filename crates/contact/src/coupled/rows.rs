@@ -8,14 +8,16 @@ use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
 use crate::law::normal::{factor, normal_force};
-use crate::mass::InverseMatrix;
+use crate::mass::{InverseMatrix, Seen};
 use crate::memory::PatchMemory;
 use crate::model::Material;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
+use crate::ranked::Bodies;
 use crate::report::{Event, ForceParts, Friction};
 use crate::state::BodyState;
-use crate::touch::{Scene, Touch, touch};
+use crate::touch::{Levers, Movers, Scene, Touch, touch};
+use crate::vec2::Vec2;
 
 /// One contact of a sub-step, where contacts are reported: what is told of it besides what its [`Tie`] and its
 /// [`PatchMemory`] know.
@@ -49,12 +51,48 @@ pub(crate) struct Laws<'m> {
 #[derive(Clone, Copy)]
 pub(crate) struct Begun<'w> {
     pub(crate) scene: Scene<'w>,
-    /// States and earth-fixed inverse masses by rank.
+    /// By rank: bodies, states, whether they move and earth-fixed inverse masses.
+    pub(crate) bodies: Bodies<'w>,
     pub(crate) states: &'w [BodyState],
+    pub(crate) moves: &'w [bool],
     pub(crate) inverses: &'w [InverseMatrix],
     /// Time since the last (sub-)step began, and length of this one [s].
     pub(crate) elapsed_s: f64,
     pub(crate) h: f64,
+}
+
+impl Begun<'_> {
+    /// How a body that floats answers at a contact along n, with these levers of n and t.
+    #[inline(always)]
+    fn seen(&self, rank: u32, n: Vec2, levers: Levers) -> Seen {
+        let body = self.bodies.of(rank as usize);
+        if body.is_alike {
+            // To the bit as in `inverses`.
+            Seen::alike(body.lightest_inverse_mass, body.inverse_of_turning, levers)
+        } else {
+            Seen::of(&self.inverses[rank as usize], n, levers)
+        }
+    }
+
+    /// The same of two bodies that move, of which one may be fixed; and whether each floats.
+    // By value: what it is asked with stays in registers elsewhere.
+    #[inline(never)]
+    fn seen_of_both(
+        &self,
+        [a, b]: [u32; 2],
+        n: Vec2,
+        levers_a: Levers,
+        levers_b: Levers,
+    ) -> (Seen, [bool; 2]) {
+        let floats = [a, b].map(|rank| !self.bodies.of(rank as usize).is_fixed());
+        let (seen_of_a, seen_of_b) = (self.seen(a, n, levers_a), self.seen(b, n, levers_b));
+        let seen = match floats {
+            [true, false] => seen_of_a,
+            [false, true] => seen_of_b,
+            _ => Seen::both(seen_of_a, seen_of_b),
+        };
+        (seen, floats)
+    }
 }
 
 /// What is found beside the laws of the contacts.
@@ -87,10 +125,16 @@ pub(crate) fn collect(
     let (model, old) = (begun.scene.model, taken.old);
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
-    let velocities = [a, b].map(|rank| begun.states[rank as usize].velocity());
-    let touch = touch(&begun.scene, aside.buffers, patch, face, material, old, velocities);
-    let inverse_of = |rank: u32| (rank, &begun.inverses[rank as usize]);
-    tie.join(inverse_of(a), inverse_of(b), &touch);
+    let movers = Movers::of([a, b].map(|rank| begun.moves[rank as usize]));
+    let bodies = (movers, begun.states);
+    let touch = touch(&begun.scene, aside.buffers, patch, face, material, old, bodies);
+    tie.join([a, b], movers, &touch);
+    let (seen, floats) = match movers {
+        Movers::A => (begun.seen(a, touch.normal, touch.levers_a), [true, false]),
+        Movers::B => (begun.seen(b, touch.normal, touch.levers_b), [false, true]),
+        Movers::Both => begun.seen_of_both([a, b], touch.normal, touch.levers_a, touch.levers_b),
+    };
+    tie.answer(&seen, floats);
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, face, &touch, old);
     let parts =

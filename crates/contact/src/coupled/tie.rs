@@ -4,7 +4,7 @@ use crate::coupled::rows::Laws;
 use crate::mass::{InverseMatrix, Seen};
 use crate::report::Friction;
 use crate::state::Velocity;
-use crate::touch::{Levers, Touch};
+use crate::touch::{Levers, Movers, Touch};
 use crate::vec2::Vec2;
 
 /// A contact's forces and all that a sweep needs, so that it reads nothing else but the bodies'
@@ -17,6 +17,11 @@ pub(crate) struct Tie {
     /// What does not move is not pushed.
     a_floats: bool,
     b_floats: bool,
+    /// What rests is not asked for its velocity.
+    pub(crate) movers: Movers,
+    /// As in [`Seen`].
+    is_alike: bool,
+    turning: f64,
     /// n, and the levers of n and t about each body's centre of gravity [m].
     pub(crate) along_n: Vec2,
     levers_a: Levers,
@@ -154,36 +159,35 @@ impl Tie {
         h: f64,
     ) -> Tie {
         let mut tie = Tie::default();
-        tie.join(a, b, touch);
+        let seen_of_a = Seen::of(a.1, touch.normal, touch.levers_a);
+        let seen_of_b = Seen::of(b.1, touch.normal, touch.levers_b);
+        let floats = [a.1, b.1].map(InverseMatrix::floats);
+        tie.join([a.0, b.0], Movers::of(floats), touch);
+        tie.answer(&Seen::both(seen_of_a, seen_of_b), floats);
         tie.obey(touch, laws, begins_with, h);
         tie
     }
 
-    /// Becomes a contact between two bodies of these ranks and inverse masses, as far as its laws do not matter.
+    /// Becomes a contact between two bodies of these ranks, of which these move, as far as neither masses nor laws
+    /// matter.
     // Always inlined, and apart from the laws: what is written where it is to stay is no longer in their way.
     #[inline(always)]
-    pub(crate) fn join(
-        &mut self,
-        (a, inverse_a): (u32, &InverseMatrix),
-        (b, inverse_b): (u32, &InverseMatrix),
-        touch: &Touch,
-    ) {
+    pub(crate) fn join(&mut self, [a, b]: [u32; 2], movers: Movers, touch: &Touch) {
         let Touch { normal: along_n, levers_a, levers_b, .. } = *touch;
-        (self.a, self.b) = (a, b);
+        (self.a, self.b, self.movers) = (a, b, movers);
         (self.along_n, self.levers_a, self.levers_b) = (along_n, levers_a, levers_b);
-        (self.a_floats, self.b_floats) = (inverse_a.floats(), inverse_b.floats());
-        let mut seen = Seen::default();
-        if inverse_a.floats() {
-            seen.add(inverse_a, along_n, levers_a);
-        }
-        if inverse_b.floats() {
-            seen.add(inverse_b, along_n, levers_b);
-        }
-        let Seen { normal, cross, tangential, linear } = seen;
-        (self.normal, self.cross, self.tangential, self.linear) =
-            (normal, cross, tangential, linear);
         (self.normal_before_mps, self.tangential_before_mps) =
             (touch.v_normal_mps, touch.v_tangential_mps);
+    }
+
+    /// Its bodies answer it like this, and A and B float or not.
+    #[inline(always)]
+    pub(crate) fn answer(&mut self, seen: &Seen, [a_floats, b_floats]: [bool; 2]) {
+        (self.a_floats, self.b_floats) = (a_floats, b_floats);
+        let Seen { normal, cross, tangential, linear, is_alike, turning } = *seen;
+        (self.normal, self.cross, self.tangential, self.linear) =
+            (normal, cross, tangential, linear);
+        (self.is_alike, self.turning) = (is_alike, turning);
     }
 
     /// With these laws and the forces that it begins with.
@@ -210,13 +214,10 @@ impl Tie {
     /// V_n and V_t of the two bodies as they move now [m/s].
     #[inline]
     pub(crate) fn speeds(&self, velocities: &[Velocity]) -> (f64, f64) {
-        let [(a_mps, turn_a), (b_mps, turn_b)] =
-            [self.a, self.b].map(|rank| velocities[rank as usize]);
-        let apart = a_mps - b_mps;
-        let (on_a, on_b) = (&self.levers_a, &self.levers_b);
-        (
-            apart.dot(self.along_n) + (turn_a * on_a.n_m - turn_b * on_b.n_m),
-            apart.dot(self.along_n.quarter_turn()) + (turn_a * on_a.t_m - turn_b * on_b.t_m),
+        self.movers.speeds(
+            || velocities[self.a as usize],
+            || velocities[self.b as usize],
+            (self.along_n, self.levers_a, self.levers_b),
         )
     }
 
@@ -232,17 +233,33 @@ impl Tie {
     ) {
         if self.a_floats {
             let (impulse, moment) = self.grip(Side::A).wrench(normal_ns, tangential_ns);
-            let (dv, dr) = inverses[self.a as usize].response(impulse, moment);
+            let (dv, dr) = self.response(inverses, self.a, impulse, moment);
             let (velocity_mps, turn_radps) = &mut velocities[self.a as usize];
             *velocity_mps += dv;
             *turn_radps += dr;
         }
         if self.b_floats {
             let (impulse, moment) = self.grip(Side::B).wrench(normal_ns, tangential_ns);
-            let (dv, dr) = inverses[self.b as usize].response(impulse, moment);
+            let (dv, dr) = self.response(inverses, self.b, impulse, moment);
             let (velocity_mps, turn_radps) = &mut velocities[self.b as usize];
             *velocity_mps -= dv;
             *turn_radps -= dr;
+        }
+    }
+
+    /// Change of velocity and yaw rate of one of its bodies that float by an impulse and its moment.
+    #[inline(always)]
+    fn response(
+        &self,
+        inverses: &[InverseMatrix],
+        rank: u32,
+        impulse: Vec2,
+        moment: f64,
+    ) -> Velocity {
+        if self.is_alike {
+            (impulse * self.linear, moment * self.turning)
+        } else {
+            inverses[rank as usize].response(impulse, moment)
         }
     }
 
