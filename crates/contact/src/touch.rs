@@ -76,8 +76,8 @@ impl Movers {
         }
     }
 
-    /// V_n and V_t of two bodies along n and t, about whose centres of gravity these have these levers [m/s]. Of a body
-    /// that rests nothing is asked.
+    /// V_n and V_t of two bodies along n and t, about whose centres of gravity these have these levers [m/s]. Of
+    /// a body that rests nothing is asked.
     #[inline(always)]
     pub(crate) fn speeds(
         self,
@@ -119,8 +119,8 @@ pub(crate) struct Scene<'w> {
     pub(crate) poses: &'w [Pose],
 }
 
-/// Kinematics of a patch between bodies with these states by rank, of which these move; `face` is the fender of it, where there
-/// is one.
+/// Kinematics of a patch between bodies with these states by rank, of which these move; `face` is the fender of it,
+/// where there is one.
 // Always inlined: what it returns stays in registers.
 #[inline(always)]
 pub(crate) fn touch(

@@ -19,8 +19,7 @@ use crate::touch::Movers;
 use crate::vec2::{Vec2, vec2};
 
 /// New velocities of `bodies` and forces in `ties`, from velocities without contact. False where a bound would be
-/// passed or more than one body floats: `bodies` are unchanged then, not so the forces. `ties` come with speeds
-/// of nought.
+/// passed or more than one body floats: `bodies` are unchanged then, not so the forces.
 // Apart: it needs all registers.
 #[inline(never)]
 pub(crate) fn solve(
@@ -53,9 +52,10 @@ pub(crate) fn solve(
     let (dv, dr) = push.response(&of_force);
     let found = stiffness.hold(&of_force, (free_mps + dv, free_radps + dr));
     for tie in ties {
+        let of_wall_mps = if walls_rest { (0.0, 0.0) } else { tie.after_mps };
         let sticks = match tie.floating_side() {
-            Side::A => stick(tie, Side::A, found, &mut push, h),
-            Side::B => stick(tie, Side::B, found, &mut push, h),
+            Side::A => stick(tie, Side::A, found, of_wall_mps, (&mut push, h)),
+            Side::B => stick(tie, Side::B, found, of_wall_mps, (&mut push, h)),
         };
         if !sticks {
             return false;
@@ -92,12 +92,18 @@ fn take_walls(bodies: &[Velocity], ties: &mut [Tie], push: &mut Push) {
     }
 }
 
-/// Its forces and speeds if the body moves so. False where a bound would be passed.
+/// Its forces and speeds if the body moves so, and its wall makes so much of the speeds. False where a bound would be passed.
 #[inline(always)]
-fn stick(tie: &mut Tie, side: Side, moves: Velocity, push: &mut Push, h: f64) -> bool {
+fn stick(
+    tie: &mut Tie,
+    side: Side,
+    moves: Velocity,
+    of_wall_mps: (f64, f64),
+    (push, h): (&mut Push, f64),
+) -> bool {
     let (grip, sign) = (tie.grip(side), side.sign());
     let (normal_mps, tangential_mps) = grip.speeds(moves);
-    let speeds = (tie.after_mps.0 + sign * normal_mps, tie.after_mps.1 + sign * tangential_mps);
+    let speeds = (of_wall_mps.0 + sign * normal_mps, of_wall_mps.1 + sign * tangential_mps);
     let tangential_n = tie.spring_n(speeds.1);
     if !tie.is_within_bounds(speeds, tangential_n, h) {
         return false;

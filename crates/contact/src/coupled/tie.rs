@@ -208,7 +208,6 @@ impl Tie {
         self.friction_static = material.friction_static;
         self.friction_dynamic = material.friction_dynamic;
         self.forces = begins_with;
-        self.after_mps = (0.0, 0.0);
     }
 
     /// V_n and V_t of the two bodies as they move now [m/s].
