@@ -105,13 +105,16 @@ impl Overlap {
 }
 
 /// Leaves the patches of the candidates in question in `work.patches`, in their order, and adds the hints for
-/// the next step to `next_hints`; `hints` are those of the last one.
+/// the next step to `next_hints`; `hints` are those of the last one. True where all of these go on as they are:
+/// nothing is added then.
+#[must_use]
 pub(crate) fn overlap(
     model: &Model,
-    mut hints: &[HintMemory],
+    hints: &[HintMemory],
     work: &mut Workspace,
     next_hints: &mut Vec<HintMemory>,
-) {
+) -> bool {
+    let mut hints = Hints::new(hints, next_hints);
     let Workspace { candidates, poses, found, clip: buffers, own_candidates, .. } = work;
     found.clear();
     // As many as there are bodies: their ranks are checked once.
@@ -121,22 +124,112 @@ pub(crate) fn overlap(
     for (of, Pairing { candidate, .. }) in (own.start as u32..).zip(&candidates[own]) {
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let b_in_a = poses[a].to(poses[b]);
-        let hints = (&mut hints, &mut *next_hints);
         let [mut a, mut b] = [a, b].map(|rank| convex.of(rank));
         if let Some(face) = candidate.fender(model) {
             *(if face.host == candidate.a { &mut a } else { &mut b }) = Some(&face.zone);
         }
         if let (Some(a), Some(b)) = (a, b) {
-            clip_convex([a, b], (candidate, of), b_in_a, hints, buffers, found);
+            clip_convex([a, b], (candidate, of), b_in_a, &mut hints, buffers, found);
         } else {
-            clip_several(model, (candidate, of), b_in_a, hints, buffers, found);
+            clip_several(model, (candidate, of), b_in_a, &mut hints, buffers, found);
         }
     }
+    let all_go_on = hints.finish();
     work.own_patches = 0..work.found.patches.len();
+    all_go_on
 }
 
-/// The last step's hints that are still to be read, and the next one's.
-type Hints<'h, 'm> = (&'h mut &'m [HintMemory], &'h mut Vec<HintMemory>);
+/// The last step's hints as they are read, and the next one's as they are written. Most go on as they were, and
+/// are copied by the run, or not at all where all of them do.
+struct Hints<'h> {
+    /// What is neither written nor dropped yet, sorted.
+    old: &'h [HintMemory],
+    /// What of it is still to be read.
+    unread: &'h [HintMemory],
+    next: &'h mut Vec<HintMemory>,
+    /// Nothing is written yet, nor dropped.
+    all_go_on: bool,
+}
+
+/// Ranks, face and pieces, as of [`HintMemory::key`].
+type HintKey = (u32, u32, u32, u32, u32);
+
+impl<'h> Hints<'h> {
+    /// With room for as many as there were, whether they are to be copied or not: no later step asks for it then.
+    fn new(old: &'h [HintMemory], next: &'h mut Vec<HintMemory>) -> Hints<'h> {
+        next.reserve(old.len());
+        Hints { old, unread: old, next, all_go_on: true }
+    }
+
+    /// The last step's hint for these pieces, which goes on unless [`Hints::replace`] follows. Both lists are
+    /// sorted, so that one pass finds all.
+    #[inline(always)]
+    fn read(&mut self, wanted: HintKey) -> Option<Hint> {
+        match self.unread {
+            // Whoever was near in the last step is near in this one.
+            [first, rest @ ..] if first.key() == wanted => {
+                self.unread = rest;
+                Some(first.hint)
+            }
+            _ => self.search(wanted),
+        }
+    }
+
+    /// The same where others may come before it, or there is none.
+    #[inline(never)]
+    fn search(&mut self, wanted: HintKey) -> Option<Hint> {
+        let skipped = self.unread.iter().take_while(|hint| hint.key() < wanted).count();
+        if skipped > 0 {
+            self.write();
+            self.unread = &self.unread[skipped..];
+            self.old = self.unread;
+        }
+        let (first, rest) = self.unread.split_first()?;
+        (first.key() == wanted).then(|| {
+            self.unread = rest;
+            first.hint
+        })
+    }
+
+    /// What was read goes on, to the last.
+    fn write(&mut self) {
+        let (read, unread) = self.old.split_at(self.old.len() - self.unread.len());
+        self.next.extend_from_slice(read);
+        (self.old, self.all_go_on) = (unread, false);
+    }
+
+    /// What was read last goes on as this one; not at all where nothing is worth remembering.
+    #[inline]
+    fn replace(&mut self, of: HintKey, before: Option<Hint>, hint: Hint) {
+        let hint = (hint != Hint::None).then_some(hint);
+        if hint != before {
+            self.write_other(of, before, hint);
+        }
+    }
+
+    #[inline(never)]
+    fn write_other(
+        &mut self,
+        (a, b, face, piece_a, piece_b): HintKey,
+        before: Option<Hint>,
+        hint: Option<Hint>,
+    ) {
+        self.write();
+        if before.is_some() {
+            self.next.pop();
+        }
+        self.next.extend(hint.map(|hint| HintMemory { a, b, face, piece_a, piece_b, hint }));
+    }
+
+    /// Writes what is left; true where nothing was written nor dropped, and nothing is.
+    fn finish(mut self) -> bool {
+        let all_go_on = self.all_go_on && self.unread.is_empty();
+        if !all_go_on {
+            self.write();
+        }
+        all_go_on
+    }
+}
 
 /// Clips one convex piece against another: they have one patch at most, and which it was in the last
 /// step needs no asking.
@@ -145,21 +238,23 @@ fn clip_convex(
     [a, b]: [&ConvexPolygon; 2],
     (candidate, of): (&Candidate, u32),
     b_in_a: Pose,
-    (hints, next_hints): Hints<'_, '_>,
+    hints: &mut Hints<'_>,
     buffers: &mut ClipBuffers,
     found: &mut Overlap,
 ) {
     let Overlap { patches, outline_m, .. } = found;
     let from = outline_m.len();
-    let hint = next_hint(hints, next_hints, candidate, (0, 0));
+    let key = (candidate.a, candidate.b, candidate.face, 0, 0);
+    let hint = hints.read(key);
     // Two outlines are told from one another by their chord: nobody asks for the corners where there is one.
     let corners = if candidate.face == 0 { Corners::WithoutChord } else { Corners::Always };
     let wanted = (corners, &mut *outline_m);
-    let clip = match clip::clip_through(a, b, b_in_a, *hint) {
+    let clip = match clip::clip_through(a, b, b_in_a, hint.unwrap_or_default()) {
         Some(through) => through.clip(a, b, b_in_a, wanted),
         None => {
-            let clip = clip::clip_otherwise(a, b, b_in_a, hint, buffers, wanted);
-            drop_empty(next_hints);
+            let mut next = hint.unwrap_or_default();
+            let clip = clip::clip_otherwise(a, b, b_in_a, &mut next, buffers, wanted);
+            hints.replace(key, hint, next);
             let Some(clip) = clip else { return outline_m.truncate(from) };
             clip
         }
@@ -186,7 +281,7 @@ fn clip_several(
     model: &Model,
     (candidate, of): (&Candidate, u32),
     b_in_a: Pose,
-    hints: Hints<'_, '_>,
+    hints: &mut Hints<'_>,
     buffers: &mut ClipBuffers,
     found: &mut Overlap,
 ) {
@@ -218,17 +313,19 @@ fn clip_pieces(
     (pieces_a, pieces_b): (&[ConvexPolygon], &[ConvexPolygon]),
     candidate: &Candidate,
     b_in_a: Pose,
-    (hints, next_hints): Hints<'_, '_>,
+    hints: &mut Hints<'_>,
     buffers: &mut ClipBuffers,
     Overlap { outline_m, lenses, .. }: &mut Overlap,
 ) {
     for (piece_a, a) in (0..).zip(pieces_a) {
         for (piece_b, b) in (0..).zip(pieces_b) {
             let start = outline_m.len();
-            let hint = next_hint(hints, next_hints, candidate, (piece_a, piece_b));
+            let key = (candidate.a, candidate.b, candidate.face, piece_a, piece_b);
+            let hint = hints.read(key);
             let wanted = (Corners::Always, &mut *outline_m);
-            let found = clip::clip(a, b, b_in_a, hint, buffers, wanted);
-            drop_empty(next_hints);
+            let mut next = hint.unwrap_or_default();
+            let found = clip::clip(a, b, b_in_a, &mut next, buffers, wanted);
+            hints.replace(key, hint, next);
             match found {
                 Some(clip) => lenses.push(PieceLens {
                     lens: clip.lens,
@@ -241,51 +338,6 @@ fn clip_pieces(
                 None => outline_m.truncate(start),
             }
         }
-    }
-}
-
-/// A place for the next step's hint, with the last one's in it. Both lists are sorted, so that one pass finds all.
-#[inline(always)]
-fn next_hint<'h>(
-    hints: &mut &[HintMemory],
-    next_hints: &'h mut Vec<HintMemory>,
-    of: &Candidate,
-    (piece_a, piece_b): (u32, u32),
-) -> &'h mut Hint {
-    let wanted = (of.a, of.b, of.face, piece_a, piece_b);
-    match *hints {
-        // Whoever was near in the last step is near in this one.
-        [first, rest @ ..] if first.key() == wanted => {
-            next_hints.extend_from_slice(slice::from_ref(first));
-            *hints = rest;
-        }
-        _ => next_hints.push(search_hint(hints, wanted)),
-    }
-    let last = next_hints.len() - 1;
-    &mut next_hints[last].hint
-}
-
-/// The last step's hint for these pieces, or an empty one.
-#[inline(never)]
-fn search_hint(hints: &mut &[HintMemory], wanted: (u32, u32, u32, u32, u32)) -> HintMemory {
-    while let [first, rest @ ..] = *hints {
-        if first.key() > wanted {
-            break;
-        }
-        *hints = rest;
-        if first.key() == wanted {
-            return *first;
-        }
-    }
-    let (a, b, face, piece_a, piece_b) = wanted;
-    HintMemory { a, b, face, piece_a, piece_b, hint: Hint::None }
-}
-
-/// Takes the place away again where nothing is worth remembering.
-#[inline]
-fn drop_empty(next_hints: &mut Vec<HintMemory>) {
-    if next_hints.last().is_some_and(|last| last.hint == Hint::None) {
-        next_hints.pop();
     }
 }
 

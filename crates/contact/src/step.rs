@@ -47,11 +47,11 @@ pub fn step(
     work.own_candidates = 0..work.candidates.len();
     let mut hints = core::mem::take(&mut work.next_hints);
     hints.clear();
-    overlap(model, &memory.hints, work, &mut hints);
+    let all_go_on = overlap(model, &memory.hints, work, &mut hints);
     work.next_hints = hints;
     inherit_all(model, memory.past(), work);
     forces(model, memory, work, step_s);
-    remember(memory, work, step_s);
+    remember(memory, work, all_go_on, step_s);
     Ok(())
 }
 
@@ -211,11 +211,13 @@ fn gather(contact: &Contact, wrenches: &mut [Wrench]) {
     on_2.moment_nm -= contact.arm_2_m.cross(force_n);
 }
 
-/// The step is done: what it found becomes the memory of the next.
-fn remember(memory: &mut Memory, work: &mut Workspace, step_s: f64) {
+/// The step is done: what it found becomes the memory of the next. Where all hints go on the memory has them.
+fn remember(memory: &mut Memory, work: &mut Workspace, all_go_on: bool, step_s: f64) {
     core::mem::swap(&mut memory.patches, &mut work.next_patches);
     core::mem::swap(&mut memory.places, &mut work.next_places);
-    core::mem::swap(&mut memory.hints, &mut work.next_hints);
+    if !all_go_on {
+        core::mem::swap(&mut memory.hints, &mut work.next_hints);
+    }
     core::mem::swap(&mut memory.last_states, &mut work.states);
     memory.last_step_s = step_s;
 }

@@ -142,23 +142,24 @@ fn carry_out(
     work.next_patches.clear();
     work.next_places.clear();
     work.next_hints.clear();
-    advance_islands(model, memory, work, step_s);
+    let all_go_on = advance_islands(model, memory, work, step_s);
     bodies::drift_apart(model, work, step_s);
     report(model, work)?;
-    remember(memory, work, step_s);
+    remember(memory, work, all_go_on, step_s);
     work.advanced = Some(model.fingerprint);
     Ok(())
 }
 
-/// All islands: together as far as they are in the order of the memory.
-fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
+/// All islands: together as far as they are in the order of the memory. True where all its hints go on as they are.
+fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) -> bool {
     let mut islands = core::mem::take(&mut work.islands);
+    let mut all_go_on = false;
     if islands.is_empty() || !work.in_order {
         end_what_left(model, memory, work);
     }
     let jumps = work.jumps;
     if work.in_order {
-        advance_in_order(model, memory.past(), work, &mut islands, step_s);
+        all_go_on = advance_in_order(model, memory.past(), work, &mut islands, step_s);
     } else {
         let mut gathered = core::mem::take(&mut work.gathered_memory);
         for island in &mut islands {
@@ -167,11 +168,14 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
             work.jumps = jumps;
             // The islands before have moved them.
             island::put_walls_back(work, island.candidates.clone());
-            advance_in_order(model, past, work, core::slice::from_mut(island), step_s);
+            if advance_in_order(model, past, work, core::slice::from_mut(island), step_s) {
+                work.next_hints.extend_from_slice(past.hints);
+            }
         }
         work.gathered_memory = gathered;
     }
     work.islands = islands;
+    all_go_on
 }
 
 /// Tells of contacts whose pairs are no candidates any more, as they are only where a body jumped, where
@@ -188,22 +192,24 @@ fn end_what_left(model: &Model, memory: &Memory, work: &mut Workspace) {
 }
 
 /// Islands that are in the order of what the last step left of them: the first overlap of all of them, and
-/// then their sub-steps, stage by stage for neighbours that need as many.
+/// then their sub-steps, stage by stage for neighbours that need as many. What they leave is added to that of the
+/// next step, but for the hints where all of the last one's go on as they are: it is true then.
 fn advance_in_order(
     model: &Model,
     past: Past<'_>,
     work: &mut Workspace,
     islands: &mut [Island],
     step_s: f64,
-) {
-    let ([first, ..], [.., last]) = (&*islands, &*islands) else { return };
+) -> bool {
+    let ([first, ..], [.., last]) = (&*islands, &*islands) else { return false };
     work.own_candidates = first.candidates.start..last.candidates.end;
-    let mut hints = core::mem::take(&mut work.first_hints);
-    hints.clear();
-    overlap(model, past.hints, work, &mut hints);
-    pace::set_paces(model, work, islands, &hints, step_s);
+    let mut own_hints = core::mem::take(&mut work.first_hints);
+    own_hints.clear();
+    let mut all_go_on = overlap(model, past.hints, work, &mut own_hints);
+    let hints = if all_go_on { past.hints } else { own_hints.as_slice() };
+    pace::set_paces(model, work, islands, hints, step_s);
 
-    let mut rest = Past { hints: &hints, ..past };
+    let mut rest = Past { hints, ..past };
     let jumps = work.jumps;
     let mut from = 0;
     while from < islands.len() {
@@ -216,17 +222,26 @@ fn advance_in_order(
         let begun = rest.before(next);
         advance_group(model, begun, work, &islands[from..to], step_s);
         island::leave(model, work);
-        if islands[from].sub_steps == 1 {
-            // What goes on to the next step is the whole list, most often: not copied then.
-            if begun.hints.len() == hints.len() && work.next_hints.is_empty() {
-                core::mem::swap(&mut work.next_hints, &mut hints);
-                break;
-            }
+        let one_sub_step = islands[from].sub_steps == 1;
+        let all = one_sub_step && to - from == islands.len();
+        // What goes on to the next step is the whole list, most often: not copied then.
+        if all && all_go_on {
+            // With room for them, as if they had been.
+            work.next_hints.reserve(begun.hints.len());
+            break;
+        }
+        if all && work.next_hints.is_empty() {
+            core::mem::swap(&mut work.next_hints, &mut own_hints);
+            break;
+        }
+        all_go_on = false;
+        if one_sub_step {
             work.next_hints.extend_from_slice(begun.hints);
         }
         from = to;
     }
-    work.first_hints = hints;
+    work.first_hints = own_hints;
+    all_go_on
 }
 
 /// All sub-steps of the islands in `work`, after the first overlap: `begun` has the patches of the last step and
@@ -252,7 +267,9 @@ fn advance_group(
             own.take(work);
         }
         let mut hints = core::mem::take(&mut work.next_hints);
-        overlap(model, &own.hints, work, &mut hints);
+        if overlap(model, &own.hints, work, &mut hints) {
+            hints.extend_from_slice(&own.hints);
+        }
         work.next_hints = hints;
         let last_step_s = step_s / f64::from(sub_steps);
         sub_step(model, own.past(last_step_s), work, islands, (later, step_s));
@@ -317,8 +334,8 @@ fn overflow(model: &Model, work: &Workspace) -> Result<(), StepError> {
     }
 }
 
-/// The step is done: what it found becomes the memory of the next.
-fn remember(memory: &mut Memory, work: &mut Workspace, step_s: f64) {
+/// The step is done: what it found becomes the memory of the next. Where all hints go on the memory has them.
+fn remember(memory: &mut Memory, work: &mut Workspace, all_go_on: bool, step_s: f64) {
     if !work.in_order {
         work.next_patches.sort_unstable_by_key(PatchMemory::key);
         work.next_places.sort_unstable_by_key(PlaceMemory::key);
@@ -326,7 +343,9 @@ fn remember(memory: &mut Memory, work: &mut Workspace, step_s: f64) {
     }
     core::mem::swap(&mut memory.patches, &mut work.next_patches);
     core::mem::swap(&mut memory.places, &mut work.next_places);
-    core::mem::swap(&mut memory.hints, &mut work.next_hints);
+    if !all_go_on {
+        core::mem::swap(&mut memory.hints, &mut work.next_hints);
+    }
     core::mem::swap(&mut memory.last_states, &mut work.shown);
     memory.last_step_s = step_s;
 }
