@@ -40,7 +40,8 @@ pub(crate) struct Patch {
     pub(crate) contained: bool,
     /// Extent along the chord's normal times the chord's length [m²], where the patch is one lens.
     spread_m2: f64,
-    parts: Parts,
+    /// The first of its [`Parts`] and the one after the last.
+    parts: [u32; 2],
     /// Its place in `Workspace::places`; [`NOWHERE`] where both bodies are convex.
     // A number rather than an option, half of which would be copied apart from its neighbour and waited for.
     place: u32,
@@ -53,6 +54,17 @@ impl Patch {
     #[inline]
     pub(crate) fn place(&self) -> Option<u32> {
         (self.place != NOWHERE).then_some(self.place)
+    }
+
+    /// What it consists of.
+    // Told by its place, so that a patch fills two lines of the cache and no more.
+    #[inline]
+    fn parts(&self) -> Parts {
+        let [from, to] = self.parts;
+        match self.place() {
+            None => Parts::One { from, to },
+            Some(_) => Parts::Lenses { from, to },
+        }
     }
 }
 
@@ -270,7 +282,7 @@ fn clip_convex(
         per_chord_m: clip.lens.per_chord_m,
         contained: clip.contained,
         spread_m2: clip.lens.spread_m2,
-        parts: Parts::One { from: from as u32, to: outline_m.len() as u32 },
+        parts: [from as u32, outline_m.len() as u32],
         place: NOWHERE,
     });
 }
@@ -446,7 +458,7 @@ fn sum(
         per_chord_m: 0.0,
         contained: lenses.len() == 1 && lenses[0].contained,
         spread_m2: lenses[0].lens.spread_m2,
-        parts: Parts::Lenses { from: start as u32, to: stop as u32 },
+        parts: [start as u32, stop as u32],
         place: NOWHERE,
     };
     let mut collinear = lenses[0].lens.collinear;
@@ -472,7 +484,7 @@ fn outline<'a>(found: &'a Overlap, lens: &PieceLens) -> &'a [Vec2] {
 /// The outlines of all lenses of a patch.
 #[inline]
 fn outlines<'a>(found: &'a Overlap, patch: &Patch) -> impl Iterator<Item = &'a [Vec2]> + Clone {
-    let (one, lenses) = match patch.parts {
+    let (one, lenses) = match patch.parts() {
         Parts::One { from, to } => {
             (Some(&found.outline_m[from as usize..to as usize]), [].as_slice())
         }
@@ -512,7 +524,7 @@ pub(crate) fn normal_in_a(
     let per_m = patch.per_chord_m;
     if per_m > 0.0 {
         let normal = patch.chord_m.quarter_turn_back() * per_m;
-        let depth_m = match patch.parts {
+        let depth_m = match patch.parts() {
             Parts::One { .. } => patch.spread_m2 * per_m,
             Parts::Lenses { .. } => depth_m(found, patch, normal),
         };
@@ -547,7 +559,7 @@ fn normal_without_chord(
     {
         return normal;
     }
-    let (piece_a, piece_b) = match patch.parts {
+    let (piece_a, piece_b) = match patch.parts() {
         Parts::One { .. } => (0, 0),
         Parts::Lenses { from, to } => {
             let lenses = &found.lenses[from as usize..to as usize];

@@ -62,11 +62,9 @@ fn place(
 ) -> Option<bool> {
     let ranked = model.ranked.bodies();
     let count = ranked.len();
-    let Workspace { states: own, poses, headings_rad, teleported, active, inverses, .. } = work;
-    let Workspace { shown, settled, .. } = work;
+    let Workspace { shown, settled, poses, headings_rad, teleported, active, inverses, .. } = work;
     // Of one length, so that it is asked for once.
-    let (own, poses) = (&mut own[..count], &mut poses[..count]);
-    let (shown, settled) = (&mut shown[..count], &mut settled[..count]);
+    let (shown, settled, poses) = (&mut shown[..count], &mut settled[..count], &mut poses[..count]);
     let (headings_rad, teleported) = (&mut headings_rad[..count], &mut teleported[..count]);
     let id_of = &model.id_of[..count];
     let mut jumps = false;
@@ -81,7 +79,7 @@ fn place(
             return None;
         }
         active.push(rank as u32);
-        (own[rank], shown[rank]) = (*state, *state);
+        shown[rank] = *state;
         poses[rank].position_m = state.position_m;
         let body = ranked.of(rank);
         if body.is_fixed() {
@@ -115,11 +113,11 @@ fn take_loads(
 ) -> bool {
     let ranked = model.ranked.bodies();
     let count = ranked.len();
-    let Workspace { active, states, moves, velocities, loads: own, inverses, .. } = work;
-    let Workspace { accelerations, motions_by_rank, moving_walls, .. } = work;
+    let Workspace { active, shown, moves, velocities, loads: own, inverses, .. } = work;
+    let Workspace { accelerations, motions_by_rank, moving_walls, states, .. } = work;
     let Workspace { room_mps, fastest_mps, reach_m, .. } = work;
     // Of one length, so that it is asked for once.
-    let (states, velocities) = (&states[..count], &mut velocities[..count]);
+    let (shown, velocities) = (&shown[..count], &mut velocities[..count]);
     let accelerations = &mut accelerations[..count];
     let (fastest_mps, room_mps) = (&mut fastest_mps[..count], &mut room_mps[..count]);
     let (reach_m, id_of) = (&mut reach_m[..count], &model.id_of[..count]);
@@ -127,7 +125,7 @@ fn take_loads(
     let mut all_held = true;
     for &rank in &active[first..] {
         let rank = rank as usize;
-        let (body, state) = (ranked.of(rank), &states[rank]);
+        let (body, state) = (ranked.of(rank), &shown[rank]);
         let mut room = state.yaw_rate_radps.abs() * body.reach_m;
         if body.is_fixed() {
             moves[rank] = !state.is_at_rest();
@@ -135,6 +133,7 @@ fn take_loads(
             motions_by_rank[rank] = Motion::default();
             if moves[rank] {
                 moving_walls.push((rank as u32, *state));
+                states[rank] = *state;
             }
         } else {
             let load = &loads[id_of[rank].0 as usize];
@@ -211,6 +210,14 @@ impl Sums {
 
     pub(crate) fn is_finite(&self) -> bool {
         self.ways.is_finite() && self.turns.is_finite() && self.moment_nm.is_finite()
+    }
+}
+
+/// The bodies of islands as they were shown, where more than one sub-step moves them.
+pub(crate) fn begin(work: &mut Workspace) {
+    let Workspace { island_bodies, shown, states, .. } = work;
+    for &rank in &*island_bodies {
+        states[rank as usize] = shown[rank as usize];
     }
 }
 
@@ -335,16 +342,19 @@ pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
     if work.all_meet {
         return;
     }
-    let Workspace { active, in_island, states, accelerations, motions_by_rank, poses, .. } = work;
-    let Workspace { wrenches, states_after, motions, sums, .. } = work;
+    let Workspace { active, in_island, shown, accelerations, motions_by_rank, poses, .. } = work;
+    let Workspace { wrenches, states_after, motions, sums, states, moves, .. } = work;
     let in_island = &in_island[..model.ranked.len()];
     for &rank in &*active {
         let rank = rank as usize;
         if in_island[rank] {
             continue;
         }
-        let (id, mut state) = (model.id_of[rank].0 as usize, states[rank]);
+        let (id, mut state) = (model.id_of[rank].0 as usize, shown[rank]);
         motions[id] = if model.ranked[rank].is_fixed() {
+            if moves[rank] {
+                state = states[rank];
+            }
             motions_by_rank[rank]
         } else {
             let body = model.ranked.rest(rank);

@@ -229,7 +229,6 @@ pub(crate) fn put_walls_back(work: &mut Workspace, candidates: Range<usize>) {
     for &(rank, shown) in &work.moving_walls {
         if own.iter().any(|Pairing { candidate, .. }| [candidate.a, candidate.b].contains(&rank)) {
             let rank = rank as usize;
-            work.states[rank] = shown;
             work.poses[rank] = shown.pose();
             work.headings_rad[rank] = shown.heading_rad;
         }

@@ -289,7 +289,13 @@ fn sub_step(
 ) {
     let sub_steps = islands[0].sub_steps;
     let h = step_s / f64::from(sub_steps);
-    if sub_steps > 1 {
+    if sub_steps == 1 {
+        // Nothing moves the bodies before the end.
+        core::mem::swap(&mut work.states, &mut work.shown);
+    } else {
+        if number == 0 {
+            bodies::begin(work);
+        }
         bodies::free_velocities(work, h);
     }
     contacts::act(model, past, work, islands, (h, 1.0 / f64::from(sub_steps)));
@@ -297,6 +303,9 @@ fn sub_step(
         bodies::advance_positions(model, work, h, number == 0);
     } else {
         bodies::arrive(model, work, h, number == 0);
+    }
+    if sub_steps == 1 {
+        core::mem::swap(&mut work.states, &mut work.shown);
     }
 }
 

@@ -306,6 +306,6 @@ fn may_touch(
 /// A bound on how fast any two points of the pair approach each other in this step [m/s].
 fn closing_mps(work: &Workspace, candidate: &Candidate) -> f64 {
     let (a, b) = (candidate.a as usize, candidate.b as usize);
-    let apart = (work.states[a].velocity_mps - work.states[b].velocity_mps).length();
+    let apart = (work.shown[a].velocity_mps - work.shown[b].velocity_mps).length();
     apart + work.room_mps[a] + work.room_mps[b]
 }
