@@ -58,23 +58,18 @@ pub(crate) fn tell_of_patch(
     if let Some(face) = face {
         return tell_of_fender(model, events, patch, face.id, touch.depth_m, told);
     }
-    let smaller_m2 = lesser(model.ranked[a as usize].area_m2, model.ranked[b as usize].area_m2);
-    if !patch.contained && patch.area_m2 <= 0.5 * smaller_m2 {
+    // Most of them are less than half of any body.
+    if !patch.contained && patch.area_m2 <= 0.5 * model.ranked.smallest_m2() {
         return 0;
     }
-    tell_of_deep_overlap(model, events, patch, smaller_m2, told)
+    tell_of_deep_overlap(model, events, patch, told)
 }
 
-/// One body within the other, or half of it; `smaller_m2` is the area of the smaller of the two.
-#[cold]
+/// One body within the other, or half of it.
 #[inline(never)]
-fn tell_of_deep_overlap(
-    model: &Model,
-    events: &mut Vec<Event>,
-    patch: &Patch,
-    smaller_m2: f64,
-    told: u32,
-) -> u32 {
+fn tell_of_deep_overlap(model: &Model, events: &mut Vec<Event>, patch: &Patch, told: u32) -> u32 {
+    let (a, b) = (patch.candidate.a, patch.candidate.b);
+    let smaller_m2 = lesser(model.ranked[a as usize].area_m2, model.ranked[b as usize].area_m2);
     // To a billionth: a body that lies in several pieces of another is summed from them.
     let contained = patch.contained || patch.area_m2 >= smaller_m2 * (1.0 - 1e-9);
     let deep = patch.area_m2 > 0.5 * smaller_m2;

@@ -30,6 +30,8 @@ pub(crate) struct Ranked {
     only_piece: Vec<u32>,
     /// Whether each has the same mass in all axes.
     alike: Vec<bool>,
+    /// Area of the smallest of them [m²].
+    smallest_m2: f64,
     /// The convex pieces of all outlines, shape by shape.
     pieces: Vec<ConvexPolygon>,
     /// The pieces of each shape, from and to.
@@ -79,7 +81,7 @@ impl Ranked {
         fenders: &[RankedFender],
     ) -> Ranked {
         let (mut shapes, mut classes) = (BTreeMap::new(), BTreeMap::new());
-        let mut ranked = Ranked::default();
+        let mut ranked = Ranked { smallest_m2: f64::INFINITY, ..Ranked::default() };
         for (rank, body) in bodies.enumerate() {
             let from = fenders.partition_point(|face| (face.host as usize) < rank);
             let to = fenders.partition_point(|face| face.host as usize <= rank);
@@ -98,6 +100,7 @@ impl Ranked {
                 ranked.rests.push(rest);
             }
             ranked.class_of.push(number);
+            ranked.smallest_m2 = ranked.smallest_m2.min(class.area_m2);
             ranked.alike.push(class.is_alike);
             let (first, end) = ranked.shapes[shape as usize];
             ranked.only_piece.push(if end - first == 1 { first } else { SEVERAL });
@@ -128,6 +131,12 @@ impl Ranked {
     #[inline]
     pub(crate) fn rest(&self, rank: usize) -> &Rest {
         &self.rests[self.class_of[rank] as usize]
+    }
+
+    /// Area of the smallest body [m²]; infinite where there is none.
+    #[inline]
+    pub(crate) fn smallest_m2(&self) -> f64 {
+        self.smallest_m2
     }
 
     /// Whether each body has the same mass in all axes, by rank.
