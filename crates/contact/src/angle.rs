@@ -1,6 +1,6 @@
 //! Sine and cosine of a heading.
 //!
-//! Every body that moves asks for them in every step, and `libm` took a twelfth of the step's time for them: it
+//! Every body that moves asks for them in every step, and `libm`'s cost as much as a stage of it: `libm`
 //! keeps the relative accuracy of a sine near zero, which a rotation has no use for, and is called where this is
 //! inlined. The same bits on every machine, as nothing is used but sums, products and a table that the compiler
 //! works out of these.

@@ -34,7 +34,8 @@ pub struct Workspace {
     pub(crate) contacts_told: bool,
     pub(crate) wrenches: Vec<Wrench>,
     pub(crate) events: Vec<Event>,
-    /// States by rank.
+    /// States by rank. By the coupled method only of what several sub-steps move, and of what is fixed and moves:
+    /// `shown` serves for the others.
     pub(crate) states: Vec<BodyState>,
     /// Poses by rank, with the heading each rotation was computed from.
     pub(crate) poses: Vec<Pose>,
@@ -73,7 +74,7 @@ pub struct Workspace {
     pub(crate) next_hints: Vec<HintMemory>,
     // What only the coupled method needs.
     pub(crate) states_after: Vec<BodyState>,
-    /// Of the bodies of islands and of what is fixed and came to move.
+    /// Of what the step leaves of all that are active.
     pub(crate) sums: Sums,
     /// How far each body went, by rank and then by id; and velocities by rank, without
     /// contact before a solve and new after it, while `states` have those from before.

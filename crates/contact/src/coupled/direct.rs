@@ -92,7 +92,8 @@ fn take_walls(bodies: &[Velocity], ties: &mut [Tie], push: &mut Push) {
     }
 }
 
-/// Its forces and speeds if the body moves so, and its wall makes so much of the speeds. False where a bound would be passed.
+/// Its forces and speeds if the body moves so, and its wall makes so much of the speeds. False where a bound would be
+/// passed.
 #[inline(always)]
 fn stick(
     tie: &mut Tie,

@@ -34,8 +34,8 @@ const SETTLED_MPS: f64 = 1e-13;
 /// A change larger than this in the last sweep is told to the user [m/s].
 pub(crate) const TOLD_MPS: f64 = 1e-6;
 
-/// New velocities of an island's `bodies`, from those that they have without contact, and the forces in its `ties`, whose `memories` have those that sweeps begin with. Returns the last sweep's largest change of
-/// velocity [m/s].
+/// New velocities of an island's `bodies`, from those that they have without contact, and the forces in its `ties`,
+/// whose `memories` have those that sweeps begin with. Returns the last sweep's largest change of velocity [m/s].
 #[inline]
 pub(crate) fn velocities(
     bodies: &mut [Velocity],
