@@ -1,9 +1,8 @@
 //! Sine and cosine of a heading.
 //!
-//! Every body that moves asks for them in every step, and `libm`'s cost as much as a stage of it: `libm`
-//! keeps the relative accuracy of a sine near zero, which a rotation has no use for, and is called where this is
-//! inlined. The same bits on every machine, as nothing is used but sums, products and a table that the compiler
-//! works out of these.
+//! Every body that moves asks for them in every step, where `libm`'s would cost as much as a stage of it: `libm` keeps
+//! the relative accuracy of a sine near zero, which a rotation has no use for, and is called where this is inlined. The
+//! same bits on every machine, as nothing is used but sums, products and a table that the compiler works out of these.
 
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 

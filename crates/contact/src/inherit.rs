@@ -42,14 +42,9 @@ impl Inherited {
     }
 }
 
-/// For every patch of this step what it inherits of those of the `last`, in `work.inherited`; and the events of
-/// contacts that ended and patches that split.
-pub(crate) fn inherit_all(model: &Model, last: Past<'_>, work: &mut Workspace) {
-    inherit_from(model, last, work, 0);
-}
-
-/// The same where as many patches as `gone_on` go on from as many of the `last`, one by one: of all that come
-/// after them.
+/// For every patch of this step what it inherits of those of the last, in `work.inherited`; and the events of
+/// contacts that ended and patches that split. All but the first of both, of which so many as have `gone_on` go on
+/// one from the other.
 pub(crate) fn inherit_from(
     model: &Model,
     Past { patches: last, places: old_places, .. }: Past<'_>,

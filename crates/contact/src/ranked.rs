@@ -29,6 +29,7 @@ pub(crate) struct Ranked {
     // By itself: the one thing that is asked of a body where two are clipped.
     only_piece: Vec<u32>,
     /// Whether each has the same mass in all axes.
+    // By itself too: the one thing that is asked of a body as it moves.
     alike: Vec<bool>,
     /// Area of the smallest of them [m²].
     smallest_m2: f64,

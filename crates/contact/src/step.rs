@@ -8,7 +8,7 @@ use crate::error::StepError;
 use crate::events::tell_of_patch;
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
-use crate::inherit::{Inherited, inherit_all};
+use crate::inherit::{Inherited, inherit_from};
 use crate::law::normal::{factor, normal_force};
 use crate::law::shear;
 use crate::limit::effective_mass::inverse_mass;
@@ -49,7 +49,7 @@ pub fn step(
     hints.clear();
     let all_go_on = overlap(model, &memory.hints, work, &mut hints);
     work.next_hints = hints;
-    inherit_all(model, memory.past(), work);
+    inherit_from(model, memory.past(), work, 0);
     forces(model, memory, work, step_s);
     remember(memory, work, all_go_on, step_s);
     Ok(())

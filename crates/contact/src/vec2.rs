@@ -153,8 +153,7 @@ impl Rotation {
     /// No rotation.
     pub const IDENTITY: Rotation = Rotation { cos: 1.0, sin: 0.0 };
 
-    /// The rotation by `angle_rad`, from x to y. Every platform gives the same
-    /// bits.
+    /// The rotation by `angle_rad`, from x to y. Every platform gives the same bits.
     #[must_use]
     #[inline]
     pub fn from_angle(angle_rad: f64) -> Rotation {

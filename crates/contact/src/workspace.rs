@@ -42,8 +42,7 @@ pub struct Workspace {
     pub(crate) headings_rad: Vec<f64>,
     /// Ranks, in order, of the bodies that do not stand as they stood at the last step.
     pub(crate) active: Vec<u32>,
-    /// What the host showed, by rank, in this step; after it, in the one before the last of the memory, with which
-    /// it changes places.
+    /// What the host showed in this step, by rank; it changes places with the memory's of the step before.
     pub(crate) shown: Vec<BodyState>,
     /// By rank: what is fixed and at rest, where it was shown the same twice. What there is of it is then right as
     /// long as `shown` and the memory both have it as it is shown.
@@ -76,10 +75,10 @@ pub struct Workspace {
     pub(crate) states_after: Vec<BodyState>,
     /// Of what the step leaves of all that are active.
     pub(crate) sums: Sums,
-    /// How far each body went, by rank and then by id; and velocities by rank, without
-    /// contact before a solve and new after it, while `states` have those from before.
+    /// How far each body went: by rank as far as sub-steps have come and more are to come, then by id.
     pub(crate) motions_by_rank: Vec<Motion>,
     pub(crate) motions: Vec<Motion>,
+    /// Velocities by rank: without contact before a solve and new after it, while `states` have those from before.
     pub(crate) velocities: Vec<Velocity>,
     /// What loads alone accelerate each body at, by rank [m/s², rad/s²]; and the loads themselves, of those whose
     /// mass is not the same in all directions.

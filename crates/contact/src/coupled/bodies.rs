@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::admit::{admit_states, is_sound, jumped, tell_of_jumps};
+use crate::admit::{admit_call, admit_loads, admit_states, is_sound, jumped, tell_of_jumps};
 use crate::error::StepError;
 use crate::mass::InverseMatrix;
 use crate::memory::Memory;
@@ -17,12 +17,13 @@ use crate::workspace::Workspace;
 /// How many bodies are taken at once: what one pass over them leaves is near the processor still in the next.
 const AT_ONCE: usize = 64;
 
-/// Admits the bodies and what loads alone do to each that floats, and the room each may need in the step; but for
-/// those that stand as they stood at the last step, as quays and fenders on them do: these are left as they are.
-/// `work.active` are the others. Whether all are still within their circles in the list of those that are near.
+/// Stage 1: admits what the host gave, and finds what loads alone do to each body that floats, and the room each may
+/// need in the step; but for those that stand as they stood at the last step, as quays and fenders on them do: these
+/// are left as they are. `work.active` are the others. Whether all are still within their circles in the list of
+/// those that are near.
 ///
 /// # Errors
-/// A state that is not sound; nothing but what stages work with has changed then.
+/// What is not sound; nothing but what stages work with has changed then.
 pub(crate) fn take(
     model: &Model,
     memory: &Memory,
@@ -30,6 +31,8 @@ pub(crate) fn take(
     (states, loads): (&[BodyState], &[Wrench]),
     step_s: f64,
 ) -> Result<bool, StepError> {
+    admit_call(model, memory, states, step_s)?;
+    admit_loads(model, states, loads)?;
     if work.advanced.take() != Some(model.fingerprint) {
         forget(model, work);
     }

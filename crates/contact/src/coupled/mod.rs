@@ -29,7 +29,6 @@ pub(crate) mod turning;
 
 use alloc::vec::Vec;
 
-use crate::admit;
 use crate::broad;
 use crate::coupled::island::Island;
 use crate::error::StepError;
@@ -60,7 +59,7 @@ pub fn advance(
     loads: &[Wrench],
     step_s: f64,
 ) -> Result<(), StepError> {
-    let all_held = admit(model, memory, work, (states, loads), step_s)?;
+    let all_held = bodies::take(model, memory, work, (states, loads), step_s)?;
     // Of those that stand as they stood nothing is written.
     if work.states_after.len() != states.len() {
         work.states_after.clear();
@@ -100,7 +99,7 @@ pub fn advance_in_place(
     loads: &[Wrench],
     step_s: f64,
 ) -> Result<(), StepError> {
-    let all_held = admit(model, memory, work, (states, loads), step_s)?;
+    let all_held = bodies::take(model, memory, work, (states, loads), step_s)?;
     core::mem::swap(states, &mut work.states_after);
     let carried_out = carry_out(model, memory, work, all_held, step_s);
     core::mem::swap(states, &mut work.states_after);
@@ -111,20 +110,6 @@ pub fn advance_in_place(
         }
     }
     carried_out
-}
-
-/// Stage 1: nothing but what stages work with has changed where it fails. Whether all bodies are within their
-/// circles in the list of those that are near.
-fn admit(
-    model: &Model,
-    memory: &Memory,
-    work: &mut Workspace,
-    (states, loads): (&[BodyState], &[Wrench]),
-    step_s: f64,
-) -> Result<bool, StepError> {
-    admit::admit_call(model, memory, states, step_s)?;
-    admit::admit_loads(model, states, loads)?;
-    bodies::take(model, memory, work, (states, loads), step_s)
 }
 
 /// The stages after it. `states_after` in `work` have what does not move already.
@@ -290,7 +275,7 @@ fn sub_step(
     let sub_steps = islands[0].sub_steps;
     let h = step_s / f64::from(sub_steps);
     if sub_steps == 1 {
-        // Nothing moves the bodies before the end.
+        // Nothing moves the bodies before the end: they are as they were shown.
         core::mem::swap(&mut work.states, &mut work.shown);
     } else {
         if number == 0 {
