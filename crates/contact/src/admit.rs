@@ -159,21 +159,23 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
     let count = model.ranked.len();
     make_room(work, count);
     let Workspace { states: own, poses, headings_rad, teleported, reach_m, .. } = &mut *work;
-    let mut jumps = false;
+    teleported.clear();
     // In one pass: the bodies of a large model are far from the processor.
-    let of_rank = own.iter_mut().zip(poses).zip(headings_rad).zip(teleported).zip(reach_m);
-    for (rank, ((((own, pose), heading_rad), teleported), reach_m)) in of_rank.enumerate() {
+    let of_rank = own.iter_mut().zip(poses).zip(headings_rad).zip(reach_m);
+    for (rank, (((own, pose), heading_rad), reach_m)) in of_rank.enumerate() {
         let body = &model.ranked[rank];
         let state = states[model.id_of[rank].0 as usize];
         (*own, *reach_m) = (state, body.reach_m);
         put(pose, heading_rad, &state);
-        *teleported = memory
+        if memory
             .last_states
             .get(rank)
-            .is_some_and(|last| jumped((last, memory.last_step_s), &state, body.radius_m));
-        jumps |= *teleported;
+            .is_some_and(|last| jumped((last, memory.last_step_s), &state, body.radius_m))
+        {
+            teleported.push(rank as u32);
+        }
     }
-    tell_of_jumps(model, work, jumps);
+    tell_of_jumps(model, work);
 }
 
 /// The pose of a body. What does not turn is spared its sine and cosine.
@@ -196,20 +198,16 @@ fn make_room(work: &mut Workspace, count: usize) {
         work.poses.resize(count, Pose::IDENTITY);
     }
     work.states.resize(count, BodyState::default());
-    work.teleported.resize(count, false);
     work.reach_m.resize(count, 0.0);
 }
 
 /// Whether bodies jumped, and the events of it.
-pub(crate) fn tell_of_jumps(model: &Model, work: &mut Workspace, jumps: bool) {
-    work.jumps = jumps;
+pub(crate) fn tell_of_jumps(model: &Model, work: &mut Workspace) {
+    work.jumps = !work.teleported.is_empty();
     work.events.clear();
-    if jumps {
-        for (&id, &teleported) in model.id_of.iter().zip(&work.teleported) {
-            if teleported {
-                work.events.push(Event { bodies: [id, id], kind: EventKind::Teleported });
-            }
-        }
+    for &rank in &work.teleported {
+        let bodies = model.ids_of([rank, rank]);
+        work.events.push(Event { bodies, kind: EventKind::Teleported });
     }
 }
 

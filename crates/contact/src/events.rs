@@ -123,6 +123,6 @@ fn tell_news(
 #[cold]
 #[inline(never)]
 pub(crate) fn note(model: &Model, events: &mut Vec<Event>, a: u32, b: u32, kind: EventKind) {
-    let (a, b) = (model.id_of[a as usize], model.id_of[b as usize]);
+    let [a, b] = model.ids_of([a, b]);
     events.push(Event { bodies: [a.min(b), a.max(b)], kind });
 }

@@ -189,6 +189,12 @@ impl Model {
         &self.materials
     }
 
+    /// The bodies of these ranks.
+    #[inline(always)]
+    pub(crate) fn ids_of(&self, ranks: [u32; 2]) -> [BodyId; 2] {
+        ranks.map(|rank| self.id_of[rank as usize])
+    }
+
     /// Number of a fender's face; 0 for none.
     pub(crate) fn face_of(&self, fender: Option<FenderId>) -> u32 {
         fender.map_or(0, |FenderId(id)| self.face_of_fender[id as usize])

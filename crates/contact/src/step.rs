@@ -135,6 +135,7 @@ fn contact(
     Time { step_s, elapsed_s }: Time,
 ) {
     let model = scene.model;
+    let ids = model.ids_of([patch.candidate.a, patch.candidate.b]);
     let material = &model.materials()[patch.candidate.material.0 as usize];
     let touch = touch(scene, books.buffers, patch, face, material, old, (Movers::Both, states));
     let arms_m @ [arm_a_m, arm_b_m] = arms_m(scene, patch, touch.point_in_a_m);
@@ -181,7 +182,7 @@ fn contact(
         stored_j: touch.stored_j * factor,
         peak_stored_j: touch.stored_j * factor,
         shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
-        ..touch.contact(scene, patch, face, arms_m)
+        ..touch.contact(scene, (patch, ids), face, arms_m)
     };
     gather(&report, books.wrenches);
     if books.told {

@@ -3,7 +3,7 @@
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::memory::PatchMemory;
-use crate::model::{Material, Model};
+use crate::model::{BodyId, Material, Model};
 use crate::overlap::{self, Overlap, Patch};
 use crate::report::{Contact, ContactWork, ForceParts, Friction};
 use crate::state::{BodyState, Velocity};
@@ -213,19 +213,17 @@ impl Touch {
         }
     }
 
-    /// The report of this patch without its forces, with the body that was added first as body 1:
+    /// The report of this patch, of these bodies, A and B, without its forces, with the body that was added first as body 1:
     /// a change of order turns n and t round and nothing else.
     #[inline]
     pub(crate) fn contact(
         &self,
         scene: &Scene<'_>,
-        patch: &Patch,
+        (patch, [id_a, id_b]): (&Patch, [BodyId; 2]),
         face: Option<&RankedFender>,
         [arm_a_m, arm_b_m]: [Vec2; 2],
     ) -> Contact {
-        let model = scene.model;
-        let (a, b) = (patch.candidate.a as usize, patch.candidate.b as usize);
-        let (id_a, id_b) = (model.id_of[a], model.id_of[b]);
+        let a = patch.candidate.a as usize;
         let swapped = id_a > id_b;
         Contact {
             body_1: id_a.min(id_b),

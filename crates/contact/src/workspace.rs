@@ -49,8 +49,8 @@ pub struct Workspace {
     pub(crate) settled: Vec<bool>,
     /// By rank: all but what is fixed and at rest.
     pub(crate) moves: Vec<bool>,
-    /// Bodies that jumped, by rank.
-    pub(crate) teleported: Vec<bool>,
+    /// Ranks of the bodies that jumped, in their order.
+    pub(crate) teleported: Vec<u32>,
     /// Whether there are any; not after the first sub-step.
     pub(crate) jumps: bool,
     /// How far from its centre of gravity each body may reach in this step, by rank [m].
@@ -180,7 +180,7 @@ impl Workspace {
             shown: Vec::with_capacity(count),
             settled: Vec::with_capacity(count),
             moves: Vec::with_capacity(count),
-            teleported: Vec::with_capacity(count),
+            teleported: Vec::new(),
             reach_m: Vec::with_capacity(count),
             jumps: false,
             candidates: Vec::new(),
@@ -237,7 +237,7 @@ impl Workspace {
     /// Did one of two bodies jump before this (sub-)step?
     #[inline]
     pub(crate) fn jumped(&self, a: u32, b: u32) -> bool {
-        self.jumps && either(&self.teleported, a, b)
+        self.jumps && has_either(&self.teleported, a, b)
     }
 
     /// States at the end of the last step by [`crate::advance`], one a body: what a host that lets
@@ -279,8 +279,8 @@ impl Workspace {
     }
 }
 
-/// Is it so of one of the two ranks?
+/// Is one of the two ranks in the list, which is in their order?
 #[inline]
-pub(crate) fn either(of_rank: &[bool], a: u32, b: u32) -> bool {
-    of_rank[a as usize] || of_rank[b as usize]
+pub(crate) fn has_either(ranks: &[u32], a: u32, b: u32) -> bool {
+    ranks.binary_search(&a).is_ok() || ranks.binary_search(&b).is_ok()
 }

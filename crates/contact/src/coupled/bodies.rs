@@ -37,24 +37,24 @@ pub(crate) fn take(
         forget(model, work);
     }
     work.active.clear();
+    work.teleported.clear();
     work.moving_walls.clear();
     let count = model.ranked.len();
     work.shown.resize(count, BodyState::default());
-    let (mut jumps, mut all_held) = (false, true);
+    let mut all_held = true;
     for from in (0..count).step_by(AT_ONCE) {
         let (first, ranks) = (work.active.len(), from..count.min(from + AT_ONCE));
-        match place(model, memory, work, states, ranks) {
-            Some(jumped) => jumps |= jumped,
-            None => return admit_states(model, states).map(|()| false),
+        if !place(model, memory, work, states, ranks) {
+            return admit_states(model, states).map(|()| false);
         }
         all_held &= take_loads(model, work, loads, first, step_s);
     }
-    tell_of_jumps(model, work, jumps);
+    tell_of_jumps(model, work);
     Ok(all_held)
 }
 
-/// Places those of these bodies that do not stand as they stood, and adds them to the active ones. Whether any of
-/// them jumped; nothing where a state is not sound.
+/// Places those of these bodies that do not stand as they stood, and adds them to the active ones, and to those that
+/// jumped. False where a state is not sound.
 #[inline(never)]
 fn place(
     model: &Model,
@@ -62,15 +62,13 @@ fn place(
     work: &mut Workspace,
     states: &[BodyState],
     ranks: Range<usize>,
-) -> Option<bool> {
+) -> bool {
     let ranked = model.ranked.bodies();
     let count = ranked.len();
     let Workspace { shown, settled, poses, headings_rad, teleported, active, inverses, .. } = work;
     // Of one length, so that it is asked for once.
     let (shown, settled, poses) = (&mut shown[..count], &mut settled[..count], &mut poses[..count]);
-    let (headings_rad, teleported) = (&mut headings_rad[..count], &mut teleported[..count]);
-    let id_of = &model.id_of[..count];
-    let mut jumps = false;
+    let (headings_rad, id_of) = (&mut headings_rad[..count], &model.id_of[..count]);
     for rank in ranks.start..ranks.end.min(count) {
         let (state, last) = (&states[id_of[rank].0 as usize], memory.last_states.get(rank));
         if settled[rank]
@@ -79,7 +77,7 @@ fn place(
             continue;
         }
         if !is_sound(state) {
-            return None;
+            return false;
         }
         active.push(rank as u32);
         shown[rank] = *state;
@@ -96,12 +94,11 @@ fn place(
                 inverses[rank] = model.ranked.rest(rank).inverse.turned(poses[rank].rotation);
             }
         }
-        let jumped_now =
-            last.is_some_and(|last| jumped((last, memory.last_step_s), state, body.radius_m));
-        teleported[rank] = jumped_now;
-        jumps |= jumped_now;
+        if last.is_some_and(|last| jumped((last, memory.last_step_s), state, body.radius_m)) {
+            teleported.push(rank as u32);
+        }
     }
-    Some(jumps)
+    true
 }
 
 /// What loads alone do to each active body that floats, from that one on, and the room each may need in the step.
@@ -169,7 +166,6 @@ fn forget(model: &Model, work: &mut Workspace) {
     refill(&mut work.accelerations, count, Velocity::default());
     work.states.resize(count, BodyState::default());
     work.poses.resize(count, Pose::IDENTITY);
-    work.teleported.resize(count, false);
     work.reach_m.resize(count, 0.0);
     work.velocities.resize(count, Velocity::default());
     work.loads.resize(count, Wrench::default());

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use crate::coupled::rows::Row;
 use crate::coupled::tie::{Forces, Side, Tie};
 use crate::memory::PatchMemory;
-use crate::model::Model;
+use crate::model::{BodyId, Model};
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::report::{Contact, ContactWork, ForceParts, Friction, Wrench};
@@ -25,14 +25,14 @@ pub(crate) struct Books<'w> {
 }
 
 impl Books<'_> {
-    /// Books the forces of a solved contact, and what they leave in its memory.
+    /// Books the forces of a solved contact of these bodies, A and B, and what they leave in its memory.
     #[inline(always)]
-    pub(crate) fn book(&mut self, model: &Model, tie: &Tie, memory: &mut PatchMemory) -> Moved {
+    pub(crate) fn book(&mut self, ids: [BodyId; 2], tie: &Tie, memory: &mut PatchMemory) -> Moved {
         let Forces { normal_n, tangential_n, .. } = tie.forces;
         let (mean_n, mean_t) = (normal_n * self.share, tangential_n * self.share);
         let (force_n, on_a_nm) = tie.grip(Side::A).wrench(mean_n, mean_t);
         let (_, on_b_nm) = tie.grip(Side::B).wrench(mean_n, mean_t);
-        let [id_a, id_b] = [tie.a, tie.b].map(|rank| model.id_of[rank as usize]);
+        let [id_a, id_b] = ids;
         let on_a = &mut self.wrenches[id_a.0 as usize];
         on_a.force_n += force_n;
         on_a.moment_nm += on_a_nm;
@@ -79,18 +79,21 @@ impl Reports<'_> {
         if self.contacts.len() == self.first_contact {
             // The first sub-step: as many as there are, written where they are to stay.
             self.contacts.extend(solved.map(|(patch, ((tie, memory), row))| {
-                let moved = books.book(scene.model, tie, memory);
+                let ids = scene.model.ids_of([tie.a, tie.b]);
+                let moved = books.book(ids, tie, memory);
                 let booked = Booked::of((tie, memory, row), &moved);
-                booked.contact(scene, patch, (tie, row), memory.point_in_a_m, books.share)
+                let arms_m = arms_m(scene, patch, memory.point_in_a_m);
+                booked.contact(scene, (patch, ids), (tie, row), arms_m, books.share)
             }));
             return;
         }
         for (index, (patch, ((tie, memory), row))) in solved.enumerate() {
-            let moved = books.book(scene.model, tie, memory);
+            let ids = scene.model.ids_of([tie.a, tie.b]);
+            let moved = books.book(ids, tie, memory);
             let booked = Booked::of((tie, memory, row), &moved);
-            if !self.has_added(scene.model, (index, books.share), patch, &booked) {
-                let point_in_a_m = memory.point_in_a_m;
-                let contact = booked.contact(scene, patch, (tie, row), point_in_a_m, books.share);
+            if !self.has_added(scene.model, (index, books.share), (patch, ids), &booked) {
+                let arms_m = arms_m(scene, patch, memory.point_in_a_m);
+                let contact = booked.contact(scene, (patch, ids), (tie, row), arms_m, books.share);
                 *self.in_order = false;
                 self.contacts.push(contact);
             }
@@ -104,12 +107,10 @@ impl Reports<'_> {
         &mut self,
         model: &Model,
         (guess, share): (usize, f64),
-        patch: &Patch,
+        (patch, [one, two]): (&Patch, [BodyId; 2]),
         booked: &Booked,
     ) -> bool {
-        let candidate = &patch.candidate;
-        let [one, two] = [candidate.a, candidate.b].map(|rank| model.id_of[rank as usize]);
-        let fender = candidate.fender(model).map(|face| face.id);
+        let fender = patch.candidate.fender(model).map(|face| face.id);
         let wanted = (one.min(two), one.max(two), fender, patch.number);
         let same = |c: &Contact| (c.body_1, c.body_2, c.fender, c.patch) == wanted;
         let own = &mut self.contacts[self.first_contact..];
@@ -195,9 +196,9 @@ impl Booked {
     fn contact(
         &self,
         scene: &Scene<'_>,
-        patch: &Patch,
+        (patch, ids): (&Patch, [BodyId; 2]),
         (tie, row): (&Tie, &Row),
-        point_in_a_m: Vec2,
+        arms_m: [Vec2; 2],
         share: f64,
     ) -> Contact {
         let face = patch.candidate.fender(scene.model);
@@ -220,7 +221,7 @@ impl Booked {
             stored_j: self.stored_j,
             peak_stored_j: self.stored_j,
             shear_stored_j: self.shear_stored_j,
-            ..touch_of(tie, row).contact(scene, patch, face, arms_m(scene, patch, point_in_a_m))
+            ..touch_of(tie, row).contact(scene, (patch, ids), face, arms_m)
         }
     }
 

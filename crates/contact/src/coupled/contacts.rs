@@ -15,7 +15,7 @@ use crate::model::Model;
 use crate::overlap::Patch;
 use crate::report::EventKind;
 use crate::touch::Scene;
-use crate::workspace::{Workspace, either};
+use crate::workspace::{Workspace, has_either};
 
 /// The contacts of a sub-step, of `h` seconds and this `share` of the step: their laws, the solve of each island
 /// and what it leaves.
@@ -63,7 +63,7 @@ pub(crate) fn act(
     let mut from = 0;
     for island in islands {
         let first = from;
-        while from < patches.len() && (patches[from].of as usize) < island.candidates.end {
+        while from < patches.len() && (patches[from].of as usize) < island.candidates().end {
             from += 1;
         }
         let change_mps = match from - first {
@@ -91,7 +91,7 @@ pub(crate) fn act(
         return reports.book_all(&scene, &mut books, patches, (ties, memories, rows));
     }
     for (tie, memory) in ties.iter().zip(memories) {
-        books.book(model, tie, memory);
+        books.book(model.ids_of([tie.a, tie.b]), tie, memory);
     }
 }
 
@@ -108,7 +108,7 @@ struct Laying<'w> {
     /// What patches inherit that do not simply go on, and bodies that were put where they are.
     inherited: &'w [Inherited],
     shares: &'w [PatchMemory],
-    teleported: Option<&'w [bool]>,
+    teleported: &'w [u32],
 }
 
 impl<'w> Laying<'w> {
@@ -144,7 +144,7 @@ impl<'w> Laying<'w> {
             next_patches: &mut work.next_patches,
             inherited: &work.inherited,
             shares: &work.shares,
-            teleported: work.jumps.then_some(&work.teleported),
+            teleported: if work.jumps { &work.teleported } else { &[] },
         }
     }
 }
@@ -165,13 +165,14 @@ fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> u
             return index;
         }
         let inherited = Inherited::One(index as u32);
-        let taken = Taken { inherited, old: Some(old), placed: false };
         let into = (tie, rows.get_mut(index));
         // Most of them are two outlines: much is known then.
         if patch.candidate.face == 0 {
+            let taken = Taken { inherited, old: Some(old), placed: false };
             let memory = rows::collect(&begun, &mut aside, patch, None, taken, into);
             next_patches.push(memory);
         } else {
+            let taken = Taken { inherited, old: Some(old), placed: false };
             collect_other(begun, &mut aside, patch, taken, into, next_patches);
         }
     }
@@ -194,11 +195,11 @@ fn laws_of_others(model: &Model, past: Past<'_>, work: &mut Workspace, (from, h)
     } = Laying::new(model, past, work, h);
     let others = patches.iter().zip(ties).enumerate().skip(from);
     for ((index, (patch, tie)), &inherited) in others.zip(inherited) {
-        let jumped = |of_rank: &[bool]| either(of_rank, patch.candidate.a, patch.candidate.b);
         let taken = Taken {
             inherited,
             old: inherited.of(past.patches, shares),
-            placed: past.last_step_s == 0.0 || teleported.is_some_and(jumped),
+            placed: past.last_step_s == 0.0
+                || has_either(teleported, patch.candidate.a, patch.candidate.b),
         };
         let into = (tie, rows.get_mut(index));
         collect_other(begun, &mut aside, patch, taken, into, next_patches);

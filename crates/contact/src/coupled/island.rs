@@ -12,9 +12,9 @@ use crate::workspace::{Pairing, Workspace};
 /// Bodies that may touch each other: a range of `Workspace::candidates`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Island {
-    pub(crate) candidates: Range<usize>,
+    candidates: Range<u32>,
     /// Its patches in the first overlap of the step.
-    pub(crate) patches: Range<usize>,
+    patches: Range<u32>,
     /// How many sub-steps it needs.
     pub(crate) sub_steps: u32,
 }
@@ -121,7 +121,7 @@ fn part(candidates: &[Pairing], islands: &mut Vec<Island>) -> Order {
         return Order::Unknown;
     }
     let (mut from, mut last, mut in_order) = (0, first.island, true);
-    for (index, pairing) in candidates.iter().enumerate() {
+    for (index, pairing) in (0..).zip(candidates) {
         if pairing.island != last {
             if pairing.island == JOINED {
                 return Order::Unknown;
@@ -131,7 +131,7 @@ fn part(candidates: &[Pairing], islands: &mut Vec<Island>) -> Order {
             (from, last) = (index, pairing.island);
         }
     }
-    islands.push(Island::of(from..candidates.len()));
+    islands.push(Island::of(from..candidates.len() as u32));
     if in_order { Order::Ranked } else { Order::Mixed }
 }
 
@@ -152,8 +152,20 @@ fn join(model: &Model, work: &mut Workspace) {
 }
 
 impl Island {
-    fn of(candidates: Range<usize>) -> Island {
+    fn of(candidates: Range<u32>) -> Island {
         Island { candidates, patches: 0..0, sub_steps: 0 }
+    }
+
+    /// Its place in `Workspace::candidates`.
+    #[inline(always)]
+    pub(crate) fn candidates(&self) -> Range<usize> {
+        self.candidates.start as usize..self.candidates.end as usize
+    }
+
+    /// Its patches in the first overlap of the step are these, and it needs so many sub-steps.
+    #[inline(always)]
+    pub(crate) fn go(&mut self, patches: Range<usize>, sub_steps: u32) {
+        (self.patches, self.sub_steps) = (patches.start as u32..patches.end as u32, sub_steps);
     }
 }
 
@@ -168,14 +180,15 @@ fn find(root: &mut [u32], mut i: u32) -> u32 {
 /// Makes these islands the ones that the stages work on.
 pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
     let ([first, ..], [.., last]) = (islands, islands) else { return };
-    work.own_candidates = first.candidates.start..last.candidates.end;
-    work.own_patches = first.patches.start..last.patches.end;
+    let candidates = first.candidates().start..last.candidates().end;
+    work.own_candidates = candidates.clone();
+    work.own_patches = first.patches.start as usize..last.patches.end as usize;
     work.first_patch = work.next_patches.len();
     work.first_place = work.next_places.len();
     work.first_hint = work.next_hints.len();
     work.first_contact = work.contacts.len();
     find_bodies(work, islands);
-    put_walls_back(work, first.candidates.start..last.candidates.end);
+    put_walls_back(work, candidates);
 }
 
 /// Lists the bodies that move and are in these islands.
@@ -189,7 +202,7 @@ fn find_bodies(work: &mut Workspace, islands: &[Island]) {
     if work.all_meet && islands.len() == active.len() {
         return island_bodies.extend_from_slice(active);
     }
-    island_bodies.extend(islands.iter().map(|of| candidates[of.candidates.start].island));
+    island_bodies.extend(islands.iter().map(|of| candidates[of.candidates().start].island));
     if !work.all_meet {
         island_bodies.iter().for_each(|&rank| in_island[rank as usize] = true);
     }

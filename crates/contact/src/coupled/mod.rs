@@ -148,11 +148,11 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
     } else {
         let mut gathered = core::mem::take(&mut work.gathered_memory);
         for island in &mut islands {
-            gathered.gather(memory, &work.candidates[island.candidates.clone()]);
+            gathered.gather(memory, &work.candidates[island.candidates()]);
             let past = gathered.past(memory.last_step_s);
             work.jumps = jumps;
             // The islands before have moved them.
-            island::put_walls_back(work, island.candidates.clone());
+            island::put_walls_back(work, island.candidates());
             if advance_in_order(model, past, work, core::slice::from_mut(island), step_s) {
                 work.next_hints.extend_from_slice(past.hints);
             }
@@ -187,7 +187,7 @@ fn advance_in_order(
     step_s: f64,
 ) -> bool {
     let ([first, ..], [.., last]) = (&*islands, &*islands) else { return false };
-    work.own_candidates = first.candidates.start..last.candidates.end;
+    work.own_candidates = first.candidates().start..last.candidates().end;
     let mut own_hints = core::mem::take(&mut work.first_hints);
     own_hints.clear();
     let mut all_go_on = overlap(model, past.hints, work, &mut own_hints);
@@ -200,8 +200,9 @@ fn advance_in_order(
     while from < islands.len() {
         let alike = |island: &&Island| island.sub_steps == islands[from].sub_steps;
         let to = from + islands[from..].iter().take_while(alike).count();
-        let next =
-            islands.get(to).map(|island| work.candidates[island.candidates.start].candidate.key());
+        let next = islands
+            .get(to)
+            .map(|island| work.candidates[island.candidates().start].candidate.key());
         work.jumps = jumps;
         island::enter(work, &islands[from..to]);
         let begun = rest.before(next);

@@ -69,9 +69,9 @@ pub(crate) fn set_paces(
     let mut left = all;
     let mut from = 0;
     for island in islands {
-        let Range { start, end } = island.candidates;
+        let Range { start, end } = island.candidates();
         // Most of one contact need no more than one: asked of these with nothing to add up.
-        if end - start == 1
+        let sub_steps = if end - start == 1
             && let Some((only, others)) = alone(left, start)
             && is_slow(
                 model,
@@ -79,16 +79,14 @@ pub(crate) fn set_paces(
                 fastest_mps,
                 (&candidates[start], only),
                 (most_rate_squared, step_s),
-            )
-        {
+            ) {
             left = others;
-            island.sub_steps = 1;
+            1
         } else {
-            island.sub_steps =
-                sub_steps(model, work, fastest_mps, island, (&mut left, hints), step_s);
-        }
+            sub_steps(model, work, fastest_mps, island, (&mut left, hints), step_s)
+        };
         let to = all.len() - left.len();
-        island.patches = from..to;
+        island.go(from..to, sub_steps);
         from = to;
     }
 }
@@ -123,11 +121,11 @@ fn sub_steps(
     step_s: f64,
 ) -> u32 {
     let turn = step_s * (1.0 / TURN_PER_SUB_STEP);
-    let pairings = &work.candidates[island.candidates.clone()];
+    let pairings = &work.candidates[island.candidates()];
     // What each may add to the square of the rate without more sub-steps, whatever the others add.
     let share = 1.0 / (turn * turn * f64::from(pairings.len() as u32));
     let mut haste = Haste::default();
-    for (index, pairing) in (island.candidates.start..).zip(pairings) {
+    for (index, pairing) in (island.candidates().start..).zip(pairings) {
         let Pairing { candidate, pair, .. } = pairing;
         let (Some((only, others)), 0) = (alone(left, index), candidate.face) else {
             let own = patches_of(left, index);

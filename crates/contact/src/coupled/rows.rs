@@ -129,12 +129,16 @@ pub(crate) fn collect(
     let bodies = (movers, begun.states);
     let touch = touch(&begun.scene, aside.buffers, patch, face, material, old, bodies);
     tie.join([a, b], movers, &touch);
-    let (seen, floats) = match movers {
-        Movers::A => (begun.seen(a, touch.normal, touch.levers_a), [true, false]),
-        Movers::B => (begun.seen(b, touch.normal, touch.levers_b), [false, true]),
-        Movers::Both => begun.seen_of_both([a, b], touch.normal, touch.levers_a, touch.levers_b),
-    };
-    tie.answer(&seen, floats);
+    let Touch { normal, levers_a, levers_b, .. } = touch;
+    // Each by itself: what any of them returns would wait in memory for the other two.
+    match movers {
+        Movers::A => tie.answer(&begun.seen(a, normal, levers_a), [true, false]),
+        Movers::B => tie.answer(&begun.seen(b, normal, levers_b), [false, true]),
+        Movers::Both => {
+            let (seen, floats) = begun.seen_of_both([a, b], normal, levers_a, levers_b);
+            tie.answer(&seen, floats);
+        }
+    }
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, face, &touch, old);
     let parts =
