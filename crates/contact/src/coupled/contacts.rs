@@ -60,13 +60,10 @@ pub(crate) fn act(
     // As many as there are bodies: their ranks are checked once.
     let count = model.ranked.len();
     let (velocities, inverses) = (&mut velocities[..count], &inverses[..count]);
-    let mut from = 0;
     for island in islands {
-        let first = from;
-        while from < patches.len() && (patches[from].of as usize) < island.candidates().end {
-            from += 1;
-        }
-        let change_mps = match from - first {
+        let own = island.patches_from(own_patches.start);
+        let first = own.start;
+        let change_mps = match own.len() {
             0 => continue,
             1 => {
                 let tie = &mut ties[first];
@@ -74,7 +71,6 @@ pub(crate) fn act(
                 solve::alone(velocities, inverses, tie, h)
             }
             _ => {
-                let own = first..from;
                 let (ties, memories) = (&mut ties[own.clone()], &mut memories[own.clone()]);
                 let_go::let_go(model, &patches[own], memories, ties, unheld_j);
                 solve::velocities(velocities, inverses, ties, memories, trials, h)

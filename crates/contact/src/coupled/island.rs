@@ -6,6 +6,7 @@ use core::ops::Range;
 
 use crate::memory::{HintMemory, Memory, Past, PatchMemory, PlaceMemory};
 use crate::model::Model;
+use crate::overlap::Patch;
 use crate::pairing::JOINED;
 use crate::workspace::{Pairing, Workspace};
 
@@ -13,7 +14,7 @@ use crate::workspace::{Pairing, Workspace};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Island {
     candidates: Range<u32>,
-    /// Its patches in the first overlap of the step.
+    /// Its patches in the overlap of its sub-step.
     patches: Range<u32>,
     /// How many sub-steps it needs.
     pub(crate) sub_steps: u32,
@@ -167,6 +168,12 @@ impl Island {
     pub(crate) fn go(&mut self, patches: Range<usize>, sub_steps: u32) {
         (self.patches, self.sub_steps) = (patches.start as u32..patches.end as u32, sub_steps);
     }
+
+    /// Its patches in the overlap of its sub-step, counted from this one.
+    #[inline(always)]
+    pub(crate) fn patches_from(&self, first: usize) -> Range<usize> {
+        self.patches.start as usize - first..self.patches.end as usize - first
+    }
 }
 
 fn find(root: &mut [u32], mut i: u32) -> u32 {
@@ -189,6 +196,17 @@ pub(crate) fn enter(work: &mut Workspace, islands: &[Island]) {
     work.first_contact = work.contacts.len();
     find_bodies(work, islands);
     put_walls_back(work, candidates);
+}
+
+/// Tells islands which of the patches are theirs, after an overlap of theirs alone.
+pub(crate) fn tell_of_patches(islands: &mut [Island], patches: &[Patch]) {
+    let mut from = 0;
+    for island in islands {
+        let own = patches[from..].iter().take_while(|patch| patch.of < island.candidates.end);
+        let to = from + own.count();
+        island.go(from..to, island.sub_steps);
+        from = to;
+    }
 }
 
 /// Lists the bodies that move and are in these islands.

@@ -206,7 +206,7 @@ fn advance_in_order(
         work.jumps = jumps;
         island::enter(work, &islands[from..to]);
         let begun = rest.before(next);
-        advance_group(model, begun, work, &islands[from..to], step_s);
+        advance_group(model, begun, work, &mut islands[from..to], step_s);
         island::leave(model, work);
         let one_sub_step = islands[from].sub_steps == 1;
         let all = one_sub_step && to - from == islands.len();
@@ -236,7 +236,7 @@ fn advance_group(
     model: &Model,
     begun: Past<'_>,
     work: &mut Workspace,
-    islands: &[Island],
+    islands: &mut [Island],
     step_s: f64,
 ) {
     let sub_steps = islands[0].sub_steps;
@@ -257,6 +257,7 @@ fn advance_group(
             hints.extend_from_slice(&own.hints);
         }
         work.next_hints = hints;
+        island::tell_of_patches(islands, &work.found.patches);
         let last_step_s = step_s / f64::from(sub_steps);
         sub_step(model, own.past(last_step_s), work, islands, (later, step_s));
     }
