@@ -78,6 +78,26 @@ pub(crate) fn sin_cos(angle_rad: f64) -> (f64, f64) {
     (sine + (sine * along + cosine * across), cosine + (cosine * along - sine * across))
 }
 
+/// Up to this share of the one the angle to the other is the series' [`tilt_rad`].
+const SMALL_TILT: f64 = 1.0 / 8.0;
+
+/// The angle whose tangent is `across` over `ahead`, neither of which is negative [rad]: to rounding, by the series
+/// where it is small, as a hull's angle to a fender mostly is, where `libm`'s would cost ten times as much.
+#[inline(always)]
+pub(crate) fn tilt_rad(across: f64, ahead: f64) -> f64 {
+    if across <= SMALL_TILT * ahead && ahead > 0.0 {
+        let tangent = across / ahead;
+        let square = tangent * tangent;
+        // What comes after these terms is below 3e-18 of it.
+        let mut series = 1.0 / 17.0;
+        for power in [15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0] {
+            series = 1.0 / power - square * series;
+        }
+        return tangent - tangent * (square * series);
+    }
+    libm::atan2(across, ahead)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -116,6 +136,18 @@ mod tests {
             let angle_rad = f64::from(k) * 1.234e-3;
             let ((sine, cosine), (other, same)) = (sin_cos(angle_rad), sin_cos(-angle_rad));
             assert_eq!((sine.to_bits(), cosine.to_bits()), ((-other).to_bits(), same.to_bits()));
+        }
+    }
+
+    #[test]
+    fn tilts_are_those_of_libm() {
+        for k in 0..=100_000 {
+            let across = f64::from(k) * 2e-6;
+            let (ours, theirs) = (tilt_rad(3.0 * across, 3.0), libm::atan2(3.0 * across, 3.0));
+            assert!((ours - theirs).abs() <= 3e-16 * theirs, "{across}: {ours} for {theirs}");
+        }
+        for (across, ahead) in [(0.0, 0.0), (1.0, 0.0), (1e-300, 0.0), (2.0, 1.0)] {
+            assert_eq!(tilt_rad(across, ahead), libm::atan2(across, ahead));
         }
     }
 

@@ -13,7 +13,9 @@
 //! this without the lateral part ½k[d²] at the ends of the face, which sliding along a tilted hull
 //! would turn into work out of nothing.
 
+use crate::angle::tilt_rad;
 use crate::fender::{Fender, FenderLaw, RankedFender};
+use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 
 /// Corners nearer than this to a side of the fender's zone lie on it [m]: crossings are computed
@@ -43,13 +45,9 @@ pub(crate) struct Press {
     pub(crate) tilt_rad: f64,
 }
 
-/// Integrals over the overlap and over the fender's own sides of it, in the face's frame.
+/// Integrals over the fender's own sides of the overlap, in the face's frame.
 #[derive(Clone, Copy, Debug, Default)]
 struct Integrals {
-    area: f64,
-    /// ∬ x dA, ∬ s dA.
-    moment_x: f64,
-    moment_s: f64,
     /// Largest x.
     depth: f64,
     /// ∂S and ∂∬x dA by the hull's displacement along x and s and its rotation about the face's middle.
@@ -57,35 +55,41 @@ struct Integrals {
     of_moment: [f64; 3],
 }
 
-/// The press of a patch with lenses `outlines`, given in a frame in which the fender's body has the
-/// pose `host`.
+/// The press of a patch of this area and centroid, with lenses `outlines`, given in a frame in which the fender's body
+/// has the pose `host`.
 pub(crate) fn press<'a>(
     ranked: &RankedFender,
     fender: &Fender,
     stiffness_npm2: f64,
     host: Pose,
+    (area_m2, centroid_m): (f64, Vec2),
     outlines: impl Iterator<Item = &'a [Vec2]>,
 ) -> Press {
     let inward = host.rotation.apply(ranked.inward);
     let along = inward.quarter_turn();
     let face_m = host.apply(ranked.face_m);
     let mut sums = Integrals::default();
+    let seen = |v: Vec2| vec2((v - face_m).dot(inward), (v - face_m).dot(along));
     for outline in outlines {
-        let seen = |v: Vec2| vec2((v - face_m).dot(inward), (v - face_m).dot(along));
-        let mut from = seen(outline[outline.len() - 1]);
-        for &vertex in outline {
-            let to = seen(vertex);
-            sums.add(from, to, 0.5 * ranked.width_m);
-            from = to;
-        }
+        let corner = |&v: &Vec2| Corner::new(seen(v), 0.5 * ranked.width_m);
+        let Some((first, others)) = outline.split_first() else { continue };
+        let first = corner(first);
+        let last = others.iter().map(corner).fold(first, |from, to| {
+            sums.add(&from, &to);
+            to
+        });
+        sums.add(&last, &first);
     }
-    sums.complete();
+    // The middle of the face where there is none.
+    let centroid = if area_m2 > SMALLEST_AREA_M2 { seen(centroid_m) } else { Vec2::ZERO };
+    let moment = centroid * area_m2;
+    sums.complete(area_m2, moment);
 
-    let mean_m = sums.area / ranked.width_m;
+    let mean_m = area_m2 / ranked.width_m;
     let (spring, spring_j, deflection_m) = match fender.law {
         FenderLaw::Area => {
             let g = sums.of_moment.map(|d| stiffness_npm2 * d);
-            (g, stiffness_npm2 * sums.moment_x, sums.depth)
+            (g, stiffness_npm2 * moment.x, sums.depth)
         }
         FenderLaw::Curve(_) => {
             let per_area = fender.law.reaction_n(mean_m) / ranked.width_m;
@@ -97,17 +101,11 @@ pub(crate) fn press<'a>(
     let per_area = stop_npm * past_m / ranked.width_m;
     let stop = sums.of_area.map(|d| per_area * d);
     let pushed = vec2(spring[0] + stop[0], spring[1] + stop[1]);
-    let moment = spring[2] + stop[2];
+    let torque = spring[2] + stop[2];
     let size_n = pushed.length();
-    let centroid = if sums.area > SMALLEST_AREA_M2 {
-        vec2(sums.moment_x, sums.moment_s) * (1.0 / sums.area)
-    } else {
-        Vec2::ZERO // the middle of the face
-    };
-
     // A hull wholly within the zone stores the same wherever it is: out along the axis.
     let (push, point) = if size_n > SMALLEST_FORCE_N {
-        let off = (centroid.cross(pushed) - moment) / (size_n * size_n);
+        let off = (centroid.cross(pushed) - torque) / (size_n * size_n);
         (pushed * (1.0 / size_n), centroid + pushed.quarter_turn() * off)
     } else {
         (vec2(1.0, 0.0), centroid)
@@ -121,30 +119,49 @@ pub(crate) fn press<'a>(
         stop_n,
         deflection_m,
         stored_j: spring_j + 0.5 * stop_npm * past_m * past_m,
-        tilt_rad: libm::atan2(sums.of_area[1].abs(), sums.of_area[0].max(0.0)),
+        tilt_rad: tilt_rad(sums.of_area[1].abs(), greater(sums.of_area[0], 0.0)),
+    }
+}
+
+/// A corner of an outline in the face's frame, and which of the fender's own sides it lies on.
+// The far end of the zone is left out: a hull that deep goes on being pushed out.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    at: Vec2,
+    sides: u8,
+}
+
+impl Corner {
+    const FACE: u8 = 1;
+    const RIGHT: u8 = 2;
+    const LEFT: u8 = 4;
+
+    #[inline(always)]
+    fn new(at: Vec2, half_width_m: f64) -> Corner {
+        // It lies within the zone: on a side or on this side of it.
+        let lies_on = |off_m: f64, side: u8| u8::from(off_m <= ON_SIDE_M) * side;
+        let sides = lies_on(at.x, Corner::FACE)
+            | lies_on(half_width_m - at.y, Corner::RIGHT)
+            | lies_on(half_width_m + at.y, Corner::LEFT);
+        Corner { at, sides }
     }
 }
 
 impl Integrals {
     /// Adds one edge of an outline that is walked in the positive sense.
-    fn add(&mut self, from: Vec2, to: Vec2, half_width: f64) {
-        let cross = from.cross(to);
-        self.area += 0.5 * cross;
-        self.moment_x += cross * (from.x + to.x) * (1.0 / 6.0);
-        self.moment_s += cross * (from.y + to.y) * (1.0 / 6.0);
-        self.depth = self.depth.max(to.x);
-        // What of this edge lies on the fender's own sides, with the outward normal there. The far end
-        // of the zone is left out: a hull that deep goes on being pushed out.
-        let lies_on = |value: f64, side: f64| (value - side).abs() <= ON_SIDE_M;
-        if lies_on(from.x, 0.0) && lies_on(to.x, 0.0) {
+    #[inline(always)]
+    fn add(&mut self, Corner { at: from, sides }: &Corner, to: &Corner) {
+        let (both, to) = (sides & to.sides, to.at);
+        self.depth = greater(self.depth, to.x);
+        // What of this edge lies on the fender's own sides, with the outward normal there.
+        if both & Corner::FACE != 0 {
             // On the face, outward normal −x.
             let (length, middle) = (from.y - to.y, 0.5 * (from.y + to.y));
             self.of_area[0] += length;
             self.of_area[2] -= middle * length;
-        } else if lies_on(from.y, half_width) && lies_on(to.y, half_width) {
-            self.side(from.x.min(to.x), from.x.max(to.x), 1.0);
-        } else if lies_on(from.y, -half_width) && lies_on(to.y, -half_width) {
-            self.side(from.x.min(to.x), from.x.max(to.x), -1.0);
+        } else if both != 0 {
+            let outward = if both & Corner::RIGHT != 0 { 1.0 } else { -1.0 };
+            self.side(lesser(from.x, to.x), greater(from.x, to.x), outward);
         }
     }
 
@@ -158,9 +175,9 @@ impl Integrals {
         self.of_moment[2] -= outward * cubes;
     }
 
-    /// What the whole outline gives.
-    fn complete(&mut self) {
-        self.of_moment[0] += self.area;
-        self.of_moment[2] -= self.moment_s;
+    /// What the whole outline gives, of this area with these moments, ∬ x dA and ∬ s dA.
+    fn complete(&mut self, area: f64, moment: Vec2) {
+        self.of_moment[0] += area;
+        self.of_moment[2] -= moment.y;
     }
 }

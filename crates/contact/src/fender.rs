@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use crate::error::ModelError;
 use crate::geometry::convex::ConvexPolygon;
-use crate::model::{BodyId, MaterialId};
+use crate::model::{BodyId, Material, MaterialId};
 use crate::vec2::{Rotation, Vec2, vec2};
 
 /// Index of a fender, in the order in which fenders were added.
@@ -196,10 +196,48 @@ pub(crate) struct RankedFender {
     pub(crate) width_m: f64,
     /// The largest that its factors can be together.
     pub(crate) largest_factor: f64,
+    pub(crate) bounds: FenderBounds,
+}
+
+/// Bounds on what a fender does to any hull, which tell in most steps that it needs no sub-steps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FenderBounds {
+    /// The steepest rise of its reaction, with the largest of its factors, but for the stop [N/m].
+    pub(crate) spring_npm: f64,
+    /// Deflection at which the stop begins; infinite where there is none [m].
+    pub(crate) stop_from_m: f64,
+    /// Of its damper [N·s/m].
+    pub(crate) damping_nspm: f64,
+    pub(crate) projection_m: f64,
+    /// From its host's centre of gravity to the middle of its face, and from there to the corners of its zone [m].
+    pub(crate) arm_m: f64,
+    pub(crate) spread_m: f64,
+}
+
+impl FenderBounds {
+    fn of(fender: &Fender, material: &Material, zone: &[Vec2; 4], face_m: Vec2) -> FenderBounds {
+        let steepest_npm = match fender.law {
+            FenderLaw::Area => material.stiffness_npm2 * fender.width_m,
+            FenderLaw::Curve(_) => fender.law.steepest_npm(f64::INFINITY),
+        };
+        FenderBounds {
+            spring_npm: steepest_npm * fender.factors.largest(),
+            stop_from_m: fender.stop.map_or(f64::INFINITY, |stop| stop.from_m),
+            damping_nspm: material.damping_nspm2 * fender.width_m,
+            projection_m: fender.projection_m,
+            arm_m: face_m.length(),
+            spread_m: zone.iter().fold(0.0, |spread, &v| f64::max(spread, (v - face_m).length())),
+        }
+    }
 }
 
 impl RankedFender {
-    pub(crate) fn new(id: FenderId, host: u32, fender: &Fender) -> RankedFender {
+    pub(crate) fn new(
+        id: FenderId,
+        host: u32,
+        fender: &Fender,
+        material: &Material,
+    ) -> RankedFender {
         let Rotation { cos, sin } = Rotation::from_angle(fender.facing_rad);
         let inward = -vec2(cos, sin);
         let along = inward.quarter_turn();
@@ -217,6 +255,7 @@ impl RankedFender {
             inward,
             width_m: fender.width_m,
             largest_factor: fender.factors.largest(),
+            bounds: FenderBounds::of(fender, material, &corners, face_m),
         }
     }
 

@@ -357,13 +357,13 @@ fn rank_fenders(
     let mut faces = Vec::with_capacity(fenders.len());
     for (index, one) in fenders.iter().enumerate() {
         fender::check(one)?;
-        if one.material.0 as usize >= materials.len() {
+        let Some(material) = materials.get(one.material.0 as usize) else {
             return Err(ModelError::UnknownId { what: "material", index: one.material.0 });
-        }
+        };
         let Some(&host) = rank_of.get(one.body.0 as usize) else {
             return Err(ModelError::UnknownId { what: "body", index: one.body.0 });
         };
-        faces.push(RankedFender::new(FenderId(index as u32), host, one));
+        faces.push(RankedFender::new(FenderId(index as u32), host, one, material));
     }
     faces.sort_by_key(|face| (face.host, face.key));
     for two in faces.windows(2) {

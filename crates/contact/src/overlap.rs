@@ -628,7 +628,8 @@ pub(crate) fn press(model: &Model, found: &Overlap, patch: &Patch, face: &Ranked
     let host = if face.host == patch.candidate.a { Pose::IDENTITY } else { patch.b_in_a };
     let fender = &model.fenders()[face.id.0 as usize];
     let stiffness_npm2 = model.materials()[face.material.0 as usize].stiffness_npm2;
-    face::press(face, fender, stiffness_npm2, host, outlines(found, patch))
+    let within = (patch.area_m2, patch.centroid_m);
+    face::press(face, fender, stiffness_npm2, host, within, outlines(found, patch))
 }
 
 /// δ, the extent of the patch along a direction [m].

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::coupled::island::Island;
-use crate::fender::{FenderLaw, RankedFender};
+use crate::fender::{FenderBounds, FenderLaw, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::memory::HintMemory;
@@ -11,6 +11,7 @@ use crate::model::Model;
 use crate::number::lesser;
 use crate::overlap::{Patch, pieces_of};
 use crate::pairing::{Bounds, Yielding};
+use crate::ranked::RankedBody;
 use crate::workspace::{Candidate, Pairing, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
@@ -129,7 +130,7 @@ fn sub_steps(
         let Pairing { candidate, pair, .. } = pairing;
         let (Some((only, others)), 0) = (alone(left, index), candidate.face) else {
             let own = patches_of(left, index);
-            haste = with_others(model, work, haste, pairing, (own, hints), step_s);
+            haste = with_others(model, work, haste, pairing, (own, hints), (share, step_s));
             continue;
         };
         *left = others;
@@ -170,7 +171,7 @@ fn with_others(
     mut haste: Haste,
     pairing: &Pairing,
     (own, hints): (&[Patch], &[HintMemory]),
-    step_s: f64,
+    (share, step_s): (f64, f64),
 ) -> Haste {
     let Pairing { candidate, pair, .. } = pairing;
     if own.is_empty() && !may_touch(model, work, candidate, hints, step_s) {
@@ -178,6 +179,12 @@ fn with_others(
     }
     let counts = if own.is_empty() { 1.0 } else { STANDING };
     if let Some(face) = candidate.fender(model) {
+        if let Some((spring, damper)) = bounds_of_face(model, work, own, (candidate, face), step_s)
+            && counts * spring + damper <= share
+        {
+            haste.rate_squared += counts * spring + damper;
+            return haste;
+        }
         let closing_m = closing_mps(work, candidate) * step_s;
         let fender = &model.fenders()[face.id.0 as usize];
         let (spring, damper) = rates_squared_of_face(model, work, own, candidate, face, closing_m);
@@ -237,6 +244,37 @@ fn inverse_mass(bounds: &Bounds, patch: &Patch) -> f64 {
     }
     let of_b = of_body(b, patch_m - b_m, smaller_m - b_m);
     if a.is_fixed() { of_b } else { of_body(a, patch_m, smaller_m) + of_b }
+}
+
+/// Cheap bounds on the squares of the rates of a fender's spring and damper [1/s²]: none where the stop may be met in
+/// this step, or more may be closed than in one sub-step.
+#[inline(always)]
+fn bounds_of_face(
+    model: &Model,
+    work: &Workspace,
+    own: &[Patch],
+    (candidate, face): (&Candidate, &RankedFender),
+    step_s: f64,
+) -> Option<(f64, f64)> {
+    let (a, b) = (candidate.a as usize, candidate.b as usize);
+    let FenderBounds { spring_npm, stop_from_m, damping_nspm, projection_m, arm_m, spread_m } =
+        face.bounds;
+    let closing_m = (work.fastest_mps[a] + work.fastest_mps[b]) * step_s;
+    let area_m2: f64 = own.iter().map(|patch| patch.area_m2).sum();
+    if closing_m > TRAVEL_PER_SUB_STEP * 0.5 * projection_m
+        || area_m2 > (stop_from_m - closing_m) * face.width_m
+    {
+        return None;
+    }
+    // Some point of the other body lies in the fender's zone, or comes into it.
+    let (host, other) = if face.host == candidate.a { (a, b) } else { (b, a) };
+    let (host, other) = (&model.ranked[host], &model.ranked[other]);
+    let of_body = |body: &RankedBody, arm_m: f64| {
+        body.lightest_inverse_mass + body.inverse_of_turning * arm_m * arm_m
+    };
+    let inverse_mass = of_body(host, arm_m) + of_body(other, other.radius_m + spread_m + closing_m);
+    let damping_rate = damping_nspm * inverse_mass;
+    Some((spring_npm * inverse_mass, damping_rate * damping_rate))
 }
 
 /// Bounds on the squares of the rates of a fender and its hull by spring and stop, for all deflections that
