@@ -128,17 +128,32 @@ fn sub_steps(
     let mut haste = Haste::default();
     for (index, pairing) in (island.candidates().start..).zip(pairings) {
         let Pairing { candidate, pair, .. } = pairing;
-        let (Some((only, others)), 0) = (alone(left, index), candidate.face) else {
-            let own = patches_of(left, index);
-            haste = with_others(model, work, haste, pairing, (own, hints), (share, step_s));
-            continue;
-        };
-        *left = others;
-        let bounds = work.bounds_of(model, *pair);
-        let pair = [candidate.a as usize, candidate.b as usize];
-        haste.rate_squared += standing_rate_squared(bounds, only, share);
-        if may_travel(fastest_mps, pair, bounds, step_s) {
-            haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
+        let ranks = [candidate.a as usize, candidate.b as usize];
+        match (alone(left, index), candidate.fender(model)) {
+            (Some((only, others)), None) => {
+                *left = others;
+                let bounds = work.bounds_of(model, *pair);
+                haste.rate_squared += standing_rate_squared(bounds, only, share);
+                if may_travel(fastest_mps, ranks, bounds, step_s) {
+                    haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
+                }
+            }
+            (Some((only, others)), Some(face))
+                if let Some(rate_squared) = slow_rate_squared(
+                    model,
+                    fastest_mps,
+                    (candidate, face),
+                    only,
+                    (share, step_s),
+                ) =>
+            {
+                *left = others;
+                haste.rate_squared += rate_squared;
+            }
+            _ => {
+                let own = patches_of(left, index);
+                haste = with_others(model, work, haste, pairing, (own, hints), step_s);
+            }
         }
     }
     haste.sub_steps(turn)
@@ -171,7 +186,7 @@ fn with_others(
     mut haste: Haste,
     pairing: &Pairing,
     (own, hints): (&[Patch], &[HintMemory]),
-    (share, step_s): (f64, f64),
+    step_s: f64,
 ) -> Haste {
     let Pairing { candidate, pair, .. } = pairing;
     if own.is_empty() && !may_touch(model, work, candidate, hints, step_s) {
@@ -179,12 +194,6 @@ fn with_others(
     }
     let counts = if own.is_empty() { 1.0 } else { STANDING };
     if let Some(face) = candidate.fender(model) {
-        if let Some((spring, damper)) = bounds_of_face(model, work, own, (candidate, face), step_s)
-            && counts * spring + damper <= share
-        {
-            haste.rate_squared += counts * spring + damper;
-            return haste;
-        }
         let closing_m = closing_mps(work, candidate) * step_s;
         let fender = &model.fenders()[face.id.0 as usize];
         let (spring, damper) = rates_squared_of_face(model, work, own, candidate, face, closing_m);
@@ -246,23 +255,22 @@ fn inverse_mass(bounds: &Bounds, patch: &Patch) -> f64 {
     if a.is_fixed() { of_b } else { of_body(a, patch_m, smaller_m) + of_b }
 }
 
-/// Cheap bounds on the squares of the rates of a fender's spring and damper [1/s²]: none where the stop may be met in
-/// this step, or more may be closed than in one sub-step.
+/// A bound on the square of the rate of a fender that stands in one patch [1/s²]: none where that is more than its
+/// share, its stop may be met in this step, or more may be closed than in one sub-step.
 #[inline(always)]
-fn bounds_of_face(
+fn slow_rate_squared(
     model: &Model,
-    work: &Workspace,
-    own: &[Patch],
+    fastest_mps: &[f64],
     (candidate, face): (&Candidate, &RankedFender),
-    step_s: f64,
-) -> Option<(f64, f64)> {
+    only: &Patch,
+    (share, step_s): (f64, f64),
+) -> Option<f64> {
     let (a, b) = (candidate.a as usize, candidate.b as usize);
     let FenderBounds { spring_npm, stop_from_m, damping_nspm, projection_m, arm_m, spread_m } =
         face.bounds;
-    let closing_m = (work.fastest_mps[a] + work.fastest_mps[b]) * step_s;
-    let area_m2: f64 = own.iter().map(|patch| patch.area_m2).sum();
+    let closing_m = (fastest_mps[a] + fastest_mps[b]) * step_s;
     if closing_m > TRAVEL_PER_SUB_STEP * 0.5 * projection_m
-        || area_m2 > (stop_from_m - closing_m) * face.width_m
+        || only.area_m2 > (stop_from_m - closing_m) * face.width_m
     {
         return None;
     }
@@ -274,7 +282,8 @@ fn bounds_of_face(
     };
     let inverse_mass = of_body(host, arm_m) + of_body(other, other.radius_m + spread_m + closing_m);
     let damping_rate = damping_nspm * inverse_mass;
-    Some((spring_npm * inverse_mass, damping_rate * damping_rate))
+    let rate_squared = STANDING * spring_npm * inverse_mass + damping_rate * damping_rate;
+    (rate_squared <= share).then_some(rate_squared)
 }
 
 /// Bounds on the squares of the rates of a fender and its hull by spring and stop, for all deflections that
