@@ -78,7 +78,7 @@ pub(crate) fn sin_cos(angle_rad: f64) -> (f64, f64) {
     (sine + (sine * along + cosine * across), cosine + (cosine * along - sine * across))
 }
 
-/// Up to this share of the one the angle to the other is the series' [`tilt_rad`].
+/// The largest tangent of which [`tilt_rad`] takes the series.
 const SMALL_TILT: f64 = 1.0 / 8.0;
 
 /// The angle whose tangent is `across` over `ahead`, neither of which is negative [rad]: to rounding, by the series

@@ -213,8 +213,8 @@ impl Touch {
         }
     }
 
-    /// The report of this patch, of these bodies, A and B, without its forces, with the body that was added first as body 1:
-    /// a change of order turns n and t round and nothing else.
+    /// The report of this patch of these bodies, A and B, without its forces, with the body that was added first as
+    /// body 1: a change of order turns n and t round and nothing else.
     #[inline]
     pub(crate) fn contact(
         &self,

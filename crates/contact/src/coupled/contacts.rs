@@ -160,16 +160,16 @@ fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> u
         if !goes_on((patch, old), patches, past.patches, index) {
             return index;
         }
-        let inherited = Inherited::One(index as u32);
+        // Made where it is asked for, so that it stays in registers where it can.
+        let taken =
+            || Taken { inherited: Inherited::One(index as u32), old: Some(old), placed: false };
         let into = (tie, rows.get_mut(index));
         // Most of them are two outlines: much is known then.
         if patch.candidate.face == 0 {
-            let taken = Taken { inherited, old: Some(old), placed: false };
-            let memory = rows::collect(&begun, &mut aside, patch, None, taken, into);
+            let memory = rows::collect(&begun, &mut aside, patch, None, taken(), into);
             next_patches.push(memory);
         } else {
-            let taken = Taken { inherited, old: Some(old), placed: false };
-            collect_other(begun, &mut aside, patch, taken, into, next_patches);
+            collect_other(begun, &mut aside, patch, taken(), into, next_patches);
         }
     }
     patches.len().min(past.patches.len())
