@@ -33,7 +33,8 @@ pub(crate) fn take(
 ) -> Result<bool, StepError> {
     admit_call(model, memory, states, step_s)?;
     admit_loads(model, states, loads)?;
-    if work.advanced.take() != Some(model.fingerprint) {
+    let is_new = work.advanced.take() != Some(model.layout);
+    if is_new {
         forget(model, work);
     }
     work.active.clear();
@@ -48,6 +49,11 @@ pub(crate) fn take(
             return admit_states(model, states).map(|()| false);
         }
         all_held &= take_loads(model, work, loads, first, step_s);
+    }
+    // Not before all states are sound: these are results.
+    if is_new {
+        work.states_after.clear();
+        work.motions.resize(count, Motion::default());
     }
     tell_of_jumps(model, work);
     Ok(all_held)
@@ -174,8 +180,7 @@ fn forget(model: &Model, work: &mut Workspace) {
     work.room_mps.resize(count, 0.0);
     work.fastest_mps.resize(count, 0.0);
     work.motions_by_rank.resize(count, Motion::default());
-    work.states_after.clear();
-    work.motions.resize(count, Motion::default());
+    refill(&mut work.unheld_j, count, 0.0);
 }
 
 /// So many of one.
