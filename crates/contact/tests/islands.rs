@@ -230,3 +230,20 @@ fn a_quay_that_moves_is_met_where_it_was_shown_by_every_island() {
         assert!((alone_m2 - other_m2).abs() < 1e-9, "{alone:?} {among_others:?}");
     }
 }
+
+/// A quay that is shown with a speed went on only in those steps in which some body was near.
+#[test]
+fn a_quay_that_moves_goes_on_with_nothing_near() {
+    for away_m in [0.0, 5000.0] {
+        let mut run = Run::new(tugs_at_a_quay(1));
+        run.states[0].position_m.y -= away_m;
+        run.states[1].velocity_mps = vec2(0.2, -0.3);
+        run.states[1].yaw_rate_radps = 1e-3;
+        run.step();
+        let went_m = vec2(0.2, -0.3) * STEP_S;
+        let (state, motion) = (run.states[1], run.work.motions()[1]);
+        assert!((state.position_m - went_m).length() < 1e-15, "{away_m} m: {state:?}");
+        assert!((motion.way_m - went_m).length() < 1e-15, "{away_m} m: {motion:?}");
+        assert!((state.heading_rad - 1e-4).abs() < 1e-18);
+    }
+}

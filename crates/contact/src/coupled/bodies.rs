@@ -139,7 +139,11 @@ fn take_loads(
             motions_by_rank[rank] = Motion::default();
             if moves[rank] {
                 moving_walls.push((rank as u32, *state));
-                states[rank] = *state;
+                // Where it comes to, unless islands take it along: where nothing is near.
+                let (velocity, mut alone) = (state.velocity(), *state);
+                motions_by_rank[rank] = moved_on(Motion::default(), velocity, velocity, step_s);
+                move_body(&mut alone, velocity, step_s);
+                states[rank] = alone;
             }
         } else {
             let load = &loads[id_of[rank].0 as usize];
@@ -340,7 +344,7 @@ fn turn_masses(body: &Rest, state: &mut BodyState, (before, after): (Rotation, R
     }
 }
 
-/// Bodies that nothing is near: one step by their loads. Of what is fixed, where it is now.
+/// Bodies that nothing is near: one step by their loads. Of what is fixed, where it is then.
 #[inline(never)]
 pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
     if work.all_meet {
