@@ -158,6 +158,9 @@ pub struct Model {
     pub(crate) every_other_pair: Option<MaterialId>,
     /// Distinguishes models, for memory and snapshots.
     pub(crate) fingerprint: u64,
+    /// Distinguishes besides models whose bodies or materials were added in another order, for workspaces: these
+    /// have ids.
+    pub(crate) layout: u64,
 }
 
 /// Collects the parts of a [`Model`].
@@ -270,9 +273,11 @@ impl ModelBuilder {
             pair_bounds: Vec::new(),
             every_other_pair,
             fingerprint: 0,
+            layout: 0,
         };
         model.pair_bounds = model.pairs.iter().map(|pair| Bounds::of(&model, pair)).collect();
         model.fingerprint = fingerprint(&model);
+        model.layout = layout(&model);
         Ok(model)
     }
 }
@@ -480,6 +485,18 @@ fn fingerprint(model: &Model) -> u64 {
         hash.word(face.key);
         material(&mut hash, face.material);
         hash_fender(&mut hash, &model.fenders[face.id.0 as usize]);
+    }
+    hash.0
+}
+
+/// The same over the ids besides that what is kept by rank has.
+fn layout(model: &Model) -> u64 {
+    let mut hash = Fnv::default();
+    hash.word(model.fingerprint);
+    model.id_of.iter().for_each(|id| hash.word(u64::from(id.0)));
+    let of_pairs = model.pairs.iter().map(|pair| pair.material);
+    for MaterialId(index) in of_pairs.chain(model.every_other_pair) {
+        hash.word(u64::from(index));
     }
     hash.0
 }

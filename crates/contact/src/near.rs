@@ -21,8 +21,8 @@ const USABLE: f64 = 0.999;
 /// The list, and where the bodies were when it was made.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NearList {
-    /// The model it was made for.
-    fingerprint: u64,
+    /// The layout of the model it was made for.
+    layout: u64,
     /// By rank.
     circles: Vec<Circle>,
     /// In the order of their ranks.
@@ -69,7 +69,7 @@ impl NearList {
     /// The circles by rank, where they are of that model; else none.
     #[inline]
     pub(crate) fn circles_for(&self, model: &Model) -> &[Circle] {
-        if self.fingerprint == model.fingerprint { &self.circles } else { &[] }
+        if self.layout == model.layout { &self.circles } else { &[] }
     }
 
     /// Does the circle of each body hold its own now, of bodies at `poses` that reach so far, both by rank?
@@ -90,7 +90,7 @@ impl NearList {
         poses: &[Pose],
         reach_m: &[f64],
     ) {
-        self.fingerprint = model.fingerprint;
+        self.layout = model.layout;
         self.circles.clear();
         self.circles.extend(poses.iter().zip(reach_m).map(|(pose, &reach_m)| Circle {
             center_m: pose.position_m,

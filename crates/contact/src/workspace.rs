@@ -23,11 +23,11 @@ use crate::state::{BodyState, Velocity};
 use crate::vec2::Pose;
 
 /// Buffers that a step writes to, and what it found. Nothing in it matters to the next step: it
-/// can be shared between runs of the same model or thrown away at any time.
+/// can be shared between runs, be they of one model or of several, or thrown away at any time.
 #[derive(Clone, Debug)]
 pub struct Workspace {
-    /// The model of the last step, where that was one of [`crate::advance`] and went through: what there is of
-    /// its bodies is then what that step left.
+    /// The layout of the last step's model, where that step was one of [`crate::advance`] and went through: what
+    /// there is of its bodies is then what that step left.
     pub(crate) advanced: Option<u64>,
     pub(crate) contacts: Vec<Contact>,
     /// Whether contacts are reported one by one.

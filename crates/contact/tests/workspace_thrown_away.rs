@@ -250,3 +250,107 @@ fn bodies_moved_in_place_go_where_they_go_otherwise() {
         assert_eq!(memory, same_memory, "step {index}");
     }
 }
+
+/// A ship of 1000 t against the two fenders of a quay, with bodies and materials added in this order or backwards,
+/// and adrift beside it so many more.
+fn berth(backwards: bool, more: u64) -> (Model, Vec<BodyState>) {
+    let mut builder = Model::builder();
+    let mut bodies = vec![
+        (body(9, &rectangle(60.0, 12.0), true), at(0.0, -7.3, 0.02)),
+        (body(1, &rectangle(200.0, 20.0), false), at(0.0, 10.0, 0.0)),
+    ];
+    bodies.extend((0..more).map(|k| {
+        let tug = body(2 + k, &rectangle(24.0, 9.0), true);
+        (tug, at(-80.0 + 40.0 * k as f64, -100.0, 0.0))
+    }));
+    let mut materials = [PAPER, Material { stiffness_npm2: 5e6, ..PAPER }];
+    if backwards {
+        bodies.reverse();
+        materials.reverse();
+    }
+    let mut states = Vec::new();
+    let mut quay = BodyId(0);
+    for (body, state) in bodies {
+        let is_quay = body.key == 1;
+        let id = builder.body(body);
+        quay = if is_quay { id } else { quay };
+        states.push(state);
+    }
+    let ids: Vec<MaterialId> = materials.iter().map(|&of| builder.material(of)).collect();
+    let soft = if backwards { ids[1] } else { ids[0] };
+    for key in 0..2 {
+        let along_m = if key == 0 { -20.0 } else { 20.0 };
+        let position_m = vec2(along_m, -10.0);
+        builder.fender(Fender { position_m, ..fender(quay, soft, key) });
+    }
+    builder.every_other_pair(soft);
+    (builder.build().expect("a good model"), states)
+}
+
+/// A workspace that was made for fewer bodies had no room for what contacts of more let go: a step panicked.
+#[test]
+fn a_workspace_made_for_a_smaller_model_serves_a_larger_one() {
+    let (small, _) = berth(false, 0);
+    let (large, states) = berth(true, 3);
+    let loads: Vec<Wrench> = large
+        .bodies()
+        .iter()
+        .map(|body| {
+            let pushed = body.key == 9;
+            let force_n = if pushed { vec2(0.0, 5e5) } else { Vec2::ZERO };
+            Wrench { force_n, moment_nm: 0.0 }
+        })
+        .collect();
+    let after = |mut work: Workspace| {
+        let (mut memory, mut states) = (Memory::new(&large), states.clone());
+        for _ in 0..600 {
+            advance_in_place(&large, &mut memory, &mut work, &mut states, &loads, STEP_S)
+                .expect("good states and loads");
+        }
+        states
+    };
+    assert_eq!(after(Workspace::new(&small)), after(Workspace::new(&large)));
+}
+
+/// Two models that differ only by the order in which bodies and materials were added have the same memories: a
+/// workspace took what it had of the one for that of the other, and the quay was told to be where the ship is.
+#[test]
+fn a_workspace_shared_with_the_same_model_in_another_order_changes_no_bit() {
+    let models = [berth(false, 2), berth(true, 2)];
+    let mut runs = models.each_ref().map(|(model, states)| (Memory::new(model), states.clone()));
+    let mut shared = Workspace::new(&models[0].0);
+    for index in 0..40 {
+        for ((model, _), (memory, states)) in models.iter().zip(&mut runs) {
+            let loads = vec![Wrench::default(); states.len()];
+            let (mut same, mut own) = (memory.clone(), Workspace::new(model));
+            let found =
+                [(&mut same, &mut own), (&mut *memory, &mut shared)].map(|(memory, work)| {
+                    advance(model, memory, work, states, &loads, STEP_S).expect("good states");
+                    let told = (work.contacts(), work.wrenches(), work.events());
+                    format!("{told:?} {:?} {:?} {memory:?}", work.states_after(), work.motions())
+                });
+            assert_eq!(found[0], found[1], "step {index}");
+            states.copy_from_slice(shared.states_after());
+        }
+    }
+}
+
+/// The first error left the results of the last good step alone, the second took its states.
+#[test]
+fn errors_in_a_row_leave_the_results_of_the_last_good_step() {
+    let (model, states) = berth(false, 1);
+    let loads = vec![Wrench::default(); states.len()];
+    let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
+    advance(&model, &mut memory, &mut work, &states, &loads, STEP_S).expect("good states");
+    let results = |work: &Workspace| {
+        let told = (work.contacts(), work.wrenches(), work.events());
+        format!("{told:?} {:?} {:?}", work.states_after(), work.motions())
+    };
+    let before = (results(&work), memory.snapshot());
+    let mut bad = states.clone();
+    bad[2].yaw_rate_radps = f64::NAN;
+    for _ in 0..3 {
+        advance(&model, &mut memory, &mut work, &bad, &loads, STEP_S).expect_err("not a number");
+        assert_eq!((results(&work), memory.snapshot()), before);
+    }
+}

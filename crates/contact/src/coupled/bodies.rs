@@ -33,7 +33,8 @@ pub(crate) fn take(
 ) -> Result<bool, StepError> {
     admit_call(model, memory, states, step_s)?;
     admit_loads(model, states, loads)?;
-    if work.advanced.take() != Some(model.fingerprint) {
+    let is_new = work.advanced.take() != Some(model.layout);
+    if is_new {
         forget(model, work);
     }
     work.active.clear();
@@ -48,6 +49,11 @@ pub(crate) fn take(
             return admit_states(model, states).map(|()| false);
         }
         all_held &= take_loads(model, work, loads, first, step_s);
+    }
+    // Not before all states are sound: these are results.
+    if is_new {
+        work.states_after.clear();
+        work.motions.resize(count, Motion::default());
     }
     tell_of_jumps(model, work);
     Ok(all_held)
@@ -133,7 +139,11 @@ fn take_loads(
             motions_by_rank[rank] = Motion::default();
             if moves[rank] {
                 moving_walls.push((rank as u32, *state));
-                states[rank] = *state;
+                // Where it comes to, unless islands take it along: where nothing is near.
+                let (velocity, mut alone) = (state.velocity(), *state);
+                motions_by_rank[rank] = moved_on(Motion::default(), velocity, velocity, step_s);
+                move_body(&mut alone, velocity, step_s);
+                states[rank] = alone;
             }
         } else {
             let load = &loads[id_of[rank].0 as usize];
@@ -174,8 +184,7 @@ fn forget(model: &Model, work: &mut Workspace) {
     work.room_mps.resize(count, 0.0);
     work.fastest_mps.resize(count, 0.0);
     work.motions_by_rank.resize(count, Motion::default());
-    work.states_after.clear();
-    work.motions.resize(count, Motion::default());
+    refill(&mut work.unheld_j, count, 0.0);
 }
 
 /// So many of one.
@@ -335,7 +344,7 @@ fn turn_masses(body: &Rest, state: &mut BodyState, (before, after): (Rotation, R
     }
 }
 
-/// Bodies that nothing is near: one step by their loads. Of what is fixed, where it is now.
+/// Bodies that nothing is near: one step by their loads. Of what is fixed, where it is then.
 #[inline(never)]
 pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
     if work.all_meet {

@@ -131,7 +131,7 @@ fn carry_out(
     bodies::drift_apart(model, work, step_s);
     report(model, work)?;
     remember(memory, work, all_go_on, step_s);
-    work.advanced = Some(model.fingerprint);
+    work.advanced = Some(model.layout);
     Ok(())
 }
 
