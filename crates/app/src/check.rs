@@ -22,17 +22,22 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let simulation = Simulation::new(scenario.setup).map_err(error)?;
     let setup = simulation.setup();
     say(&format!(
-        "{}: good; {} bodies, {} pairs named, {} steps of {} s\n",
+        "{}: good; {}, {} named, {} of {} s\n",
         args.scenario.display(),
-        setup.bodies.len(),
-        setup.pairs.len(),
-        simulation.steps_total(),
+        counted(setup.bodies.len() as u64, "body", "bodies"),
+        counted(setup.pairs.len() as u64, "pair", "pairs"),
+        counted(simulation.steps_total(), "step", "steps"),
         setup.step_s
     ))?;
     for vessel in &setup.world.vessels {
         say(&estimates(&setup.bodies[vessel.body].name, &vessel.origin))?;
     }
     Ok(())
+}
+
+/// A number with its noun.
+fn counted(count: u64, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// A kind of file.

@@ -67,6 +67,15 @@ pub(crate) fn utilisation(summary: &FenderSummary) -> Option<f64> {
     shares(summary).into_iter().flatten().reduce(f64::max)
 }
 
+/// What of its rating [`utilisation`] is a share of: a cone reaches its rated reaction at half of its
+/// rated deflection.
+pub(crate) fn most_used(summary: &FenderSummary) -> &'static str {
+    let most = utilisation(summary);
+    let quantities = ["deflection", "reaction", "energy"];
+    let found = quantities.into_iter().zip(shares(summary)).find(|(_, share)| *share == most);
+    found.map_or("performance", |(quantity, _)| quantity)
+}
+
 /// Indices into `fenders` from the most used to the least: failed ones first, then by share of rating,
 /// then by reaction.
 pub(crate) fn worst_first(setups: &[FenderSetup], fenders: &[FenderSummary]) -> Vec<usize> {

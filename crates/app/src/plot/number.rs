@@ -4,6 +4,11 @@
 const GROUP: char = '\u{202f}';
 const MINUS: char = '\u{2212}';
 
+/// How often, in words that fit one as well as many.
+pub(crate) fn times(count: u64) -> String {
+    if count == 1 { "once".to_owned() } else { format!("{count} times") }
+}
+
 /// `value` with a true minus sign and grouped thousands, to `decimals` places; powers of ten where
 /// the digits would run away.
 pub(crate) fn fixed(value: f64, decimals: usize) -> String {

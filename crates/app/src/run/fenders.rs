@@ -57,7 +57,9 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
         let _ = writeln!(text, "{}", line.trim_end());
     }
     if order.len() > FENDERS {
-        let _ = writeln!(text, "and {} more fenders, in summary.json", order.len() - FENDERS);
+        let more = order.len() - FENDERS;
+        let word = if more == 1 { "fender" } else { "fenders" };
+        let _ = writeln!(text, "and {more} more {word}, in summary.json");
     }
     text.push_str(&warnings(outcome, verdict));
     text

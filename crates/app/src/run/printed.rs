@@ -23,7 +23,7 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         outcome.steps,
         setup.step_s,
         method_text(setup.method),
-        integrator_text(setup.integrator)
+        integrator_text(setup.integrator).replace('_', "-")
     );
     let mut pairs: Vec<&PairSummary> = outcome.pairs.iter().collect();
     pairs.sort_by(|a, b| b.peak_normal_force_n.total_cmp(&a.peak_normal_force_n));
@@ -34,7 +34,8 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         pairs.truncate(ROWS);
         text.push_str(&table(outcome, &pairs));
         if more > 0 {
-            let _ = writeln!(text, "and {more} more pairs, in summary.json");
+            let word = if more == 1 { "pair" } else { "pairs" };
+            let _ = writeln!(text, "and {more} more {word}, in summary.json");
         }
     }
     text.push_str(&super::fenders::table(outcome));
@@ -79,16 +80,22 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
     for (name, pair) in names.iter().zip(pairs) {
         let _ = writeln!(
             text,
-            "{name:<width$}  {:>11.2}  {:>10.1}  {:>10.4}  {:>10.1}  {:>8.4}  {:>8.4}",
+            "{name:<width$}  {:>11.2}  {:>10.1}  {:>10.4}  {:>10.1}  {:>8}  {:>8}",
             pair.first_touch_s,
             pair.peak_normal_force_n / 1e3,
             pair.peak_depth_m,
             pair.impulse_ns / 1e3,
-            pair.approach_speed_mps,
-            pair.final_speed_mps
+            speed(pair.approach_speed_mps),
+            speed(pair.final_speed_mps)
         );
     }
     text
+}
+
+/// A speed to a tenth of a millimetre a second; one that rounds to zero has no sign.
+fn speed(speed_mps: f64) -> String {
+    let text = format!("{speed_mps:.4}");
+    if text == "-0.0000" { "0.0000".to_owned() } else { text }
 }
 
 /// User's text without control characters, which could rewrite the terminal.

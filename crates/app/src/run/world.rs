@@ -5,7 +5,7 @@ use core::fmt::Write as _;
 
 use super::printed::{NAME_WIDTH, one_line};
 use crate::output::Outcome;
-use crate::plot::shortened;
+use crate::plot::{shortened, times};
 use crate::world::{LineTotals, LineVerdict};
 
 /// Lines of text about one kind of thing at most.
@@ -85,6 +85,6 @@ fn warnings(outcome: &Outcome<'_>, text: &mut String) {
             "provider_died" => "ENDED before the run did",
             _ => "answered again",
         };
-        let _ = writeln!(text, "provider: {count} times: {what}");
+        let _ = writeln!(text, "provider: {}: {what}", times(*count));
     }
 }

@@ -85,9 +85,11 @@ impl CatalogueFender {
             standing: family.standing.max(size.standing),
         };
         if let Some(difference) = fender.energy_difference() {
-            let percent = 100.0 * difference;
-            fender.source +=
-                &format!("; energy: the curve's integral, {percent:+.1} % of published");
+            let percent = 100.0 * difference.abs();
+            let side = if difference < 0.0 { "below" } else { "above" };
+            fender.source += &format!(
+                "; energy: the curve's integral, {percent:.1} % {side} the published energy"
+            );
             if difference.abs() > CatalogueFender::TOLERANCE {
                 fender.standing = fender.standing.max(Standing::Derived);
             }

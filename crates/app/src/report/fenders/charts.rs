@@ -51,7 +51,7 @@ pub(super) fn utilisation(outcome: &Outcome<'_>) -> Markup {
         title: "Use of the fenders".to_owned(),
         kinds,
         groups: groups.collect(),
-        axis: "peak over limit [%]",
+        axis: "peak as a share of its limit [%]",
         note: if all > shown.len() {
             format!("The {} most used of {all} fenders that were touched.", shown.len())
         } else {
@@ -131,6 +131,12 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
         "Means over the time step; between loading and unloading lies what restitution, \
                     damping and the limit from momentum take."
             .to_owned();
+    if fender.law == FenderLaw::Area {
+        note.push_str(
+            " The deflection is that of the deepest point of the face; the reaction goes by the overlap \
+             of the whole face, and is less where the hull lies at an angle.",
+        );
+    }
     if let Some(rated) = fender.rated {
         note.push_str(&format!(
             " Rated: {} mm, {} kN, {} kJ before factors.",

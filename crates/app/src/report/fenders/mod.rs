@@ -11,7 +11,7 @@ use super::Recorder;
 use super::charts::Charts;
 use crate::output::Outcome;
 use crate::plot::fixed;
-use crate::verdict::{Verdict, utilisation, worst_first};
+use crate::verdict::{Verdict, most_used, utilisation, worst_first};
 
 pub(super) use boxes::{boxes, names};
 pub(super) use setup::setup_table;
@@ -24,7 +24,9 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     }
     let unrated = outcome.fenders.iter().filter(|f| setups[f.fender].rated.is_none()).count();
     let verdicts = outcome.fenders.iter().map(|f| Verdict::of(&setups[f.fender], f));
-    let worst = verdicts.max().unwrap_or(Verdict::Ok);
+    let Some(worst) = verdicts.max() else {
+        return html! { p { "None of the " (setups.len()) " fenders was touched." } };
+    };
     let most = worst_first(setups, outcome.fenders).first().map(|&i| &outcome.fenders[i]);
     html! {
         p {
@@ -32,11 +34,11 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
             " " (outcome.fenders.len()) " of " (setups.len()) " touched"
             @if let Some((summary, share)) = most.and_then(|f| Some((f, utilisation(f)?))) {
                 "; most used " strong { (setups[summary.fender].name) } ", "
-                (fixed(100.0 * share, 0)) " % of its rating"
+                (fixed(100.0 * share, 0)) " % of its rated " (most_used(summary))
             }
             "."
             @if unrated > 0 && unrated < outcome.fenders.len() {
-                " For " (unrated) " of them nobody gave a rating."
+                " " (unrated) " of them " @if unrated == 1 { "has" } @else { "have" } " no rating."
             }
         }
     }
