@@ -1,5 +1,7 @@
 //! Stage 1, admit: the host's input, checked before anything changes.
 
+use core::f64::consts::TAU;
+
 use crate::error::StepError;
 use crate::memory::Memory;
 use crate::model::Model;
@@ -158,19 +160,19 @@ fn unsound_load(model: &Model, index: usize, load: &Wrench) -> StepError {
 pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states: &[BodyState]) {
     let count = model.ranked.len();
     make_room(work, count);
-    let Workspace { states: own, poses, headings_rad, teleported, reach_m, .. } = &mut *work;
+    let Workspace { states: own, poses, headings_rad, teleported, put, reach_m, .. } = &mut *work;
     teleported.clear();
+    // By the paper's method it does not matter how else a body came.
+    put.clear();
     // In one pass: the bodies of a large model are far from the processor.
     let of_rank = own.iter_mut().zip(poses).zip(headings_rad).zip(reach_m);
     for (rank, (((own, pose), heading_rad), reach_m)) in of_rank.enumerate() {
         let body = &model.ranked[rank];
         let state = states[model.id_of[rank].0 as usize];
         (*own, *reach_m) = (state, body.reach_m);
-        put(pose, heading_rad, &state);
-        if memory
-            .last_states
-            .get(rank)
-            .is_some_and(|last| jumped((last, memory.last_step_s), &state, body.radius_m))
+        take_pose(pose, heading_rad, &state);
+        if let Some(last) = memory.last_states.get(rank)
+            && came((last, memory.last_step_s), &state, body.radius_m) == Came::Jumped
         {
             teleported.push(rank as u32);
         }
@@ -180,7 +182,7 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
 
 /// The pose of a body. What does not turn is spared its sine and cosine.
 #[inline(always)]
-fn put(pose: &mut Pose, heading_rad: &mut f64, state: &BodyState) {
+fn take_pose(pose: &mut Pose, heading_rad: &mut f64, state: &BodyState) {
     pose.position_m = state.position_m;
     if state.heading_rad.to_bits() != heading_rad.to_bits() {
         *heading_rad = state.heading_rad;
@@ -203,7 +205,7 @@ fn make_room(work: &mut Workspace, count: usize) {
 
 /// Whether bodies jumped, and the events of it.
 pub(crate) fn tell_of_jumps(model: &Model, work: &mut Workspace) {
-    work.jumps = !work.teleported.is_empty();
+    (work.jumps, work.puts) = (!work.teleported.is_empty(), !work.put.is_empty());
     work.events.clear();
     for &rank in &work.teleported {
         let bodies = model.ids_of([rank, rank]);
@@ -211,21 +213,72 @@ pub(crate) fn tell_of_jumps(model: &Model, work: &mut Workspace) {
     }
 }
 
-/// Did a body move by more than its two velocities explain, from `last`, so many seconds ago? The allowance, a
-/// tenth of its size, is for hosts whose integrators differ from ours.
-#[inline(always)]
-pub(crate) fn jumped((last, step_s): (&BodyState, f64), now: &BodyState, radius_m: f64) -> bool {
-    let moved = now.position_m - last.position_m;
-    let mean = (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);
-    let unexplained = moved - mean;
-    // Most bodies are well within the second half of the allowance, and need no roots.
-    let near_m = 0.09 * radius_m;
-    unexplained.length_squared() > near_m * near_m
-        && jumped_far(unexplained, now.velocity_mps - last.velocity_mps, step_s, radius_m)
+/// How a body came to where it is shown from where it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Came {
+    /// As its velocities lead it.
+    ByItself,
+    /// Its host put it there: neither of its velocities leads it so far.
+    Put,
+    /// By so much more than its two velocities explain that nothing is as it was. The allowance, a tenth of its size,
+    /// is for hosts whose integrators differ from ours.
+    Jumped,
 }
 
-/// The same of a body that moved by so much more than the mean of its two velocities explains.
+/// The smallest way of a body at rest that its host has put elsewhere [m]: far from the chart's origin positions are
+/// rounded.
+const PUT_M: f64 = 1e-6;
+
+/// How a body of this radius came to where it is shown, from `last`, so many seconds ago.
+#[inline(always)]
+pub(crate) fn came((last, step_s): (&BodyState, f64), now: &BodyState, radius_m: f64) -> Came {
+    let way_m = now.position_m - last.position_m;
+    let unexplained_m = way_m - (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);
+    let turn_rad = now.heading_rad - last.heading_rad;
+    // Most bodies are well within the second half of the allowance, and go as they move: that needs no roots.
+    let near_m = 0.09 * radius_m;
+    if unexplained_m.length_squared() <= near_m * near_m
+        && moves_so_far((last, step_s), now, (way_m, turn_rad), radius_m)
+    {
+        return Came::ByItself;
+    }
+    came_far((last, step_s), now, (way_m, unexplained_m, turn_rad), radius_m)
+}
+
+/// May a body go and turn so far as it moves? Its velocity may turn round within a step.
+#[inline(always)]
+fn moves_so_far(
+    (last, step_s): (&BodyState, f64),
+    now: &BodyState,
+    (way_m, turn_rad): (Vec2, f64),
+    radius_m: f64,
+) -> bool {
+    let farthest = 4.0 * step_s * step_s;
+    let speeds = last.velocity_mps.length_squared() + now.velocity_mps.length_squared();
+    let turns = last.yaw_rate_radps * last.yaw_rate_radps + now.yaw_rate_radps * now.yaw_rate_radps;
+    let too_far = way_m.length_squared() - farthest * speeds;
+    let turned_too_far = turn_rad * turn_rad - farthest * turns;
+    too_far + turned_too_far * (radius_m * radius_m) <= PUT_M * PUT_M
+}
+
+/// The same of a body that went, or turned, far.
 #[cold]
-fn jumped_far(unexplained_m: Vec2, change_mps: Vec2, step_s: f64, radius_m: f64) -> bool {
-    unexplained_m.length() > change_mps.length() * step_s + 0.1 * radius_m
+#[inline(never)]
+fn came_far(
+    (last, step_s): (&BodyState, f64),
+    now: &BodyState,
+    (way_m, unexplained_m, turn_rad): (Vec2, Vec2, f64),
+    radius_m: f64,
+) -> Came {
+    let change_mps = now.velocity_mps - last.velocity_mps;
+    if unexplained_m.length() > change_mps.length() * step_s + 0.1 * radius_m {
+        return Came::Jumped;
+    }
+    // A host may count headings anew after a whole turn.
+    let turn_rad = turn_rad - libm::rint(turn_rad / TAU) * TAU;
+    if moves_so_far((last, step_s), now, (way_m, turn_rad), radius_m) {
+        Came::ByItself
+    } else {
+        Came::Put
+    }
 }

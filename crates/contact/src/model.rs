@@ -32,7 +32,8 @@ pub struct Material {
     pub friction_static: f64,
     /// μ_k, coefficient of dynamic friction, at most μ_s.
     pub friction_dynamic: f64,
-    /// γ, coefficient of restitution, 0 to 1.
+    /// γ, coefficient of restitution, 0 to 1. With 0 nothing comes back: by the coupled method a ship stays as deep as
+    /// she came, whatever load holds her there.
     pub restitution: f64,
 }
 

@@ -179,7 +179,7 @@ pub enum EventKind {
     Contained,
     /// The overlap is deeper than half the smaller body is wide: the force law means little there.
     DeepOverlap,
-    /// A body moved by more than its velocities explain: its contacts start afresh.
+    /// A body moved by a tenth of its size more than its velocities explain: its contacts start afresh.
     Teleported,
     /// A fender is deflected beyond what it is rated for.
     FenderOverRated(FenderId),

@@ -53,6 +53,9 @@ pub struct Workspace {
     pub(crate) teleported: Vec<u32>,
     /// Whether there are any; not after the first sub-step.
     pub(crate) jumps: bool,
+    /// The same of all that their hosts put where they are, be it by a jump or by less.
+    pub(crate) put: Vec<u32>,
+    pub(crate) puts: bool,
     /// How far from its centre of gravity each body may reach in this step, by rank [m].
     pub(crate) reach_m: Vec<f64>,
     pub(crate) candidates: Vec<Pairing>,
@@ -183,6 +186,8 @@ impl Workspace {
             teleported: Vec::new(),
             reach_m: Vec::with_capacity(count),
             jumps: false,
+            put: Vec::new(),
+            puts: false,
             candidates: Vec::new(),
             own_candidates: 0..0,
             own_patches: 0..0,

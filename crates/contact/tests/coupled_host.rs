@@ -3,7 +3,12 @@
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 mod scene;
 
-use fenderline_contact::{BodyState, Memory, StepError, Vec2, Workspace, Wrench, advance, vec2};
+use std::f64::consts::FRAC_PI_2;
+
+use fenderline_contact::{
+    Body, BodyState, Fender, FenderLaw, Material, Memory, Mobility, Model, Outline,
+    ReactionFactors, StepError, Vec2, Workspace, Wrench, advance, advance_in_place, vec2,
+};
 use proptest::prelude::*;
 
 fn no_loads() -> Vec<Wrench> {
@@ -85,6 +90,90 @@ proptest! {
             let wrenches = work.wrenches().iter().map(|w| w.force_n.length());
             let largest = forces.chain(wrenches).fold(0.0, f64::max);
             prop_assert!(sum.length() <= 1e-12 * largest * 10.0, "every force has its opposite");
+        }
+    }
+}
+
+/// A ship of 87,800 t off a quay with two linear fenders of 5 MN/m, 80 m apart and 1 m deep.
+fn ship_off_two_fenders() -> (Model, Vec<BodyState>) {
+    let outline = |length_m: f64, width_m: f64| {
+        let (x, y) = (0.5 * length_m, 0.5 * width_m);
+        Outline::new(&[vec2(-x, -y), vec2(x, -y), vec2(x, y), vec2(-x, y)]).expect("a rectangle").0
+    };
+    let mut builder = Model::builder();
+    let afloat = Mobility::Afloat { surge_kg: 9.2e7, sway_kg: 1.5e8, yaw_inertia_kgm2: 8e11 };
+    let mut body = |name: &str, key: u64, outline: Outline, mobility: Mobility| {
+        builder.body(Body { name: name.into(), key, outline, mobility })
+    };
+    let quay = body("quay", 1, outline(400.0, 20.0), Mobility::Fixed);
+    body("ship", 2, outline(298.0, 46.0), afloat);
+    let rubber = builder.material(Material {
+        stiffness_npm2: 500e3,
+        damping_nspm2: 0.0,
+        shear_stiffness_npm: 3e6,
+        friction_static: 0.2,
+        friction_dynamic: 0.2,
+        restitution: 0.1,
+    });
+    for (key, along_m) in [(1, -40.0), (2, 40.0)] {
+        builder.fender(Fender {
+            name: format!("fender {key}"),
+            key,
+            body: quay,
+            position_m: vec2(along_m, 10.0),
+            facing_rad: FRAC_PI_2,
+            width_m: 2.0,
+            projection_m: 1.0,
+            rated_deflection_m: 0.9,
+            law: FenderLaw::linear(5e6),
+            stop: None,
+            factors: ReactionFactors::default(),
+            material: rubber,
+        });
+    }
+    builder.every_other_pair(rubber);
+    // Her side at 34 m less the half of her beam: a metre off the fenders' faces.
+    let ship = BodyState { position_m: vec2(0.0, 11.0 + 23.0 + 1.0), ..BodyState::default() };
+    (builder.build().expect("a good model"), vec![BodyState::default(), ship])
+}
+
+/// A ship that was put into her fenders by less than a tenth of her half-length stayed there for ever, with no load
+/// as with any: fenders give back what they have taken, and these had taken nothing.
+#[test]
+fn a_ship_that_is_put_into_her_fenders_is_pressed_out_to_her_static_depth() {
+    // Depth and turn at which she is put, before that, and the load.
+    for (put_m, turned_rad, before_m, load_n) in [
+        (0.4, 0.0, None, 0.0),
+        (0.9, 0.0, None, 1e6),
+        (0.5, 0.0, Some(0.1), 1e6),
+        (0.1, 0.008, Some(0.1), 1e6),
+    ] {
+        let (model, mut states) = ship_off_two_fenders();
+        let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
+        let loads = [Wrench::default(), Wrench { force_n: vec2(0.0, -load_n), moment_nm: 0.0 }];
+        let mut go = |states: &mut Vec<BodyState>, seconds: u32| {
+            for _ in 0..10 * seconds {
+                advance_in_place(&model, &mut memory, &mut work, states, &loads, 0.1).unwrap();
+            }
+        };
+        if let Some(depth_m) = before_m {
+            states[1].position_m.y = 34.0 - depth_m;
+        }
+        go(&mut states, 1);
+        states[1] = BodyState {
+            position_m: vec2(0.0, 34.0 - put_m),
+            heading_rad: turned_rad,
+            ..BodyState::default()
+        };
+        go(&mut states, 3_600);
+        let (ship, case) = (&states[1], (put_m, turned_rad, before_m, load_n));
+        let depth_m = 34.0 - ship.position_m.y;
+        let right_m = 0.5 * load_n / 5e6;
+        if load_n > 0.0 {
+            assert!((depth_m - right_m).abs() < 1e-3 * right_m, "{case:?}: {depth_m} m");
+            assert!(ship.heading_rad.abs() < 1e-4, "{case:?}: {} rad", ship.heading_rad);
+        } else {
+            assert!(depth_m < 0.0 && ship.velocity_mps.y > 0.0, "{case:?}: {ship:?}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::admit::{admit_call, admit_loads, admit_states, is_sound, jumped, tell_of_jumps};
+use crate::admit::{Came, admit_call, admit_loads, admit_states, came, is_sound, tell_of_jumps};
 use crate::error::StepError;
 use crate::mass::InverseMatrix;
 use crate::memory::Memory;
@@ -39,6 +39,7 @@ pub(crate) fn take(
     }
     work.active.clear();
     work.teleported.clear();
+    work.put.clear();
     work.moving_walls.clear();
     let count = model.ranked.len();
     work.shown.resize(count, BodyState::default());
@@ -60,7 +61,7 @@ pub(crate) fn take(
 }
 
 /// Places those of these bodies that do not stand as they stood, and adds them to the active ones, and to those that
-/// jumped. False where a state is not sound.
+/// were put or jumped. False where a state is not sound.
 #[inline(never)]
 fn place(
     model: &Model,
@@ -71,7 +72,8 @@ fn place(
 ) -> bool {
     let ranked = model.ranked.bodies();
     let count = ranked.len();
-    let Workspace { shown, settled, poses, headings_rad, teleported, active, inverses, .. } = work;
+    let Workspace { shown, settled, poses, headings_rad, teleported, put, active, .. } = work;
+    let inverses = &mut work.inverses;
     // Of one length, so that it is asked for once.
     let (shown, settled, poses) = (&mut shown[..count], &mut settled[..count], &mut poses[..count]);
     let (headings_rad, id_of) = (&mut headings_rad[..count], &model.id_of[..count]);
@@ -100,8 +102,14 @@ fn place(
                 inverses[rank] = model.ranked.rest(rank).inverse.turned(poses[rank].rotation);
             }
         }
-        if last.is_some_and(|last| jumped((last, memory.last_step_s), state, body.radius_m)) {
-            teleported.push(rank as u32);
+        match last.map(|last| came((last, memory.last_step_s), state, body.radius_m)) {
+            None | Some(Came::ByItself) => {}
+            Some(how) => {
+                put.push(rank as u32);
+                if how == Came::Jumped {
+                    teleported.push(rank as u32);
+                }
+            }
         }
     }
     true
@@ -274,7 +282,7 @@ pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64, is_
             pose.rotation = Rotation::from_angle(state.heading_rad);
         }
     }
-    work.jumps = false;
+    (work.jumps, work.puts) = (false, false);
 }
 
 /// The same at the end of the step: what there is of the bodies then is a result, and nothing asks for their poses

@@ -104,7 +104,7 @@ struct Laying<'w> {
     /// What patches inherit that do not simply go on, and bodies that were put where they are.
     inherited: &'w [Inherited],
     shares: &'w [PatchMemory],
-    teleported: &'w [u32],
+    put: &'w [u32],
 }
 
 impl<'w> Laying<'w> {
@@ -140,16 +140,16 @@ impl<'w> Laying<'w> {
             next_patches: &mut work.next_patches,
             inherited: &work.inherited,
             shares: &work.shares,
-            teleported: if work.jumps { &work.teleported } else { &[] },
+            put: if work.puts { &work.put } else { &[] },
         }
     }
 }
 
 /// The laws of contacts as long as each goes on from the old one in its place, and how many those are: most often
-/// all, of which nobody has to be told what they inherit. None where bodies jumped.
+/// all, of which nobody has to be told what they inherit. None where bodies were put.
 #[inline(always)]
 fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> usize {
-    if work.jumps {
+    if work.puts {
         return 0;
     }
     let Laying { begun, mut aside, patches, ties, rows, next_patches, .. } =
@@ -178,24 +178,15 @@ fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> u
 /// The laws of contacts from number `from` on, some of which are new, or heirs of several or of a part.
 #[inline(never)]
 fn laws_of_others(model: &Model, past: Past<'_>, work: &mut Workspace, (from, h): (usize, f64)) {
-    let Laying {
-        begun,
-        mut aside,
-        patches,
-        ties,
-        rows,
-        next_patches,
-        inherited,
-        shares,
-        teleported,
-    } = Laying::new(model, past, work, h);
+    let Laying { begun, mut aside, patches, ties, rows, next_patches, inherited, shares, put } =
+        Laying::new(model, past, work, h);
     let others = patches.iter().zip(ties).enumerate().skip(from);
     for ((index, (patch, tie)), &inherited) in others.zip(inherited) {
         let taken = Taken {
             inherited,
             old: inherited.of(past.patches, shares),
             placed: past.last_step_s == 0.0
-                || has_either(teleported, patch.candidate.a, patch.candidate.b),
+                || has_either(put, patch.candidate.a, patch.candidate.b),
         };
         let into = (tie, rows.get_mut(index));
         collect_other(begun, &mut aside, patch, taken, into, next_patches);

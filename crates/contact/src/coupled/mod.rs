@@ -49,8 +49,10 @@ use crate::workspace::Workspace;
 /// a host that integrates by itself adds to its forces; [`Workspace::states_after`] the states that
 /// the engine came to, for hosts that let it; [`Workspace::contacts`] mean forces and true peaks.
 ///
+/// Where a host puts a body farther than its velocities lead it, contacts give back what they hold there.
+///
 /// # Errors
-/// As [`crate::step`].
+/// As [`crate::step`]; but `work` has no good results after [`StepError::NotFinite`].
 pub fn advance(
     model: &Model,
     memory: &mut Memory,
@@ -142,7 +144,7 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
     if islands.is_empty() || !work.in_order {
         end_what_left(model, memory, work);
     }
-    let jumps = work.jumps;
+    let put = (work.jumps, work.puts);
     if work.in_order {
         all_go_on = advance_in_order(model, memory.past(), work, &mut islands, step_s);
     } else {
@@ -150,7 +152,7 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
         for island in &mut islands {
             gathered.gather(memory, &work.candidates[island.candidates()]);
             let past = gathered.past(memory.last_step_s);
-            work.jumps = jumps;
+            (work.jumps, work.puts) = put;
             // The islands before have moved them.
             island::put_walls_back(work, island.candidates());
             if advance_in_order(model, past, work, core::slice::from_mut(island), step_s) {
@@ -195,7 +197,7 @@ fn advance_in_order(
     pace::set_paces(model, work, islands, hints, step_s);
 
     let mut rest = Past { hints, ..past };
-    let jumps = work.jumps;
+    let put = (work.jumps, work.puts);
     let mut from = 0;
     while from < islands.len() {
         let alike = |island: &&Island| island.sub_steps == islands[from].sub_steps;
@@ -203,7 +205,7 @@ fn advance_in_order(
         let next = islands
             .get(to)
             .map(|island| work.candidates[island.candidates().start].candidate.key());
-        work.jumps = jumps;
+        (work.jumps, work.puts) = put;
         island::enter(work, &islands[from..to]);
         let begun = rest.before(next);
         advance_group(model, begun, work, &mut islands[from..to], step_s);

@@ -196,8 +196,8 @@ fn unheld_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory>) -
 /// What a contact may give the bodies [J]: what it has taken from them. A spring whose force is that of
 /// the sub-step's start returns a little more than it took, by up to ωh/2; where it gives nearly all of it
 /// back (γ near 1), or the first touch fell deep into a sub-step, somebody would leave faster than it
-/// came. Bodies that were *put* into contact (`placed`) get what the spring holds then, or f δ, a bound on
-/// it between outlines, whose law has no potential.
+/// came. Bodies that were *put* where they touch (`placed`), be it deeper than they were, get what the spring holds
+/// then: their hosts have pressed them in. Between outlines, whose law has no potential, f δ bounds it.
 fn may_give_j(
     touch: &Touch,
     factor: f64,
@@ -205,11 +205,15 @@ fn may_give_j(
     old: Option<&PatchMemory>,
     placed: bool,
 ) -> f64 {
-    match (old, placed) {
-        (Some(memory), _) => memory.taken_j,
-        (None, false) => 0.0,
-        (None, true) => (touch.stored_j * factor).max(law_n * touch.depth_m),
+    let taken_j = old.map_or(0.0, |memory| memory.taken_j);
+    if !placed {
+        return taken_j;
     }
+    let held_j = match touch.stored_j {
+        0.0 => law_n * touch.depth_m,
+        of_fender_j => of_fender_j * factor,
+    };
+    greater(taken_j, held_j)
 }
 
 /// v_ref: the largest speed of approach since V_n last changed sign, and whether it approaches. The
