@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use fenderline_sim::{FenderSetup, FenderSource, FenderSummary};
+use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure};
 use maud::{Markup, html};
 
 use crate::output::Outcome;
@@ -50,8 +50,8 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         p class="note" {
             "Peaks, sub-steps included; below each its share: of the rated deflection, of the rated "
             "reaction and of the rated energy with the fender's factor, and of the pressure that the "
-            "hull takes (reaction over the area of the face). Approach: speed and angle between face "
-            "and hull at the first touch. "
+            "hull takes. Approach: speed and angle between face and hull at the first touch. "
+            (hull_pressure_note(setups))
             @if setups.len() > 1 && worst.is_some() { "The most used fender is marked. " }
             @if setups.len() > shown.len() {
                 "The " (shown.len()) " most used of " (setups.len())
@@ -59,6 +59,24 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
             }
         }
         (sources(setups))
+    }
+}
+
+/// How the pressures on the hull were found, for each way that is among the fenders.
+fn hull_pressure_note(setups: &[FenderSetup]) -> Markup {
+    let any = |wanted: fn(&HullPressure) -> bool| setups.iter().any(|f| wanted(&f.hull_pressure));
+    html! {
+        @if any(|way| matches!(way, HullPressure::OverFace)) {
+            "Hull pressure of a fender with a panel: its reaction over the area of the face. "
+        }
+        @if any(|way| matches!(way, HullPressure::Inner { .. })) {
+            "Hull pressure of a fender blown up: its inner pressure, on a straight line from the initial "
+            "one at no deflection to the published one at the rated deflection. The true pressure rises ever "
+            "faster: the line is on the safe side up to the rated deflection, and not beyond. "
+        }
+        @if any(|way| matches!(way, HullPressure::Unknown)) {
+            "– for the hull pressure: the fender has no panel, and its data do not say how hard it presses. "
+        }
     }
 }
 
@@ -89,7 +107,10 @@ fn cells(
             (value(&fixed(summary.peak_deflection_m * 1e3, 0), summary.share_of_rated_deflection))
             (value(&significant(summary.peak_reaction_n / 1e3, 3), summary.share_of_rated_reaction))
             (value(&significant(summary.peak_energy_j / 1e3, 3), summary.share_of_rated_energy))
-            (value(&fixed(summary.peak_hull_pressure_npm2 / 1e3, 0), summary.share_of_hull_pressure))
+            (value(
+                &summary.peak_hull_pressure_npm2.map_or_else(|| "–".into(), |p| fixed(p / 1e3, 0)),
+                summary.share_of_hull_pressure
+            ))
             td class="number" { (fixed(summary.first_touch_s, decimals_for(outcome.setup.step_s))) }
             td class="number" {
                 (fixed(summary.approach_speed_mps, 3))
