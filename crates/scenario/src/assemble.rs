@@ -168,6 +168,13 @@ impl Assembly<'_, '_> {
     fn time(&self, time: &Table) -> Checked<(f64, f64, Integrator)> {
         let (step, duration) = (time.given("step"), time.given("duration"));
         let (step_s, duration_s) = (*step.number(), *duration.number());
+        if step_s > duration_s {
+            let message = format!(
+                "`time.step` of {step_s} s is longer than `time.duration`, which is {duration_s} s"
+            );
+            let error = self.sources.error(&step.span, "time.step", message);
+            return Err(error.with_help("take a shorter step or a longer run"));
+        }
         if duration_s / step_s > MOST_STEPS {
             let message = format!(
                 "`time.duration` of {duration_s} s at a step of {step_s} s makes more than \

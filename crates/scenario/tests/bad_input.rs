@@ -204,6 +204,7 @@ const CASES: &[Case] = &[
     case("\"0.1 s\"", "\"-0.1 s\"", "time.step", "must be at least 1e-6 s"),
     case("\"20 s\"", "0", "time.duration", "must be at least"),
     case("\"20 s\"", "\"-20 s\"", "time.duration", "must be at least"),
+    case("\"0.1 s\"", "\"20.1 s\"", "time.step", "`time.step` of 20.1 s is longer than `time.duration`, which is 20 s"),
     case("\"20 s\"", "1e9", "time.duration", "more than 1e9 steps"),
     case_at("step = \"0.1 s\"\n", "", "[time]", "time.step", "is missing"),
     // coordinates and speeds

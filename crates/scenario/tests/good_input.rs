@@ -8,7 +8,7 @@ use fenderline_sim::{BodyVelocity, Integrator, Method, PairSetup};
 const SMALL: &str = r#"
 [time]
 step = 0.5
-duration = 0.25
+duration = 0.75
 
 [material.soft]
 stiffness = 1000
@@ -50,7 +50,7 @@ fn defaults_and_file_order() {
     assert_eq!(scenario.title, "small");
     assert_eq!(scenario.notices, []);
     let setup = scenario.setup;
-    assert_eq!((setup.step_s, setup.duration_s), (0.5, 0.25));
+    assert_eq!((setup.step_s, setup.duration_s), (0.5, 0.75));
     assert_eq!((setup.integrator, setup.method), (Integrator::SemiImplicit, Method::Coupled));
     let names: Vec<_> = setup.bodies.iter().map(|body| body.name.as_str()).collect();
     assert_eq!(names, ["tug", "quay", "barge"]);
