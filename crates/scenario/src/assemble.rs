@@ -498,7 +498,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Bodies that touch nothing, and materials that nothing uses.
+    /// Bodies that touch nothing, and materials that nothing uses; one notice where there is no pair at all.
     fn note_unused(
         &mut self,
         file: &Table,
@@ -506,6 +506,14 @@ impl Assembly<'_, '_> {
         pairs: &Pairs,
         fenders: &[FenderSetup],
     ) {
+        if pairs.named.is_empty() && pairs.every_other.is_none() && bodies.len() > 1 {
+            self.notices.push(Notice {
+                place: self.sources.place(&file.given("body").span),
+                key: "pair".to_owned(),
+                message: "the scenario has none: nothing can touch".to_owned(),
+            });
+            return;
+        }
         let mut used_materials: BTreeSet<usize> =
             pairs.named.iter().map(|pair| pair.material).collect();
         used_materials.extend(pairs.every_other);

@@ -108,6 +108,7 @@ const CASES: &[Case] = &[
     case("size = \"3300x6500 50kPa\"", "size = \"3300x6500 50kP\"", "size = \"33", "fender.pneumatic.size", "did you mean \"3300x6500 50kPa\"?"),
     case("hull = \"bulk carrier\"", "hull = \"bulker\"", "hull = ", "fender.cone.hull", "there is no type of ship named \"bulker\""),
     case("temperature = -15", "temperature = -55", "temperature = -55", "fender.cone.temperature", "must be between -30 and 50 °C"),
+    case("temperature = -15", "temperature = 99", "temperature = 99", "fender.cone.temperature", "must be at most 80 °C, but is 99 °C"),
     case("temperature = -15", "temperature = \"15 m\"", "temperature = ", "fender.cone.temperature", "must be a plain number"),
     case("height = \"1 m\"\nrated_reaction = \"600 kN\"", "", "[fender.cone]", "fender.cone.size", "is missing"),
     case("height = \"1 m\"", "height = \"1 m\"\nsize = \"1050 F1.1\"", "height = ", "fender.cone.height", "does not go together with `size`"),
