@@ -244,6 +244,15 @@ fn the_berthing_by_formula_stands_beside_the_run() {
     let energy_j = number(&berthing["energy_j"]["vasco_costa"]);
     assert!((energy_j / by_hand_j - 1.0).abs() < 1e-12, "{energy_j} and {by_hand_j}");
     contains_all(&place.text("out/berth/report.html"), &["Vasco Costa", "no conformity"]);
+    let run = place.run(&["run", "berth.toml", "--set", "berthing.abnormal_factor=1.5"]);
+    contains_all(
+        &run.stdout,
+        &["berthing: ", " kJ by PIANC 2002 (", " kJ abnormal); the fenders took "],
+    );
+    contains_all(
+        &place.text("out/berth/report.html"),
+        &[" % of the rated energy of one fender: of "],
+    );
 }
 
 #[test]

@@ -24,12 +24,13 @@ fn exit_codes_tell_bad_input_from_a_failed_case() {
     place.write("broken.toml", b"[time\nstep = 1");
     place.write("latin1.toml", b"title = \"\xe9\"\n");
     place.write("occupied", b"a file where the results should go");
-    let table: [(&[&str], i32, &str); 12] = [
+    let table: [(&[&str], i32, &str); 13] = [
         (&["check", "tug.toml"], 0, ""),
         (&["schema"], 0, ""),
         (&["--version"], 0, ""),
         (&["run", "none.toml"], 2, "none.toml"),
         (&["run", "."], 2, "cannot read"),
+        (&["run", "none.toml"], 2, "= help: a scenario is a file of text"),
         (&["run", "broken.toml"], 2, "broken.toml"),
         (&["run", "latin1.toml"], 2, "line 1"),
         (&["run", "tug.toml", "--set", "time.stepp=1"], 2, "step"),

@@ -2,8 +2,8 @@
 
 use fenderline_contact::{FenderLaw, Material, Outline, ReactionFactors, Stop, Vec2};
 use fenderline_sim::{
-    BodySetup, BodyVelocity, FenderSetup, Integrator, MassProperties, Method, NamedMaterial,
-    PairSetup, Rated, Setup, WorldSetup,
+    BodySetup, BodyVelocity, FenderSetup, HullPressure, Integrator, MassProperties, Method,
+    NamedMaterial, PairSetup, Rated, Setup, WorldSetup,
 };
 
 use crate::engine::Engine;
@@ -172,6 +172,7 @@ impl EngineBuilder {
             stop: parts.stop,
             factors: ReactionFactors::default(),
             energy_by_angle: Vec::new(),
+            hull_pressure: HullPressure::Unknown,
             hull_pressure_limit_npm2: None,
             source: None,
         });

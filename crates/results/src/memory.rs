@@ -110,7 +110,7 @@ impl Medium for InMemory {
 
 fn empty<R>(value: &Value<R>, names: &Names) -> KeptValues {
     match value {
-        Value::Float(_) => KeptValues::Floats(Vec::new()),
+        Value::Float(_) | Value::Known(_) => KeptValues::Floats(Vec::new()),
         Value::Name(list, _) => {
             let mut words = names.list(*list).to_vec();
             // Only fenders may be absent.
@@ -138,6 +138,9 @@ impl<R> Table<R> for TableInMemory<R> {
                         return Err(NotFinite { column: column.name, value });
                     }
                     values.push(value);
+                }
+                (Value::Known(value), KeptValues::Floats(values)) => {
+                    values.push(value(row).unwrap_or(f64::NAN));
                 }
                 (Value::Name(_, index), KeptValues::Texts { codes, words }) => {
                     let absent = words.len().saturating_sub(1);

@@ -1,6 +1,6 @@
 //! The tables of a run, filled step by step.
 
-use fenderline_sim::{Energy, Setup, StepRecord};
+use fenderline_sim::{Energy, FenderSetup, Setup, StepRecord};
 
 use crate::columns::{
     BodyRow, Column, ContactRow, ContactWorks, EnergyRow, FenderRow, Names, bodies_columns,
@@ -89,8 +89,7 @@ pub struct Tables<M: Medium> {
     fenders: Option<Counted<M, FenderRow>>,
     world: WorldTables<M>,
     step_s: f64,
-    /// Width times height of each fender's face [m²].
-    faces_m2: Vec<f64>,
+    fender_setups: Vec<FenderSetup>,
 }
 
 impl<M: Medium> Tables<M> {
@@ -113,7 +112,7 @@ impl<M: Medium> Tables<M> {
             fenders,
             world: WorldTables::start(medium, names, &setup.world)?,
             step_s: setup.step_s,
-            faces_m2: setup.fenders.iter().map(|f| f.width_m * f.height_m).collect(),
+            fender_setups: setup.fenders.clone(),
         })
     }
 
@@ -133,7 +132,7 @@ impl<M: Medium> Tables<M> {
         }
         if let Some(table) = &mut self.fenders {
             for (fender, now) in touched(step.contacts) {
-                table.push(&FenderRow::new(t_s, fender, self.faces_m2[fender], now))?;
+                table.push(&FenderRow::new(t_s, fender, &self.fender_setups[fender], now))?;
             }
         }
         self.world.write(step)?;

@@ -9,6 +9,8 @@ use fenderline_contact::{Contact, ForceParts};
 pub struct TouchedFender {
     /// Deflection at the start of the step [m].
     pub deflection_m: f64,
+    /// Largest deflection within the step [m].
+    pub peak_deflection_m: f64,
     /// Mean reaction along its axis over the step [N].
     pub reaction_n: f64,
     /// Largest reaction along its axis within the step [N].
@@ -27,6 +29,7 @@ pub fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
         let Some(id) = contact.fender else { continue };
         let fender = fenders.entry(id.0 as usize).or_default();
         fender.deflection_m = fender.deflection_m.max(contact.depth_m);
+        fender.peak_deflection_m = fender.peak_deflection_m.max(contact.peak_depth_m);
         // As the simulation's summary has it: of a tilted hull's force the part along the axis.
         let along_axis = libm::cos(contact.tilt_rad);
         fender.reaction_n += contact.normal_force_n * along_axis;

@@ -168,6 +168,13 @@ impl Assembly<'_, '_> {
     fn time(&self, time: &Table) -> Checked<(f64, f64, Integrator)> {
         let (step, duration) = (time.given("step"), time.given("duration"));
         let (step_s, duration_s) = (*step.number(), *duration.number());
+        if step_s > duration_s {
+            let message = format!(
+                "`time.step` of {step_s} s is longer than `time.duration`, which is {duration_s} s"
+            );
+            let error = self.sources.error(&step.span, "time.step", message);
+            return Err(error.with_help("take a shorter step or a longer run"));
+        }
         if duration_s / step_s > MOST_STEPS {
             let message = format!(
                 "`time.duration` of {duration_s} s at a step of {step_s} s makes more than \
@@ -491,7 +498,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    /// Bodies that touch nothing, and materials that nothing uses.
+    /// Bodies that touch nothing, and materials that nothing uses; one notice where there is no pair at all.
     fn note_unused(
         &mut self,
         file: &Table,
@@ -499,6 +506,14 @@ impl Assembly<'_, '_> {
         pairs: &Pairs,
         fenders: &[FenderSetup],
     ) {
+        if pairs.named.is_empty() && pairs.every_other.is_none() && bodies.len() > 1 {
+            self.notices.push(Notice {
+                place: self.sources.place(&file.given("body").span),
+                key: "pair".to_owned(),
+                message: "the scenario has none: nothing can touch".to_owned(),
+            });
+            return;
+        }
         let mut used_materials: BTreeSet<usize> =
             pairs.named.iter().map(|pair| pair.material).collect();
         used_materials.extend(pairs.every_other);

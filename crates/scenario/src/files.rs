@@ -11,6 +11,9 @@ use crate::spec::Kind;
 #[derive(Debug, Default)]
 pub(crate) struct Files(BTreeMap<String, String>);
 
+/// What to do about a file that cannot be read.
+pub(crate) const FILE_HELP: &str = "its path starts from the folder of the scenario";
+
 impl Files {
     /// Reads every file that the scenario's tables name.
     pub(crate) fn read(
@@ -53,7 +56,7 @@ impl Files {
                     let text = read(name).map_err(|why| {
                         let path = table.path_of(item.name);
                         let message = format!("`{path}`: cannot read {why}");
-                        sources.error(&item.span, &path, message)
+                        sources.error(&item.span, &path, message).with_help(FILE_HELP)
                     })?;
                     self.0.insert(name.clone(), text);
                 }

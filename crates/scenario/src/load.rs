@@ -24,7 +24,11 @@ pub enum LoadError {
 impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            LoadError::Unreadable(why) => write!(f, "error: cannot read {why}"),
+            LoadError::Unreadable(why) => write!(
+                f,
+                "error: cannot read {why}\n  = help: a scenario is a file of text in TOML; its path starts \
+                 from the folder in which the program was started"
+            ),
             LoadError::Refused(error) => error.fmt(f),
         }
     }

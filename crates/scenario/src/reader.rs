@@ -349,11 +349,8 @@ fn with_unit(
     let measure = quantity.measure;
     let parsed = units::parse(text).map_err(|error| {
         let message = format!("`{path}` = {}: {}", quoted(text), error.message);
-        let complaint = sources.error(span, path, message);
-        match error.help {
-            Some(help) => complaint.with_help(help),
-            None => complaint,
-        }
+        let help = error.help.unwrap_or_else(|| measure.help());
+        sources.error(span, path, message).with_help(help)
     })?;
     if parsed.dimension == measure.dimension {
         return Ok(parsed.si);
@@ -364,10 +361,7 @@ fn with_unit(
         "a number without a unit".to_owned()
     };
     let message = format!("`{path}` must be {measure}, but {} is {found}", quoted(text));
-    Err(sources.error(span, path, message).with_help(match measure.unit {
-        "" => "write a number without a unit".to_owned(),
-        unit => format!("write the unit, as in \"{} {unit}\", or a plain number for SI", 1),
-    }))
+    Err(sources.error(span, path, message).with_help(measure.help()))
 }
 
 /// A number and its unit, short: `1e15 N/m²`.

@@ -5,7 +5,7 @@ use fenderline_sim::Setup;
 use crate::assemble::{self, Libraries};
 use crate::checked::Table;
 use crate::error::{Notice, ScenarioError};
-use crate::files::Files;
+use crate::files::{FILE_HELP, Files};
 use crate::keys::SCENARIO;
 use crate::library::FenderLibrary;
 use crate::overrides::{self, Override};
@@ -90,7 +90,7 @@ fn libraries(
         for name in item.texts() {
             let text = read(name).map_err(|why| {
                 let message = format!("`{key}`: cannot read {why}");
-                sources.error(&item.span, key, message)
+                sources.error(&item.span, key, message).with_help(FILE_HELP)
             })?;
             libraries = match key {
                 "fender_files" => {

@@ -3,7 +3,7 @@
 use toml::de::DeTable;
 
 use crate::error::ScenarioError;
-use crate::sources::{Sources, quoted};
+use crate::sources::{Sources, Span, quoted};
 
 /// Largest file that is read at all, in bytes.
 const LARGEST_FILE: usize = 16 << 20;
@@ -22,17 +22,17 @@ pub(crate) fn parse<'a>(sources: &Sources<'a>) -> Result<DeTable<'a>, ScenarioEr
 /// TOML's complaint in this crate's form.
 fn broken(sources: &Sources<'_>, error: &toml::de::Error) -> ScenarioError {
     let span = error.span().unwrap_or(0..0);
+    let key = enclosing_key(sources.text, span.start);
+    if error.message() == "duplicate key" {
+        return given_twice(sources, &span, key);
+    }
     let message = match error.message() {
-        "duplicate key" => {
-            let name = sources.text.get(span.clone()).unwrap_or_default();
-            format!("{} is given twice", quoted(name.trim_matches(['"', '\''])))
-        }
         message if message.contains("recursion") => {
             "values are nested too deeply for a scenario".to_owned()
         }
         message => format!("this is not TOML: {message}"),
     };
-    let error = sources.syntax_error(&span, enclosing_key(sources.text, span.start), message);
+    let error = sources.syntax_error(&span, key, message);
     let unquoted = error.message().contains("must be quoted");
     if unquoted || follows_a_number(&sources.text[..sources.text.floor_char_boundary(span.start)]) {
         return error.with_help(
@@ -40,6 +40,40 @@ fn broken(sources: &Sources<'_>, error: &toml::de::Error) -> ScenarioError {
         );
     }
     error
+}
+
+/// A key or a table that is there a second time, and where the first is.
+fn given_twice(sources: &Sources<'_>, span: &Span, key: Option<String>) -> ScenarioError {
+    let quotes = ['"', '\''];
+    let name = sources.text.get(span.clone()).unwrap_or_default().trim_matches(quotes);
+    let is_named =
+        |key: &&str| key.rsplit('.').next().is_some_and(|last| last.trim_matches(quotes) == name);
+    let message = match key.as_deref().filter(is_named) {
+        None => format!("{} is given twice", quoted(name)),
+        Some(key) => match first_line(&sources.text[..span.start], key) {
+            None => format!("`{key}` is given twice"),
+            Some(line) => format!("`{key}` is given twice; first in line {line}"),
+        },
+    };
+    sources.syntax_error(span, key, message).with_help("keep one of the two, or rename one")
+}
+
+/// The line, from 1, that a key or a table stands in first, in the text `before` its second time.
+fn first_line(before: &str, key: &str) -> Option<usize> {
+    let (above, _) = before.rsplit_once('\n')?;
+    let second = &before[above.len() + 1..];
+    if header(second).is_some() || second.trim_start().starts_with('[') {
+        return above
+            .lines()
+            .position(|line| header(line).is_some_and(|it| it == key))
+            .map(|i| i + 1);
+    }
+    // A key is there twice in one table: tables of a list have the same keys each.
+    let name = key.rsplit('.').next().unwrap_or(key);
+    let own = above.lines().enumerate().collect::<Vec<_>>();
+    let own = own.iter().rev().take_while(|(_, line)| header(line).is_none());
+    let is_it = |line: &str| line.split_once('=').is_some_and(|(key, _)| key.trim() == name);
+    own.filter(|(_, line)| is_it(line)).last().map(|(index, _)| index + 1)
 }
 
 /// True for `step = 0.1 ` or `step = 0`, where a unit or a decimal comma broke the line.

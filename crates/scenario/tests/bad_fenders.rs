@@ -3,6 +3,7 @@
 
 use fenderline_contact::{FenderLaw, Stop};
 use fenderline_scenario::Scenario;
+use fenderline_sim::HullPressure;
 
 /// A scenario without a mistake; each case below replaces a part of it.
 const GOOD: &str = r#"[time]
@@ -107,6 +108,7 @@ const CASES: &[Case] = &[
     case("size = \"3300x6500 50kPa\"", "size = \"3300x6500 50kP\"", "size = \"33", "fender.pneumatic.size", "did you mean \"3300x6500 50kPa\"?"),
     case("hull = \"bulk carrier\"", "hull = \"bulker\"", "hull = ", "fender.cone.hull", "there is no type of ship named \"bulker\""),
     case("temperature = -15", "temperature = -55", "temperature = -55", "fender.cone.temperature", "must be between -30 and 50 °C"),
+    case("temperature = -15", "temperature = 99", "temperature = 99", "fender.cone.temperature", "must be at most 80 °C, but is 99 °C"),
     case("temperature = -15", "temperature = \"15 m\"", "temperature = ", "fender.cone.temperature", "must be a plain number"),
     case("height = \"1 m\"\nrated_reaction = \"600 kN\"", "", "[fender.cone]", "fender.cone.size", "is missing"),
     case("height = \"1 m\"", "height = \"1 m\"\nsize = \"1050 F1.1\"", "height = ", "fender.cone.height", "does not go together with `size`"),
@@ -186,6 +188,24 @@ fn a_fender_file_is_read_beside_the_scenario_and_its_mistakes_are_its_own() {
 }
 
 #[test]
+fn a_pressure_that_is_not_known_is_not_made_up() {
+    let good = "size = \"3300x6500 50kPa\"";
+    let own = "height = \"3.3 m\"\nrated_reaction = \"3 MN\"";
+    let setup = Scenario::parse(&GOOD.replacen(good, own, 1), "x.toml").unwrap().setup;
+    assert_eq!(setup.fenders[1].hull_pressure, HullPressure::Unknown);
+
+    let text = format!("fender_files = [\"own.toml\"]\n{GOOD}");
+    let mut read = |_: &str| {
+        let size = "[family.pneumatic]\n[[family.pneumatic.size]]\ndesignation = \"ours\"\n\
+                    height = \"1 m\"\nreaction = \"182 kN\"\nsource = \"us\"\nstanding = \"found\"\n";
+        Ok(format!("{size}hull_pressure = \"50 kPa\"\ninitial_pressure = \"50 kPa\"\n"))
+    };
+    let error = Scenario::parse_among(&text, "x.toml", &[], &mut read).unwrap_err();
+    assert_eq!(error.line(), Some(9), "{error}");
+    assert!(error.to_string().contains("needs a `hull_pressure` above it"), "{error}");
+}
+
+#[test]
 fn what_fenders_become() {
     let setup = Scenario::parse(GOOD, "x.toml").unwrap().setup;
     let [cone, pneumatic, table, area] = setup.fenders.as_slice() else { panic!("four fenders") };
@@ -197,7 +217,12 @@ fn what_fenders_become() {
     assert!((cone.rated.unwrap().reaction_n - 600e3).abs() < 1e-6);
     assert_eq!(cone.factors.by_compression_time.last(), Some(&[1000.0, 1.0]));
     assert_eq!(cone.energy_by_angle.len(), 7);
+    assert_eq!(cone.hull_pressure, HullPressure::OverFace);
     assert_eq!(pneumatic.projection_m, 3.3);
+    let HullPressure::Inner { initial_npm2, rated_npm2, .. } = pneumatic.hull_pressure else {
+        panic!("blown up")
+    };
+    assert_eq!((initial_npm2, rated_npm2), (50e3, 146e3));
     assert_eq!(pneumatic.stop.unwrap().from_m, 0.6 * 3.3);
     let FenderLaw::Curve(points) = &table.law else { panic!("a curve") };
     assert_eq!(points[2], [0.6, 500e3]);

@@ -107,6 +107,10 @@ const CASES: &[Case] = &[
     case("\"4 kn\"", "\"4 knots\"", "body.tug.velocity.surge", "did you mean `kn`?"),
     case("\"4 kn\"", "\"4\"", "body.tug.velocity.surge", "a number without a unit"),
     case("\"4 kn\"", "\"fast\"", "body.tug.velocity.surge", "there is no number in it"),
+    case("\"4 kn\"", "\"slow\"", "body.tug.velocity.surge", "write a speed, as \"4 kn\""),
+    case("\"20 s\"", "\"abc\"", "time.duration", "write a time, as \"0.1 s\""),
+    case("\"20 s\"", "\"20 m\"", "time.duration", "write a time, as \"0.1 s\""),
+    case("restitution = 0.1", "restitution = \"abc\"", "material.paper.restitution", "write a plain number, as 0.5"),
     case("\"930 t\"", "\"930 kN\"", "body.tug.mass", "must be a mass [kg], but \"930 kN\" is a force [N]"),
     case("\"3 deg/s\"", "\"3 1/s\"", "body.tug.velocity.yaw", "must be a rate of turn [rad/s], but \"3 1/s\" is a frequency [1/s]"),
     case("\"0 deg\"", "\"0 m\"", "body.tug.heading", "must be an angle [rad]"),
@@ -204,6 +208,7 @@ const CASES: &[Case] = &[
     case("\"0.1 s\"", "\"-0.1 s\"", "time.step", "must be at least 1e-6 s"),
     case("\"20 s\"", "0", "time.duration", "must be at least"),
     case("\"20 s\"", "\"-20 s\"", "time.duration", "must be at least"),
+    case("\"0.1 s\"", "\"20.1 s\"", "time.step", "`time.step` of 20.1 s is longer than `time.duration`, which is 20 s"),
     case("\"20 s\"", "1e9", "time.duration", "more than 1e9 steps"),
     case_at("step = \"0.1 s\"\n", "", "[time]", "time.step", "is missing"),
     // coordinates and speeds
@@ -227,8 +232,9 @@ const CASES: &[Case] = &[
     case("step = \"0.1 s\"", "step = \"0.1 s", "time.step", "this is not TOML"),
     case("[body.quay]", "[body.quay", "body.quay", "this is not TOML"),
     case("[body.quay]", "body.quay]", "body.tug", "this is not TOML"),
-    case_at("mass = \"930 t\"", "mass = \"930 t\"\nmass = \"931 t\"", "mass = \"931 t\"", "body.tug.mass", "\"mass\" is given twice"),
-    case("[body.fender]", "[body.quay]", "body.quay", "\"quay\" is given twice"),
+    case_at("mass = \"930 t\"", "mass = \"930 t\"\nmass = \"931 t\"", "mass = \"931 t\"", "body.tug.mass", "`body.tug.mass` is given twice; first in line 20"),
+    case("[body.fender]", "[body.quay]", "body.quay", "`body.quay` is given twice; first in line 27"),
+    case_at("until = \"10 s\"", "until = 1\nbody=\"tug\"", "body=\"tug\"", "load.body", "`load.body` is given twice; first in line 44"),
 ];
 
 #[test]

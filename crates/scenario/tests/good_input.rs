@@ -8,7 +8,7 @@ use fenderline_sim::{BodyVelocity, Integrator, Method, PairSetup};
 const SMALL: &str = r#"
 [time]
 step = 0.5
-duration = 0.25
+duration = 0.75
 
 [material.soft]
 stiffness = 1000
@@ -50,7 +50,7 @@ fn defaults_and_file_order() {
     assert_eq!(scenario.title, "small");
     assert_eq!(scenario.notices, []);
     let setup = scenario.setup;
-    assert_eq!((setup.step_s, setup.duration_s), (0.5, 0.25));
+    assert_eq!((setup.step_s, setup.duration_s), (0.5, 0.75));
     assert_eq!((setup.integrator, setup.method), (Integrator::SemiImplicit, Method::Coupled));
     let names: Vec<_> = setup.bodies.iter().map(|body| body.name.as_str()).collect();
     assert_eq!(names, ["tug", "quay", "barge"]);
@@ -139,14 +139,20 @@ fn idle_bodies_and_materials_are_told() {
     let scenario = parse(&SMALL.replace("[\"*\", \"*\"]", "[\"quay\", \"barge\"]"));
     assert_eq!(scenario.notices, []);
     let start = SMALL.find("[[pair]]").unwrap();
-    let scenario = parse(&SMALL[..start]);
-    let shown: Vec<_> = scenario.notices.iter().map(ToString::to_string).collect();
-    assert_eq!(shown.len(), 5);
+    let told = |text: &str| -> Vec<String> {
+        parse(text).notices.iter().map(ToString::to_string).collect()
+    };
+    let pair = "[[pair]]\nbodies = [\"tug\", \"quay\"]\nmaterial = \"hard\"";
+    let shown = told(&format!("{}{pair}", &SMALL[..start]));
+    assert_eq!(shown.len(), 2);
     assert_eq!(
         shown[0],
         "folder/small.toml:6:1: `material.soft`: no pair or fender uses this material"
     );
-    assert!(shown[2].contains("`body.tug`: no pair names this body"), "{}", shown[2]);
+    assert!(shown[1].contains("`body.barge`: no pair names this body"), "{}", shown[1]);
+    let shown = told(&SMALL[..start]);
+    assert_eq!(shown.len(), 1, "one for all");
+    assert!(shown[0].ends_with("`pair`: the scenario has none: nothing can touch"), "{}", shown[0]);
 }
 
 #[test]

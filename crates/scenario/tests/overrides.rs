@@ -73,6 +73,7 @@ fn check_refused(setting: &str, key: Option<&str>, fragment: &str) {
 #[test]
 fn mistakes_point_at_the_option() {
     check_refused("time.step=-1", Some("time.step"), "must be at least 1e-6 s, but is -1 s");
+    check_refused("time.step=400", Some("time.step"), "is longer than `time.duration`");
     check_refused("time.step=4 kn", Some("time.step"), "is a speed [m/s]");
     check_refused("time.step=nan", Some("time.step"), "not a finite number");
     check_refused("time.stepp=1", Some("time.stepp"), "did you mean `step`?");

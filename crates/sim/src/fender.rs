@@ -35,10 +35,48 @@ pub struct FenderSetup {
     /// Points (angle between face and hull [rad], factor on the energy that it can take): catalogues
     /// give another factor for the energy than for the reaction. Empty: that of the reaction.
     pub energy_by_angle: Vec<[f64; 2]>,
+    /// How it presses on the hull.
+    pub hull_pressure: HullPressure,
     /// The pressure that the hull takes [N/m²].
     pub hull_pressure_limit_npm2: Option<f64>,
     /// Where its data come from.
     pub source: Option<FenderSource>,
+}
+
+impl FenderSetup {
+    /// Pressure on the hull [N/m²] at a deflection [m] and a reaction [N]; `None` where nobody said how
+    /// it presses.
+    #[must_use]
+    pub fn hull_pressure_npm2(&self, deflection_m: f64, reaction_n: f64) -> Option<f64> {
+        match self.hull_pressure {
+            HullPressure::OverFace => Some(reaction_n / (self.width_m * self.height_m)),
+            HullPressure::Inner { initial_npm2, rated_npm2, rated_deflection_m } => {
+                let share = deflection_m / rated_deflection_m;
+                Some(initial_npm2 + (rated_npm2 - initial_npm2) * share)
+            }
+            HullPressure::Unknown => None,
+        }
+    }
+}
+
+/// How a fender presses on the hull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HullPressure {
+    /// By a panel: the reaction over the area of the face.
+    OverFace,
+    /// By its inner pressure, on as much of its skin as lies against the hull: a straight line from the
+    /// pressure at no deflection to the one at the rated deflection, and on beyond it. A gas that is pressed
+    /// together rises ever faster, so the line is on the safe side up to the rated deflection, and not beyond.
+    Inner {
+        /// At no deflection [N/m²].
+        initial_npm2: f64,
+        /// At the rated deflection [N/m²].
+        rated_npm2: f64,
+        /// Rated deflection [m].
+        rated_deflection_m: f64,
+    },
+    /// Without a panel, and nobody said how hard.
+    Unknown,
 }
 
 /// A fender's rated performance, without corrections.
@@ -98,8 +136,8 @@ pub struct FenderSummary {
     pub peak_reaction_at_s: f64,
     /// Largest energy stored at a time [J].
     pub peak_energy_j: f64,
-    /// Largest pressure on the hull, reaction over width times height [N/m²].
-    pub peak_hull_pressure_npm2: f64,
+    /// Largest pressure on the hull [N/m²], by [`FenderSetup::hull_pressure_npm2`].
+    pub peak_hull_pressure_npm2: Option<f64>,
     /// Energy that it can take with its factors [J].
     pub capacity_j: Option<f64>,
     /// Peak energy over that.
@@ -186,12 +224,12 @@ fn first_touch(index: usize, setup: &FenderSetup, contact: &Contact, t_s: f64) -
         peak_reaction_n: 0.0,
         peak_reaction_at_s: t_s,
         peak_energy_j: 0.0,
-        peak_hull_pressure_npm2: 0.0,
+        peak_hull_pressure_npm2: None,
         capacity_j,
         share_of_rated_energy: setup.rated.map(|_| 0.0),
         share_of_rated_reaction: setup.rated.map(|_| 0.0),
         share_of_rated_deflection: setup.rated.map(|_| 0.0),
-        share_of_hull_pressure: setup.hull_pressure_limit_npm2.map(|_| 0.0),
+        share_of_hull_pressure: None,
         failed: false,
         last_deflection_m: 0.0,
         last_reaction_n: 0.0,
@@ -227,9 +265,11 @@ fn book_peaks(
         summary.peak_reaction_at_s = t_s;
         summary.share_of_rated_reaction =
             setup.rated.map(|rated| reaction_n / (rated.reaction_n * summary.factor));
-        let pressure_npm2 = reaction_n / (setup.width_m * setup.height_m);
-        summary.peak_hull_pressure_npm2 = pressure_npm2;
-        summary.share_of_hull_pressure =
-            setup.hull_pressure_limit_npm2.map(|limit| pressure_npm2 / limit);
     }
+    // It never falls with deflection or reaction, so that its peak is at theirs.
+    let pressure_npm2 =
+        setup.hull_pressure_npm2(summary.peak_deflection_m, summary.peak_reaction_n);
+    summary.peak_hull_pressure_npm2 = pressure_npm2;
+    summary.share_of_hull_pressure =
+        pressure_npm2.zip(setup.hull_pressure_limit_npm2).map(|(pressure, limit)| pressure / limit);
 }

@@ -77,7 +77,7 @@ pub mod tug;
 mod world;
 
 pub use error::{SetupError, SimError};
-pub use fender::{FenderSetup, FenderSource, FenderSummary, Rated};
+pub use fender::{FenderSetup, FenderSource, FenderSummary, HullPressure, Rated};
 pub use range::OutOfRange;
 pub use record::{ContactBook, Energy, StepRecord};
 pub use setup::{

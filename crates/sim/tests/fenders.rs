@@ -7,8 +7,8 @@ use std::f64::consts::PI;
 use fenderline_contact::{EventKind, Material, ReactionFactors, vec2};
 use fenderline_sim::berthing::{BerthingSetup, Configuration, Softness};
 use fenderline_sim::{
-    BodySetup, Energy, FenderSetup, Integrator, Load, Method, NamedMaterial, PairSetup, Setup,
-    Simulation,
+    BodySetup, Energy, FenderSetup, HullPressure, Integrator, Load, Method, NamedMaterial,
+    PairSetup, Setup, Simulation,
 };
 use proptest::prelude::*;
 use support::scenes::{cone, cone_fender};
@@ -345,4 +345,19 @@ proptest! {
             "{} of {before_j} J after: {energy:?}", energy.kinetic_j
         );
     }
+}
+
+/// By hand: at half of the rated deflection half way between 50 and 146 kPa, and on by the same line.
+#[test]
+fn a_fender_without_a_panel_presses_with_its_inner_pressure() {
+    let inner =
+        HullPressure::Inner { initial_npm2: 50e3, rated_npm2: 146e3, rated_deflection_m: 2.0 };
+    let mut setup = FenderSetup { hull_pressure: inner, ..fender("blown up", 0.0, 3.3, 3e6) };
+    for (deflection_m, pressure_npm2) in [(0.0, 50e3), (1.0, 98e3), (2.0, 146e3), (2.5, 170e3)] {
+        assert_eq!(setup.hull_pressure_npm2(deflection_m, 1e3), Some(pressure_npm2));
+    }
+    setup.hull_pressure = HullPressure::OverFace;
+    assert_eq!(setup.hull_pressure_npm2(1.0, 6e5), Some(1e5), "2 m by 3 m");
+    setup.hull_pressure = HullPressure::Unknown;
+    assert_eq!(setup.hull_pressure_npm2(1.0, 6e5), None);
 }

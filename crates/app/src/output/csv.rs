@@ -45,6 +45,11 @@ impl<R> CsvTable<R> {
                     // exponent where the digits would run away.
                     let _ = write!(self.field, "{value:?}");
                 }
+                Value::Known(value) => {
+                    if let Some(value) = value(row) {
+                        let _ = write!(self.field, "{value:?}");
+                    }
+                }
                 Value::Name(list, index) => {
                     self.field.extend_from_slice(self.names.get(list, index(row)).as_bytes());
                 }

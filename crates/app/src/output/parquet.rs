@@ -42,7 +42,7 @@ enum Store {
 impl Store {
     fn for_value<R>(value: &Value<R>) -> Store {
         match value {
-            Value::Float(_) => Store::Float(Vec::new()),
+            Value::Float(_) | Value::Known(_) => Store::Float(Vec::new()),
             Value::Name(..) | Value::Word(_) => Store::Text(Vec::new()),
             Value::Flag(_) => Store::Flag(Vec::new()),
             Value::Count(_) => Store::Count(Vec::new()),
@@ -120,6 +120,9 @@ impl<R> ParquetTable<R> {
                         return Err(not_finite(self.writer.inner(), column.name, value));
                     }
                     values.push(value);
+                }
+                (Value::Known(value), Store::Float(values)) => {
+                    values.push(value(row).unwrap_or(f64::NAN));
                 }
                 (Value::Name(list, index), Store::Text(values)) => {
                     values.push(ByteArray::from(self.names.get(*list, index(row))));

@@ -281,7 +281,7 @@ fn outlined(outline: &Outlined, map: &Map) -> Markup {
 pub(crate) fn outlined_legend() -> Markup {
     let entries = [
         (Stage::Start, "at the start"),
-        (Stage::Peak, "at the peak force"),
+        (Stage::Peak, "at the largest force"),
         (Stage::End, "at the end"),
         (Stage::Fixed, "fixed"),
     ];
@@ -304,6 +304,10 @@ pub(crate) fn outlined_legend() -> Markup {
                     path d="M1,6H29" fill="none" stroke=(colour(0)) stroke-dasharray=(dash(2)) {}
                 }
                 "track of the centre of gravity"
+            }
+            li {
+                svg width="30" height="16" viewBox="0 0 30 16" aria-hidden="true" { (point(15.0, 8.0)) }
+                "point of the largest force"
             }
         }
     }
@@ -349,9 +353,18 @@ fn arrowed(arrow: &Arrow, map: &Map) -> Markup {
             path d=(shaft) stroke="#000" stroke-width="1.6" fill="none" {}
             path d=(head) fill="#000" {}
         }
-        circle cx=(format!("{x:.1}")) cy=(format!("{y:.1}")) r="3" fill="#000" {}
+        (point(x, y))
         text class="halo name" x=(format!("{text_x:.1}")) y=(format!("{:.1}", text_y + 4.0))
             text-anchor=(anchor) { (arrow.label) }
+    }
+}
+
+/// A point where a force acts: a ring, so that the colour of a fender below it is seen.
+fn point(x: f64, y: f64) -> Markup {
+    let (x, y) = (format!("{x:.1}"), format!("{y:.1}"));
+    html! {
+        circle cx=(x) cy=(y) r="7" fill="none" stroke="#000" stroke-width="1.1" {}
+        circle cx=(x) cy=(y) r="1" fill="#000" {}
     }
 }
 

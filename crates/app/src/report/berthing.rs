@@ -22,6 +22,7 @@ pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
             Some(Ok(berthing)) => {
                 (particulars(outcome, setup, berthing))
                 (factors(berthing, recorder))
+                (abnormal(outcome, berthing))
                 (meaning(outcome, berthing, recorder))
             }
         }
@@ -106,8 +107,10 @@ fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
                     @if let Some(abnormal_j) = berthing.abnormal_energy_j {
                         tr {
                             td class="name" { "Abnormal berthing [kJ]" }
-                            (energy(abnormal_j))
-                            (twice("–"))
+                            // One factor, whatever Cm.
+                            @for energy_j in berthing.energy_j {
+                                (energy(energy_j * abnormal_j / berthing.energy_j[0]))
+                            }
                             (twice("–"))
                         }
                     }
@@ -141,6 +144,25 @@ fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
                     }
                 }
             }
+        }
+    }
+}
+
+/// The abnormal energy beside what the fender that took most can take; nothing where no factor is given, or
+/// nobody said what that fender can take.
+fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
+    let most = outcome.fenders.iter().max_by(|a, b| a.peak_energy_j.total_cmp(&b.peak_energy_j));
+    let capacity = most.and_then(|fender| fender.capacity_j.map(|capacity_j| (fender, capacity_j)));
+    let Some((abnormal_j, (fender, capacity_j))) = berthing.abnormal_energy_j.zip(capacity) else {
+        return html! {};
+    };
+    html! {
+        p {
+            "The abnormal energy by PIANC 2002 is " (fixed(100.0 * abnormal_j / capacity_j, 0))
+            " % of the rated energy of one fender: of "
+            (outcome.setup.fenders[fender.fender].name) ", which took most, with its factors "
+            (significant(capacity_j / 1e3, 4)) " kJ. The formula's energy is that of one contact; how many "
+            "fenders share it depends on their spacing and on the hull."
         }
     }
 }

@@ -7,7 +7,7 @@ use fenderline_sim::FenderSummary;
 use super::printed::{NAME_WIDTH, one_line};
 use crate::output::Outcome;
 use crate::plot::shortened;
-use crate::verdict::{Verdict, utilisation, worst_first};
+use crate::verdict::{Verdict, most_used, utilisation, worst_first};
 
 /// Fenders printed at most.
 const FENDERS: usize = 12;
@@ -32,25 +32,29 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     let longest = shown.iter().map(|f| name_of(f).chars().count()).max().unwrap_or(0);
     let width = longest.max("fender".len());
     text.push('\n');
-    for (name, touch, deflection, reaction, energy, share) in [
-        ("fender", "first touch", "deflection", "reaction", "energy", "of rated"),
-        ("", "s", "m", "kN", "kJ", "%"),
+    for (name, touch, deflection, reaction, energy, pressure, share) in [
+        ("fender", "first touch", "deflection", "reaction", "energy", "on hull", "of rated"),
+        ("", "s", "mm", "kN", "kJ", "kN/m2", "%"),
     ] {
         let _ = writeln!(
             text,
-            "{name:<width$}  {touch:>11}  {deflection:>10}  {reaction:>10}  {energy:>10}  {share:>8}"
+            "{name:<width$}  {touch:>11}  {deflection:>10}  {reaction:>10}  {energy:>10}  {pressure:>7}  \
+             {share:>14}"
         );
     }
     for summary in shown {
         let share = utilisation(summary);
-        let share = share.map_or_else(|| "-".to_owned(), |s| format!("{:.0}", 100.0 * s));
+        let share = share
+            .map_or_else(|| "-".to_owned(), |s| format!("{} {:.0}", most_used(summary), 100.0 * s));
+        let pressure = summary.peak_hull_pressure_npm2;
+        let pressure = pressure.map_or_else(|| "-".to_owned(), |p| format!("{:.0}", p / 1e3));
         let verdict = verdict(summary);
         let mark = if verdict.is_grave() { verdict.text().to_uppercase() } else { String::new() };
         let line = format!(
-            "{:<width$}  {:>11.2}  {:>10.4}  {:>10.1}  {:>10.1}  {share:>8}  {mark}",
+            "{:<width$}  {:>11.2}  {:>10.1}  {:>10.1}  {:>10.1}  {pressure:>7}  {share:>14}  {mark}",
             name_of(summary),
             summary.first_touch_s,
-            summary.peak_deflection_m,
+            summary.peak_deflection_m * 1e3,
             summary.peak_reaction_n / 1e3,
             summary.peak_energy_j / 1e3,
         );
@@ -63,6 +67,19 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     }
     text.push_str(&warnings(outcome, verdict));
     text
+}
+
+/// The formula's energy of the berthing and what the fenders took; empty without such a study.
+pub(super) fn berthing(outcome: &Outcome<'_>) -> String {
+    let Some(Ok(berthing)) = outcome.berthing else { return String::new() };
+    let abnormal = berthing
+        .abnormal_energy_j
+        .map_or_else(String::new, |abnormal_j| format!(" ({:.0} kJ abnormal)", abnormal_j / 1e3));
+    format!(
+        "\nberthing: {:.0} kJ by PIANC 2002{abnormal}; the fenders took {:.0} kJ in the first hit\n",
+        berthing.energy_j[0] / 1e3,
+        berthing.fender_energy_j / 1e3
+    )
 }
 
 /// One line for each verdict that somebody has to look at.

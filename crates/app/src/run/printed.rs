@@ -33,12 +33,14 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         let more = pairs.len().saturating_sub(ROWS);
         pairs.truncate(ROWS);
         text.push_str(&table(outcome, &pairs));
+        text.push_str("approach: positive closing; final: positive parting\n");
         if more > 0 {
             let word = if more == 1 { "pair" } else { "pairs" };
             let _ = writeln!(text, "and {more} more {word}, in summary.json");
         }
     }
     text.push_str(&super::fenders::table(outcome));
+    text.push_str(&super::fenders::berthing(outcome));
     text.push_str(&super::world::lines(outcome));
     text.push('\n');
     let names: Vec<String> = files.iter().map(described).collect();
@@ -68,7 +70,7 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
     let mut text = String::new();
     let heads = [
         ("contact", "first touch", "peak force", "peak depth", "impulse", "approach", "final"),
-        ("", "s", "kN", "m", "kN s", "m/s", "m/s"),
+        ("", "s", "kN", "mm", "kN s", "m/s", "m/s"),
     ];
     for (name, touch, force, depth, impulse, approach, last) in heads {
         let _ = writeln!(
@@ -80,16 +82,22 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
     for (name, pair) in names.iter().zip(pairs) {
         let _ = writeln!(
             text,
-            "{name:<width$}  {:>11.2}  {:>10.1}  {:>10.4}  {:>10.1}  {:>8}  {:>8}",
+            "{name:<width$}  {:>11.2}  {:>10.1}  {:>10.1}  {:>10}  {:>8}  {:>8}",
             pair.first_touch_s,
             pair.peak_normal_force_n / 1e3,
-            pair.peak_depth_m,
-            pair.impulse_ns / 1e3,
+            pair.peak_depth_m * 1e3,
+            impulse(pair.impulse_ns / 1e3),
             speed(pair.approach_speed_mps),
             speed(pair.final_speed_mps)
         );
     }
     text
+}
+
+/// An impulse: decimals only where they say something.
+fn impulse(impulse_kns: f64) -> String {
+    let decimals = if impulse_kns.abs() < 100.0 { 1 } else { 0 };
+    format!("{impulse_kns:.decimals$}")
 }
 
 /// A speed to a tenth of a millimetre a second; one that rounds to zero has no sign.

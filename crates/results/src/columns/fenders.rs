@@ -1,6 +1,8 @@
 //! The table of fenders.
 
-use super::{Column, List, float, name};
+use fenderline_sim::FenderSetup;
+
+use super::{Column, List, float, known, name};
 use crate::touched::TouchedFender;
 
 /// One touched fender in one step.
@@ -8,13 +10,19 @@ pub(crate) struct FenderRow {
     t_s: f64,
     fender: usize,
     touched: TouchedFender,
-    hull_pressure_npm2: f64,
+    hull_pressure_npm2: Option<f64>,
 }
 
 impl FenderRow {
-    /// The row of fender number `fender`, whose face has this area.
-    pub(crate) fn new(t_s: f64, fender: usize, face_m2: f64, touched: TouchedFender) -> FenderRow {
-        let hull_pressure_npm2 = touched.peak_reaction_n / face_m2;
+    /// The row of fender number `fender`, which this is the set-up of.
+    pub(crate) fn new(
+        t_s: f64,
+        fender: usize,
+        setup: &FenderSetup,
+        touched: TouchedFender,
+    ) -> FenderRow {
+        let hull_pressure_npm2 =
+            setup.hull_pressure_npm2(touched.peak_deflection_m, touched.peak_reaction_n);
         FenderRow { t_s, fender, touched, hull_pressure_npm2 }
     }
 }
@@ -39,10 +47,11 @@ pub(crate) fn fenders_columns() -> Vec<Column<FenderRow>> {
         float("stored_j", "J", "stored in spring and stop at the start of the step", |r| {
             r.touched.stored_j
         }),
-        float(
+        known(
             "hull_pressure_npm2",
             "N/m²",
-            "largest pressure on the hull within the step: reaction over width times height",
+            "largest pressure on the hull within the step: reaction over width times height, or by inner \
+             pressure; empty or NaN where not known",
             |r| r.hull_pressure_npm2,
         ),
     ]

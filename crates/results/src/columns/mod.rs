@@ -39,6 +39,8 @@ pub struct Column<R> {
 pub enum Value<R> {
     /// A number.
     Float(fn(&R) -> f64),
+    /// A number that is not known of every row: empty in a text, NaN elsewhere.
+    Known(fn(&R) -> Option<f64>),
     /// An index into one of the lists of [`Names`], written as the name there; empty where there is none.
     Name(List, fn(&R) -> Option<usize>),
     /// One of a few words.
@@ -134,6 +136,15 @@ const fn float<R>(
     value: fn(&R) -> f64,
 ) -> Column<R> {
     Column { name, unit, meaning, value: Value::Float(value) }
+}
+
+const fn known<R>(
+    name: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+    value: fn(&R) -> Option<f64>,
+) -> Column<R> {
+    Column { name, unit, meaning, value: Value::Known(value) }
 }
 
 const fn name<R>(

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use fenderline_contact::{FenderLaw, ReactionFactors, Stop};
 use fenderline_sim::berthing::{BerthingSetup, Configuration, Softness};
 use fenderline_sim::hydro::vessels::Standing;
-use fenderline_sim::{BodySetup, FenderSetup, FenderSource, Rated};
+use fenderline_sim::{BodySetup, FenderSetup, FenderSource, HullPressure, Rated};
 
 use super::vessel::Kind;
 use super::{Assembly, Checked, FenderParts, Names};
@@ -32,6 +32,7 @@ struct Performance {
     height_m: Option<f64>,
     factors: ReactionFactors,
     energy_by_angle: Vec<[f64; 2]>,
+    hull_pressure: HullPressure,
     source: Option<FenderSource>,
 }
 
@@ -89,6 +90,7 @@ impl Assembly<'_, '_> {
             stop: Some(stop),
             factors: performance.factors,
             energy_by_angle: performance.energy_by_angle,
+            hull_pressure: performance.hull_pressure,
             hull_pressure_limit_npm2: self.hull_pressure_limit_npm2(table, library)?,
             source: performance.source,
         })
@@ -195,6 +197,7 @@ impl Assembly<'_, '_> {
                 height_m: None,
                 factors: factors(),
                 energy_by_angle: Vec::new(),
+                hull_pressure: HullPressure::OverFace,
                 source: Some(FenderSource {
                     designation: "given in the scenario".to_owned(),
                     source: "the scenario".to_owned(),
@@ -234,6 +237,7 @@ impl Assembly<'_, '_> {
             height_m: None,
             factors: factors(),
             energy_by_angle: Vec::new(),
+            hull_pressure: HullPressure::OverFace,
             source: None,
         })
     }
@@ -313,6 +317,7 @@ impl Assembly<'_, '_> {
             height_m: Some(fender.height_m),
             factors,
             energy_by_angle,
+            hull_pressure: hull_pressure(fender),
             source: Some(FenderSource {
                 designation: format!("{pieces}{} {}", fender.family, fender.designation),
                 source: fender.source.clone(),
@@ -408,5 +413,18 @@ impl Assembly<'_, '_> {
             },
             abnormal_factor: table.item("abnormal_factor").map(|item| *item.number()),
         }))
+    }
+}
+
+/// How a fender of the data presses on the hull.
+fn hull_pressure(fender: &CatalogueFender) -> HullPressure {
+    match (fender.has_panel, fender.initial_pressure_npm2, fender.hull_pressure_npm2) {
+        (true, _, _) => HullPressure::OverFace,
+        (false, Some(initial_npm2), Some(rated_npm2)) => HullPressure::Inner {
+            initial_npm2,
+            rated_npm2,
+            rated_deflection_m: fender.rated_deflection_m,
+        },
+        _ => HullPressure::Unknown,
     }
 }

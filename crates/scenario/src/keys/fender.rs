@@ -151,7 +151,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
         },
         KeySpec {
             name: "temperature",
-            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -60.0, high: 80.0 }),
+            kind: Kind::Quantity(Quantity { measure: &unit::CELSIUS, low: -60.0, high: 80.0 }),
             absent: Means("no correction"),
             doc: "Temperature in degrees Celsius, a plain number; for types with a table of factors.",
             examples: &["10"],

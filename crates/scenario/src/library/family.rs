@@ -74,6 +74,8 @@ pub struct FenderSize {
     pub published_energy_j: Option<f64>,
     /// Pressure on the hull at the rated deflection [N/m²].
     pub hull_pressure_npm2: Option<f64>,
+    /// Pressure of a fender blown up at no deflection [N/m²].
+    pub initial_pressure_npm2: Option<f64>,
     /// Where it comes from.
     pub source: String,
     /// How well that is known.

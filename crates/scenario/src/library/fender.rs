@@ -40,6 +40,10 @@ pub struct CatalogueFender {
     pub tolerance: Option<f64>,
     /// Pressure on the hull at the rated deflection [N/m²]; `None` where the panel sets it.
     pub hull_pressure_npm2: Option<f64>,
+    /// Pressure of a fender blown up at no deflection [N/m²].
+    pub initial_pressure_npm2: Option<f64>,
+    /// Whether a panel presses on the hull. Not in a family of which any size has a hull pressure of its own.
+    pub has_panel: bool,
     /// Where curve and rating come from.
     pub source: String,
     /// The weaker of their standings, and at best `Derived` where the published energy and the
@@ -81,6 +85,8 @@ impl CatalogueFender {
             angle_reaction_factors: rows(&family.angle_reaction),
             tolerance: family.tolerance.as_ref().map(|tolerance| tolerance.value),
             hull_pressure_npm2: size.hull_pressure_npm2,
+            initial_pressure_npm2: size.initial_pressure_npm2,
+            has_panel: family.sizes.iter().all(|size| size.hull_pressure_npm2.is_none()),
             source: format!("curve: {}; rating: {}", family.source, size.source),
             standing: family.standing.max(size.standing),
         };
@@ -109,6 +115,7 @@ pub(super) fn scaled(reference: &FenderSize, height_m: f64) -> FenderSize {
         rated_reaction_n: ratio * ratio * reference.rated_reaction_n,
         published_energy_j: None,
         hull_pressure_npm2: reference.hull_pressure_npm2,
+        initial_pressure_npm2: reference.initial_pressure_npm2,
         source: format!(
             "scaled from {} by height squared ({})",
             reference.designation, reference.source

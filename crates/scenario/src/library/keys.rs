@@ -308,6 +308,13 @@ static SIZE: TableSpec = TableSpec {
             doc: "Pressure on the hull at the rated deflection.",
             examples: &["\"122 kPa\""],
         },
+        KeySpec {
+            name: "initial_pressure",
+            kind: Kind::Quantity(PRESSURE),
+            absent: Means("pressures below the rated deflection are not known"),
+            doc: "Inner pressure of a fender blown up, at no deflection.",
+            examples: &["\"50 kPa\""],
+        },
         SOURCE,
         STANDING,
     ],

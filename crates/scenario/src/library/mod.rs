@@ -172,6 +172,7 @@ impl FenderLibrary {
             rated_reaction_n: checked_reaction_n(rated_reaction_n)?,
             published_energy_j: None,
             hull_pressure_npm2: None,
+            initial_pressure_npm2: None,
             source: "the user".to_owned(),
             standing: Standing::Found,
         };

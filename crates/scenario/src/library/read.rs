@@ -166,6 +166,16 @@ fn sizes(sources: &Sources<'_>, family: &Table, sizes: &mut Vec<FenderSize>) -> 
             return Err(sources.error(&item.span, &path, message));
         }
         let number = |key| table.item(key).map(|item| *item.number());
+        let (hull_pressure_npm2, initial_pressure_npm2) =
+            (number("hull_pressure"), number("initial_pressure"));
+        if let (Some(item), Some(initial)) = (table.item("initial_pressure"), initial_pressure_npm2)
+            && hull_pressure_npm2.is_none_or(|rated| rated <= initial)
+        {
+            let path = table.path_of("initial_pressure");
+            let message = format!("`{path}` needs a `hull_pressure` above it");
+            let error = sources.error(&item.span, &path, message);
+            return Err(error.with_help("give the pressure on the hull at the rated deflection"));
+        }
         let (source, standing) = origin(table);
         sizes.push(FenderSize {
             designation: designation.to_owned(),
@@ -173,7 +183,8 @@ fn sizes(sources: &Sources<'_>, family: &Table, sizes: &mut Vec<FenderSize>) -> 
             length_m: number("length"),
             rated_reaction_n: *table.given("reaction").number(),
             published_energy_j: number("published_energy"),
-            hull_pressure_npm2: number("hull_pressure"),
+            hull_pressure_npm2,
+            initial_pressure_npm2,
             source,
             standing,
         });

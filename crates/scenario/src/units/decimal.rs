@@ -133,6 +133,6 @@ fn no_number(text: &str) -> UnitError {
     } else if text.starts_with('.') {
         UnitError::with_help("a number starts with a digit", "write 0.5, not .5")
     } else {
-        UnitError::with_help("there is no number in it", "write a number and a unit: \"4 kn\"")
+        UnitError::new("there is no number in it")
     }
 }

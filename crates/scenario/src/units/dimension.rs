@@ -77,9 +77,31 @@ pub(crate) mod measures {
         pub(crate) name: &'static str,
         /// Its SI unit, empty for a plain number.
         pub(crate) unit: &'static str,
+        /// A value to imitate.
+        pub(crate) example: &'static str,
         /// Its dimension.
         pub(crate) dimension: Dimension,
     }
+
+    impl Measure {
+        /// What to write, with an example.
+        pub(crate) fn help(&self) -> String {
+            let Measure { name, example, .. } = self;
+            if self.dimension == Dimension::NONE {
+                format!("write {name}, as {example}")
+            } else {
+                format!("write {name}, as \"{example}\", or a number in SI units, without quotes")
+            }
+        }
+    }
+
+    /// A temperature: a plain number, whose unit is for messages alone.
+    pub(crate) static CELSIUS: Measure = Measure {
+        name: "a plain number of degrees Celsius",
+        unit: "°C",
+        example: "10",
+        dimension: Dimension::NONE,
+    };
 
     impl fmt::Display for Measure {
         fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -91,11 +113,16 @@ pub(crate) mod measures {
     }
 
     macro_rules! measures {
-        ($($id:ident = $name:literal, $unit:literal, ($m:literal, $kg:literal, $s:literal, $rad:literal);)*) => {
+        ($($id:ident = $name:literal, $unit:literal, $example:literal, ($m:literal, $kg:literal, $s:literal, $rad:literal);)*) => {
             $(
                 #[doc = concat!($name, ", in ", $unit, ".")]
                 pub(crate) static $id: Measure =
-                    Measure { name: $name, unit: $unit, dimension: Dimension::new($m, $kg, $s, $rad) };
+                    Measure {
+                        name: $name,
+                        unit: $unit,
+                        example: $example,
+                        dimension: Dimension::new($m, $kg, $s, $rad),
+                    };
             )*
             /// All of them; the first of a dimension names it.
             pub(crate) static ALL: &[&Measure] = &[$(&$id),*];
@@ -103,27 +130,27 @@ pub(crate) mod measures {
     }
 
     measures! {
-        PLAIN_NUMBER = "a plain number", "", (0, 0, 0, 0);
-        LENGTH = "a length", "m", (1, 0, 0, 0);
-        AREA = "an area", "m²", (2, 0, 0, 0);
-        VOLUME = "a volume", "m³", (3, 0, 0, 0);
-        INERTIA_OVER_DENSITY = "a moment of inertia over a density", "m^5", (5, 0, 0, 0);
-        MASS = "a mass", "kg", (0, 1, 0, 0);
-        TIME = "a time", "s", (0, 0, 1, 0);
-        FREQUENCY = "a frequency", "1/s", (0, 0, -1, 0);
-        ANGLE = "an angle", "rad", (0, 0, 0, 1);
-        RATE_OF_TURN = "a rate of turn", "rad/s", (0, 0, -1, 1);
-        SPEED = "a speed", "m/s", (1, 0, -1, 0);
-        ACCELERATION = "an acceleration", "m/s²", (1, 0, -2, 0);
-        FORCE = "a force", "N", (1, 1, -2, 0);
-        MOMENT = "a moment or energy", "N·m", (2, 1, -2, 0);
-        POWER = "a power", "W", (2, 1, -3, 0);
-        STIFFNESS_PER_AREA = "a stiffness per area or pressure", "N/m²", (-1, 1, -2, 0);
-        DAMPING_PER_AREA = "a damping per area", "N·s/m²", (-1, 1, -1, 0);
-        STIFFNESS = "a stiffness", "N/m", (0, 1, -2, 0);
-        DAMPING = "a damping", "N·s/m", (0, 1, -1, 0);
-        MOMENT_OF_INERTIA = "a moment of inertia", "kg·m²", (2, 1, 0, 0);
-        DENSITY = "a density", "kg/m³", (-3, 1, 0, 0);
-        STIFFNESS_PER_VOLUME = "a stiffness per volume", "N/m³", (-2, 1, -2, 0);
+        PLAIN_NUMBER = "a plain number", "", "0.5", (0, 0, 0, 0);
+        LENGTH = "a length", "m", "1.5 m", (1, 0, 0, 0);
+        AREA = "an area", "m²", "20 m^2", (2, 0, 0, 0);
+        VOLUME = "a volume", "m³", "100 m^3", (3, 0, 0, 0);
+        INERTIA_OVER_DENSITY = "a moment of inertia over a density", "m^5", "100 m^5", (5, 0, 0, 0);
+        MASS = "a mass", "kg", "930 t", (0, 1, 0, 0);
+        TIME = "a time", "s", "0.1 s", (0, 0, 1, 0);
+        FREQUENCY = "a frequency", "1/s", "2 1/s", (0, 0, -1, 0);
+        ANGLE = "an angle", "rad", "30 deg", (0, 0, 0, 1);
+        RATE_OF_TURN = "a rate of turn", "rad/s", "3 deg/s", (0, 0, -1, 1);
+        SPEED = "a speed", "m/s", "4 kn", (1, 0, -1, 0);
+        ACCELERATION = "an acceleration", "m/s²", "0.5 m/s^2", (1, 0, -2, 0);
+        FORCE = "a force", "N", "500 kN", (1, 1, -2, 0);
+        MOMENT = "a moment or energy", "N·m", "500 kN.m", (2, 1, -2, 0);
+        POWER = "a power", "W", "2000 kW", (2, 1, -3, 0);
+        STIFFNESS_PER_AREA = "a stiffness per area or pressure", "N/m²", "500 kN/m^2", (-1, 1, -2, 0);
+        DAMPING_PER_AREA = "a damping per area", "N·s/m²", "20 kN.s/m^2", (-1, 1, -1, 0);
+        STIFFNESS = "a stiffness", "N/m", "3000 kN/m", (0, 1, -2, 0);
+        DAMPING = "a damping", "N·s/m", "20 kN.s/m", (0, 1, -1, 0);
+        MOMENT_OF_INERTIA = "a moment of inertia", "kg·m²", "5e9 kg.m^2", (2, 1, 0, 0);
+        DENSITY = "a density", "kg/m³", "1025 kg/m^3", (-3, 1, 0, 0);
+        STIFFNESS_PER_VOLUME = "a stiffness per volume", "N/m³", "30 MN/m^3", (-2, 1, -2, 0);
     }
 }

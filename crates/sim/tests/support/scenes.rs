@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use fenderline_contact::{FenderLaw, Material, Outline, ReactionFactors, Stop, vec2};
 use fenderline_sim::{
-    BodySetup, FenderSetup, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
-    Rated, Setup,
+    BodySetup, FenderSetup, HullPressure, Integrator, Load, MassProperties, Method, NamedMaterial,
+    PairSetup, Rated, Setup,
 };
 
 use super::{fixed, outline, spring};
@@ -96,6 +96,7 @@ pub(crate) fn cone_fender(
         material: 1,
         factors: ReactionFactors::default(),
         energy_by_angle: vec![],
+        hull_pressure: HullPressure::OverFace,
         hull_pressure_limit_npm2: None,
         source: None,
     }

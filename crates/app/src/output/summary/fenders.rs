@@ -32,12 +32,12 @@ fn fender_json(fender: &FenderSetup, body: &str, summary: &FenderSummary) -> Val
         "peak_reaction_n": summary.peak_reaction_n,
         "peak_reaction_at_s": summary.peak_reaction_at_s,
         "peak_energy_j": summary.peak_energy_j,
-        "peak_hull_pressure_npm2": summary.peak_hull_pressure_npm2,
         "last_deflection_m": summary.last_deflection_m,
         "last_reaction_n": summary.last_reaction_n,
     });
     let known = object.as_object_mut().expect("an object");
     let rated = fender.rated.as_ref();
+    put(known, "peak_hull_pressure_npm2", summary.peak_hull_pressure_npm2);
     put(known, "capacity_j", summary.capacity_j);
     put(known, "share_of_rated_energy", summary.share_of_rated_energy);
     put(known, "share_of_rated_reaction", summary.share_of_rated_reaction);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use fenderline_sim::{FenderSetup, FenderSource, FenderSummary};
+use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure};
 use maud::{Markup, html};
 
 use crate::output::Outcome;
@@ -34,7 +34,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
                     (heading("Hull pressure", "kN/m²"))
                     (heading("First touch", "s"))
                     (heading("Approach", "m/s, deg"))
-                    (heading("Factor", "on reaction"))
+                    (heading("Factor", "on reaction, on energy"))
                     th scope="col" { "Verdict" }
                 } }
                 tbody {
@@ -49,9 +49,12 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         p class="note" {
             "Peaks, sub-steps included; below each its share: of the rated deflection, of the rated "
-            "reaction and of the rated energy with the fender's factor, and of the pressure that the "
-            "hull takes (reaction over the area of the face). Approach: speed and angle between face "
-            "and hull at the first touch. "
+            "reaction and the rated energy each times its factor, and of the pressure that the "
+            "hull takes. Deflection: the mean over the width of a fender with a curve, the deepest point of "
+            "one by area. Factor: on the reaction, of temperature and tolerance times speed times angle, below "
+            "it that on the energy, on which the angle has a factor of its own in some families. "
+            "Approach: speed and angle between face and hull at the first touch. "
+            (hull_pressure_note(setups))
             @if setups.len() > 1 && worst.is_some() { "The most used fender is marked. " }
             @if setups.len() > shown.len() {
                 "The " (shown.len()) " most used of " (setups.len())
@@ -59,6 +62,29 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
             }
         }
         (sources(setups))
+    }
+}
+
+/// How the pressures on the hull were found, for each way that is among the fenders.
+fn hull_pressure_note(setups: &[FenderSetup]) -> Markup {
+    let any = |wanted: fn(&HullPressure) -> bool| setups.iter().any(|f| wanted(&f.hull_pressure));
+    let limit_of = |fender: &FenderSetup| fender.hull_pressure_limit_npm2;
+    let limit = setups.iter().find_map(limit_of);
+    html! {
+        @if let Some(limit_npm2) = limit && setups.iter().all(|f| limit_of(f) == limit) {
+            "The hull takes " (plain(limit_npm2 / 1e3, 4)) " kN/m². "
+        }
+        @if any(|way| matches!(way, HullPressure::OverFace)) {
+            "Hull pressure of a fender with a panel: its reaction over the area of the face. "
+        }
+        @if any(|way| matches!(way, HullPressure::Inner { .. })) {
+            "Hull pressure of a fender blown up: its inner pressure, on a straight line from the initial "
+            "one at no deflection to the published one at the rated deflection. The true pressure rises ever "
+            "faster: the line is on the safe side up to the rated deflection, and not beyond. "
+        }
+        @if any(|way| matches!(way, HullPressure::Unknown)) {
+            "– for the hull pressure: the fender has no panel, and its data do not say how hard it presses. "
+        }
     }
 }
 
@@ -89,18 +115,30 @@ fn cells(
             (value(&fixed(summary.peak_deflection_m * 1e3, 0), summary.share_of_rated_deflection))
             (value(&significant(summary.peak_reaction_n / 1e3, 3), summary.share_of_rated_reaction))
             (value(&significant(summary.peak_energy_j / 1e3, 3), summary.share_of_rated_energy))
-            (value(&fixed(summary.peak_hull_pressure_npm2 / 1e3, 0), summary.share_of_hull_pressure))
+            (value(
+                &summary.peak_hull_pressure_npm2.map_or_else(|| "–".into(), |p| fixed(p / 1e3, 0)),
+                summary.share_of_hull_pressure
+            ))
             td class="number" { (fixed(summary.first_touch_s, decimals_for(outcome.setup.step_s))) }
             td class="number" {
                 (fixed(summary.approach_speed_mps, 3))
                 small { (fixed(summary.approach_angle_rad.to_degrees(), 1)) "°" }
             }
-            td class="number" { (fixed(summary.factor, 3)) }
+            td class="number" {
+                (fixed(summary.factor, 3))
+                small { (fixed(energy_factor(fender, summary), 3)) }
+            }
             td { span class={ "verdict " (verdict.key()) } { (verdict.text()) } }
         } @else {
             td class="untouched" colspan="8" { "not touched" }
         }
     }
+}
+
+/// The factor on the energy that a fender can take; that on the reaction where it has no rating.
+fn energy_factor(fender: &FenderSetup, summary: &FenderSummary) -> f64 {
+    let two = summary.capacity_j.zip(fender.rated);
+    two.map_or(summary.factor, |(capacity_j, rated)| capacity_j / rated.energy_j)
 }
 
 /// A value with its share below it, in bold where that is above 1.
@@ -144,6 +182,9 @@ fn sources(setups: &[FenderSetup]) -> Markup {
                     (standing(&source.standing))
                     "."
                 }
+            }
+            @if designations.values().any(|source| source.standing.contains("rating given")) {
+                li { "Rating given: the rated reaction is the scenario's, on the curve of the family." }
             }
             @if is_unnamed { li { "Fenders without a type have the data of the scenario." } }
         }

@@ -78,7 +78,9 @@ pub(super) fn whole(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         label: String::new(),
     });
     let title = match &recorder.peak {
-        Some(peak) => format!("Whole scene; peak force at {} s", plain(peak.t_s, 4)),
+        Some(peak) => {
+            format!("Whole scene; largest step mean of the force at {} s", plain(peak.t_s, 4))
+        }
         None => "Whole scene; no contact".to_owned(),
     };
     let Some(frame) = scene_frame(floating, fixed) else {
@@ -205,15 +207,16 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         // The push on body 2.
         direction: peak.contact.normal,
         label: format!(
-            "N = {} {} on {}",
+            "N = {} {} on {}{}",
             significant(peak.contact.normal_force_n * force.factor, 4),
             force.unit("N"),
-            shortened(&bodies[1].name, NAME_LENGTH)
+            shortened(&bodies[1].name, NAME_LENGTH),
+            if by.is_some() { ", of this fender" } else { "" }
         ),
     };
     Plan {
         title: format!(
-            "{} – {} at their peak force, {} s; {} {} m",
+            "{} – {} at the largest step mean of their force, {} s; {} {} m",
             bodies[0].name,
             bodies[1].name,
             plain(peak.t_s, 4),
@@ -227,7 +230,9 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         tracks: Vec::new(),
         arrows: vec![arrow],
         labels: labels.chain(names(outcome, shown)).collect(),
-        note: String::new(),
+        note:
+            "Forces here are means over a step, depths those at its start; the tables have the peaks within steps."
+                .to_owned(),
     }
     .render()
 }

@@ -164,10 +164,10 @@ fn estimates(origin: &Origin) -> Markup {
                             td class="name" {
                                 @for (index, figure) in source.figures.iter().enumerate() {
                                     @if index > 0 { ", " }
-                                    (figure.name) " = " (figure.text)
+                                    (symbols(&figure.name)) " = " (figure.text.replace('-', "\u{2212}"))
                                 }
                             }
-                            td class="name" { (source.source) }
+                            td class="name" { (symbols(&source.source)) }
                             td class="name" { (standing(source)) }
                         }
                     }
@@ -175,6 +175,26 @@ fn estimates(origin: &Origin) -> Markup {
             }
         }
     }
+}
+
+/// A text in which a `m_x` is a symbol with its subscript; longer names with a `_` stay.
+fn symbols(text: &str) -> Markup {
+    let is_symbol = |before: &str| {
+        let mut last = before.chars().rev();
+        last.next().is_some_and(char::is_alphabetic)
+            && !last.next().is_some_and(char::is_alphanumeric)
+    };
+    let mut done = "";
+    let parts = text.split_inclusive('_').map(|part| {
+        let is_below = is_symbol(done);
+        done = part.strip_suffix('_').unwrap_or("");
+        let end = part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len());
+        let (low, rest) = if is_below { part.split_at(end) } else { ("", part) };
+        let rest = if is_symbol(done) { rest.trim_end_matches('_') } else { rest };
+        html! { @if !low.is_empty() { sub { (low) } } (rest) }
+    });
+    let parts: Vec<Markup> = parts.collect();
+    html! { @for part in &parts { (part) } }
 }
 
 fn standing(source: &Source) -> Markup {
@@ -282,5 +302,23 @@ fn line_cells(totals: &LineTotals) -> Markup {
         (number(&fixed(totals.rendered_m, 2)))
         (number(&kilo(totals.made_fast_s.map(|_| totals.last_tension_n))))
         td { span class={ "verdict " (class(verdict)) } { (verdict.text()) } }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::symbols;
+
+    #[test]
+    fn a_symbol_has_its_subscript() {
+        for (text, shown) in [
+            ("m_x/m", "m<sub>x</sub>/m"),
+            ("J_z/I_z", "J<sub>z</sub>/I<sub>z</sub>"),
+            ("C_T = 0.004", "C<sub>T</sub> = 0.004"),
+            ("own_file and m_y", "own_file and m<sub>y</sub>"),
+            ("plain", "plain"),
+        ] {
+            assert_eq!(symbols(text).into_string(), shown);
+        }
     }
 }
