@@ -122,16 +122,10 @@ fn numbers_that_are_none_name_body_and_field() {
     assert_eq!(engine.save(), before);
 }
 
-/// Found by random calls from C: eleven days in one step, from within a contact.
+/// What next to no mass does under the largest of loads is no number.
 #[test]
 fn a_step_that_gives_no_numbers_is_refused_and_changes_nothing() {
     let hull = [vec2(-10.0, -4.0), vec2(10.0, -4.0), vec2(10.0, 4.0), vec2(-10.0, 4.0)];
-    let mass = MassProperties {
-        mass_kg: 1e6,
-        yaw_inertia_kgm2: 5e7,
-        added_sway_kg: 5e5,
-        ..MassProperties::default()
-    };
     let mut builder = EngineBuilder::new();
     let rubber = Material {
         stiffness_npm2: 5e5,
@@ -142,33 +136,26 @@ fn a_step_that_gives_no_numbers_is_refused_and_changes_nothing() {
         restitution: 0.1,
     };
     let rubber = builder.material("rubber", rubber).expect("a good name");
-    for (name, east_m) in [("one", 0.0), ("two", 7.0)] {
+    for (name, east_m, mass_kg) in [("one", 0.0, 1e6), ("two", 7.0, 1e6), ("three", 50.0, 1e-300)] {
         let position_m = vec2(0.0, east_m);
+        let mass = MassProperties { mass_kg, yaw_inertia_kgm2: 5e7, ..MassProperties::default() };
         let mass = Some(mass);
         let body = BodyParts { name, outline_m: &hull, mass, position_m, heading_rad: 0.0 };
         builder.body(&body).expect("a good body");
     }
     builder.every_other_pair(rubber).expect("it is there");
     let mut engine = builder.build(&Settings::default()).expect("a good model");
-    let mut states = engine.initial_states().to_vec();
-    engine.advance(&states, None, 0.1).expect("good states");
+    let states = engine.initial_states().to_vec();
+    let mut loads = [Wrench::default(); 3];
+    engine.advance(&states, Some(&loads), 0.1).expect("good states");
     let (before, results) = (engine.save(), engine.results().map(|r| r.wrenches.to_vec()));
-    let mut refused = 0;
-    for angle in 0..60 {
-        states[0].heading_rad = 0.1 * f64::from(angle);
-        states[0].yaw_rate_radps = 0.05;
-        states[0].velocity_mps = vec2(1.0, 2.0);
-        match engine.advance(&states, None, 1e6) {
-            Ok(_) => engine.restore(&before).expect("its own bytes"),
-            Err(error) => {
-                assert_eq!(error, EngineError::NotFinite);
-                refused += 1;
-            }
-        }
+    loads[2].force_n = vec2(1e15, 0.0);
+    for _ in 0..2 {
+        let error = engine.advance(&states, Some(&loads), 0.1).expect_err("too far");
+        assert_eq!(error, EngineError::NotFinite);
         assert_eq!(engine.save(), before);
         assert_eq!(engine.results().map(|r| r.wrenches.to_vec()), results);
     }
-    assert!(refused > 0);
 }
 
 #[test]
