@@ -6,6 +6,7 @@ use fenderline_sim::Simulation;
 use crate::cli::CheckArgs;
 use crate::failure::Failure;
 use crate::load::load;
+use crate::plot::counted;
 use crate::run::error;
 use crate::terminal::{say, tell};
 use crate::vessels::estimates;
@@ -33,11 +34,6 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         say(&estimates(&setup.bodies[vessel.body].name, &vessel.origin))?;
     }
     Ok(())
-}
-
-/// A number with its noun.
-fn counted(count: u64, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// A kind of file.

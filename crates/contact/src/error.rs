@@ -91,7 +91,7 @@ pub enum StepError {
         /// Its value.
         value: f64,
     },
-    /// The step overflows: far too long for what is stiff there, whatever its sub-steps.
+    /// The step overflows: a load on next to no mass, or a step far too long for what is stiff there.
     NotFinite {
         /// Name of a body that would be nowhere.
         body: String,
@@ -115,7 +115,7 @@ impl fmt::Display for StepError {
             StepError::NotFinite { body } => {
                 write!(
                     f,
-                    "the step is far too long for the contacts of body `{body}`: it overflows"
+                    "the step overflows: it is far too long for body `{body}`, or that far too light for its load"
                 )
             }
             StepError::WrongModel => write!(f, "this memory belongs to another model"),

@@ -132,15 +132,12 @@ impl<R> Table<R> for TableInMemory<R> {
     fn push(&mut self, row: &R) -> Result<(), NotFinite> {
         for (value, column) in self.values.iter().zip(&mut self.kept.columns) {
             match (value, &mut column.values) {
-                (Value::Float(value), KeptValues::Floats(values)) => {
-                    let value = value(row);
-                    if !value.is_finite() {
+                (Value::Float(_) | Value::Known(_), KeptValues::Floats(values)) => {
+                    let number = value.number(row);
+                    if let Some(value) = number.filter(|number| !number.is_finite()) {
                         return Err(NotFinite { column: column.name, value });
                     }
-                    values.push(value);
-                }
-                (Value::Known(value), KeptValues::Floats(values)) => {
-                    values.push(value(row).unwrap_or(f64::NAN));
+                    values.push(number.unwrap_or(f64::NAN));
                 }
                 (Value::Name(_, index), KeptValues::Texts { codes, words }) => {
                     let absent = words.len().saturating_sub(1);

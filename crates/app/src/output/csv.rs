@@ -36,17 +36,13 @@ impl<R> CsvTable<R> {
         for column in &self.columns {
             self.field.clear();
             match column.value {
-                Value::Float(value) => {
-                    let value = value(row);
-                    if !value.is_finite() {
-                        return Err(not_finite(self.writer.get_ref(), column.name, value));
-                    }
-                    // Debug is the shortest form that reads back to the same bits, with an
-                    // exponent where the digits would run away.
-                    let _ = write!(self.field, "{value:?}");
-                }
-                Value::Known(value) => {
-                    if let Some(value) = value(row) {
+                Value::Float(_) | Value::Known(_) => {
+                    if let Some(value) = column.value.number(row) {
+                        if !value.is_finite() {
+                            return Err(not_finite(self.writer.get_ref(), column.name, value));
+                        }
+                        // Debug is the shortest form that reads back to the same bits, with an
+                        // exponent where the digits would run away.
                         let _ = write!(self.field, "{value:?}");
                     }
                 }

@@ -114,15 +114,12 @@ impl<R> ParquetTable<R> {
     pub(super) fn push(&mut self, row: &R) -> Result<(), OutputError> {
         for (column, store) in self.columns.iter().zip(&mut self.stores) {
             match (&column.value, store) {
-                (Value::Float(value), Store::Float(values)) => {
-                    let value = value(row);
-                    if !value.is_finite() {
+                (Value::Float(_) | Value::Known(_), Store::Float(values)) => {
+                    let value = column.value.number(row);
+                    if let Some(value) = value.filter(|value| !value.is_finite()) {
                         return Err(not_finite(self.writer.inner(), column.name, value));
                     }
-                    values.push(value);
-                }
-                (Value::Known(value), Store::Float(values)) => {
-                    values.push(value(row).unwrap_or(f64::NAN));
+                    values.push(value.unwrap_or(f64::NAN));
                 }
                 (Value::Name(list, index), Store::Text(values)) => {
                     values.push(ByteArray::from(self.names.get(*list, index(row))));

@@ -15,7 +15,9 @@ mod series;
 pub(crate) use axis::Axis;
 pub(crate) use bars::{Bars, Group};
 pub(crate) use chart::{Chart, Reference};
-pub(crate) use number::{Scaled, decimals_for, fixed, plain, shortened, significant, times};
+pub(crate) use number::{
+    Scaled, counted, decimals_for, fixed, plain, shortened, significant, times,
+};
 pub(crate) use page::page;
 pub(crate) use plan::{
     Arrow, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Plan, Stage, Track, TugDrawn,

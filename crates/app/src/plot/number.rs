@@ -4,6 +4,11 @@
 const GROUP: char = '\u{202f}';
 const MINUS: char = '\u{2212}';
 
+/// A number with its noun, of one and of many.
+pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
 /// How often, in words that fit one as well as many.
 pub(crate) fn times(count: u64) -> String {
     if count == 1 { "once".to_owned() } else { format!("{count} times") }

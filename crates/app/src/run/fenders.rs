@@ -6,7 +6,7 @@ use fenderline_sim::FenderSummary;
 
 use super::printed::{NAME_WIDTH, one_line};
 use crate::output::Outcome;
-use crate::plot::shortened;
+use crate::plot::{counted, shortened};
 use crate::verdict::{Verdict, most_used, utilisation, worst_first};
 
 /// Fenders printed at most.
@@ -61,9 +61,9 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
         let _ = writeln!(text, "{}", line.trim_end());
     }
     if order.len() > FENDERS {
-        let more = order.len() - FENDERS;
-        let word = if more == 1 { "fender" } else { "fenders" };
-        let _ = writeln!(text, "and {more} more {word}, in summary.json");
+        let more = (order.len() - FENDERS) as u64;
+        let more = counted(more, "more fender", "more fenders");
+        let _ = writeln!(text, "and {more}, in summary.json");
     }
     text.push_str(&warnings(outcome, verdict));
     text

@@ -6,7 +6,7 @@ use std::path::Path;
 use fenderline_sim::PairSummary;
 
 use crate::output::{Outcome, WrittenFile, integrator_text, method_text};
-use crate::plot::shortened;
+use crate::plot::{counted, shortened};
 
 /// Pairs printed at most.
 const ROWS: usize = 20;
@@ -18,9 +18,9 @@ pub(super) const NAME_WIDTH: usize = 48;
 pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile]) -> String {
     let setup = outcome.setup;
     let mut text = format!(
-        "{}\n{} steps of {} s, {} method, {} integrator\n\n",
+        "{}\n{} of {} s, {} method, {} integrator\n\n",
         one_line(outcome.title),
-        outcome.steps,
+        counted(outcome.steps, "step", "steps"),
         setup.step_s,
         method_text(setup.method),
         integrator_text(setup.integrator).replace('_', "-")
@@ -35,8 +35,8 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         text.push_str(&table(outcome, &pairs));
         text.push_str("approach: positive closing; final: positive parting\n");
         if more > 0 {
-            let word = if more == 1 { "pair" } else { "pairs" };
-            let _ = writeln!(text, "and {more} more {word}, in summary.json");
+            let more = counted(more as u64, "more pair", "more pairs");
+            let _ = writeln!(text, "and {more}, in summary.json");
         }
     }
     text.push_str(&super::fenders::table(outcome));

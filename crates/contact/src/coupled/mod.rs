@@ -301,7 +301,7 @@ fn sub_step(
 /// Contacts in the order of the keys.
 ///
 /// # Errors
-/// A number that is none: the step is too long for its sub-steps, of which there is a bound.
+/// A number that is none: next to no mass under a load, or more than the bounded sub-steps can follow.
 #[inline(never)]
 fn report(model: &Model, work: &mut Workspace) -> Result<(), StepError> {
     let key = |c: &crate::report::Contact| {

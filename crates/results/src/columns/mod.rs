@@ -51,6 +51,17 @@ pub enum Value<R> {
     Count(fn(&R) -> u32),
 }
 
+impl<R> Value<R> {
+    /// The number of a row; `None` where it is not known, or this is no column of numbers.
+    pub fn number(&self, row: &R) -> Option<f64> {
+        match self {
+            Value::Float(number) => Some(number(row)),
+            Value::Known(number) => number(row),
+            _ => None,
+        }
+    }
+}
+
 /// Which list of names an index is into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum List {

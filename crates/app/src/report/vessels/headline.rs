@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use crate::output::Outcome;
-use crate::plot::{fixed, plain, times};
+use crate::plot::{counted, fixed, plain, times};
 use crate::world::{LineVerdict, Who, world_event_text};
 
 /// Events told by name.
@@ -29,7 +29,7 @@ pub(in crate::report) fn headline(outcome: &Outcome<'_>) -> Markup {
         @if let Some(worst) = worst {
             p {
                 span class={ "verdict " (class(worst)) } { "Lines: " (worst.text()) }
-                " " (world.lines.len()) @if world.lines.len() == 1 { " line" } @else { " lines" }
+                " " (counted(world.lines.len() as u64, "line", "lines"))
                 @if parted > 0 { ", " strong { (parted) " PARTED" } }
                 "; the most used reached " (fixed(100.0 * share, 0)) " % of its break load."
             }
