@@ -3,7 +3,7 @@
 
     python3 validation/independent/esso_osaka.py
 
-The form and the coefficients are those of Miyauchi et al. (2022) as the project's data sheet has them. Prints
+The form and the coefficients are those of Miyauchi et al. (2022), as in the authors' public implementation. Prints
 X/(½ρLdV²), Y/(½ρLdV²) and N/(½ρL²dV²), V² = u² + v² + (rL)², for the states of validation/low_speed.toml.
 """
 

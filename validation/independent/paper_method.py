@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The paper method of Moreno et al. (TransNav 17(4), 2023), put right, written a second time.
 
-An independent implementation of sections 1 to 4 of the contact model, in plain Python, as simply as
+An independent implementation of sections 1 to 4 of docs/contact_model.md, in plain Python, as simply as
 we could. It shares no code with the engine and takes other ways to the same definitions: geometry in
 world axes about the midpoint of the two bodies, Sutherland-Hodgman clipping of every edge against
 every edge, crossing points by segment-segment tests, no caching, no warm start. Convex outlines,

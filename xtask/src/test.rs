@@ -173,6 +173,9 @@ fn independent() -> Result<Done, String> {
         command
     };
     run(&mut python("check_paper_method.py"))?;
+    for script in ["ship_formulas.py", "mmg_standard.py"] {
+        run(python(script).arg("--check"))?;
+    }
     let out = std::env::temp_dir().join(format!("fenderline-oracle-{}", std::process::id()));
     let mut method = python("paper_method.py");
     run(method.arg("scenarios/oblique_hit.toml").arg("--out").arg(&out))?;

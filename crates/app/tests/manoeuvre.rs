@@ -21,7 +21,7 @@ fn measure(document: &Value, title: &str, key: &str, side: &str) -> f64 {
     section["measures"][key]["values"][side].as_f64().expect(key)
 }
 
-/// The design sheet's independent calculation (hydrodynamics.md §1), to 1 % or half of its last digit.
+/// The independent program's numbers (validation/independent/mmg_standard.py), to 1 % or half of the last digit here.
 #[test]
 fn kvlcc2s_measures_are_those_of_the_independent_calculation() {
     let place = Workplace::new("manoeuvre_json");

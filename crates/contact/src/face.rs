@@ -9,7 +9,7 @@
 //! - U = ½ k ∫ d² ds = k ∬ x dA, of an elastic foundation: in the same way from ∮ x n = (S, 0).
 //!
 //! So the hull's shape is never asked for, only the overlap's outline, and the force is exactly
-//! conservative for any hull. The sheet's form (N = kS along the face's normal, through the centroid) is
+//! conservative for any hull. The simpler form (N = kS along the face's normal, through the centroid) is
 //! this without the lateral part ½k[d²] at the ends of the face, which sliding along a tilted hull
 //! would turn into work out of nothing.
 

@@ -67,7 +67,7 @@ pub struct Contact {
     /// Angle between a fender's face and the hull [rad]; 0 for outline on outline.
     pub tilt_rad: f64,
     /// Energy that a fender's spring and stop store at the start of the step [J]; 0 for outline on
-    /// outline, whose law has no potential (§2 of the sheet).
+    /// outline, whose law has no potential (docs/contact_model.md, section 2).
     pub stored_j: f64,
     /// The largest of it within the step, sub-steps included [J].
     pub peak_stored_j: f64,

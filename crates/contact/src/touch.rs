@@ -156,7 +156,7 @@ pub(crate) fn touch(
     Touch { normal, levers_a, levers_b, v_normal_mps, v_tangential_mps, shear_m, ..pressed }
 }
 
-/// Outline against outline: kS along the chord's normal, at the centroid (§1, §2 of the sheet).
+/// Outline against outline: kS along the chord's normal, at the centroid (docs/contact_model.md, sections 1 and 2).
 #[inline(always)]
 fn by_area(
     scene: &Scene<'_>,

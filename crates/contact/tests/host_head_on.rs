@@ -1,5 +1,5 @@
 //! Hosts that show old states and tell no loads, in one dimension: 1000 t against k·width = 6.5 MN/m
-//! (§6.7 of the contact model), against closed forms.
+//! (docs/contact_model.md, section 6, item 7), against closed forms.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
@@ -128,8 +128,8 @@ fn loads_that_are_told_serve_as_well_as_observed_ones() {
     }
 }
 
-/// What the predictor is for. The sheet's prototype left at 0.89 and 2.47 m/s; 2 % at 0.1 s, for the
-/// sheet's gap is not told and the answer hangs on where the first step falls (here: the gap of the
+/// What the predictor is for. A prototype without it left at 0.89 and 2.47 m/s; 2 % at 0.1 s, for that
+/// prototype's gap is not known and the answer hangs on where the first step falls (here: the gap of the
 /// paper's Fig. 8). At 0.5 s, where she leaves faster than she came, the engine's letting go of stored
 /// energy, which the prototype did not have, adds more than that.
 #[test]
@@ -173,7 +173,7 @@ fn without_the_observer_a_steady_load_takes_the_tug_too_deep() {
         let settings = HostSettings { delay_steps, integration };
         let with_m = depth_m(delay_steps, Service::Following(settings));
         assert!((with_m / (PUSH_N / STIFFNESS_NPM) - 1.0).abs() < 1e-6, "{with_m} m");
-        // Metres in the sheet's prototype, 15.7 and 24.6 with a delay; here the engine lets go of what
+        // Metres in a prototype, 15.7 and 24.6 with a delay; here the engine lets go of what
         // no load that it knows of holds, and the depth is wrong by a factor.
         for without in [Service::Plain, Service::ToldNothing(settings)] {
             let creep_m = depth_m(delay_steps, without);

@@ -1,4 +1,4 @@
-//! §7 of the contact model: the same contact whichever body is first, in a mirror, far away, at any
+//! docs/contact_model.md, section 7: the same contact whichever body is first, in a mirror, far away, at any
 //! heading; and the same bits whatever the order in which the bodies were added.
 
 mod support;

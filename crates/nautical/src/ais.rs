@@ -181,8 +181,8 @@ pub fn ais_ship_data(of: &ShipData, own: bool, sequence: u8) -> Vec<String> {
 mod tests {
     use super::*;
 
-    /// The example of the AIVDM article of Wikipedia and of gpsd, with its decoded fields (recalled, and held
-    /// against pyais in `check.py`).
+    /// The example of the AIVDM article of Wikipedia and of gpsd, with its decoded fields, held
+    /// against two parsers in `check.py`.
     #[test]
     fn a_published_position_report_comes_out_letter_by_letter() {
         let report = PositionReport {

@@ -10,7 +10,7 @@ use fenderline_sim::environment::waves::{ShipInWaves, first_order_motion};
 use fenderline_sim::environment::wind::ShipWindage;
 use fenderline_sim::{Simulation, WorldEventKind};
 
-/// The design sheet's container ship alone on the water.
+/// The paper's container ship alone on the water.
 const SHIP: &str = r#"
 [time]
 step = "0.5 s"
@@ -72,9 +72,9 @@ fn windage(method: &str) -> ShipWindage {
     scenario.setup.world.vessels[0].windage.expect("she has wind areas")
 }
 
-/// The design sheet's §4, to half of its last digit; the perimeter is not in the sheet, 700 m was fitted.
+/// The numbers of validation/independent/ship_formulas.py, to half of the last digit.
 #[test]
-fn isherwood_and_blendermann_give_the_sheet_s_coefficients_through_a_scenario() {
+fn isherwood_and_blendermann_give_their_coefficients_through_a_scenario() {
     let isherwood = windage(
         "method = \"isherwood\", perimeter = 700, superstructure_area = 1500, mast_groups = 1",
     );
@@ -404,7 +404,7 @@ fn a_table_with_heave_the_wrong_way_round_is_pointed_at() {
     );
 }
 
-/// The design sheet's squat at 8 kn and 1.2 draughts, to half of its last digit (Eryuzlu's is cut, not rounded).
+/// Squat at 8 kn and 1.2 draughts by hand from the three formulas, to half of the last digit.
 #[test]
 fn a_ship_under_way_squats_by_the_formula_that_is_asked_for() {
     for (squat, expected_m) in

@@ -117,7 +117,7 @@ fn every_built_in_vessel_is_there_and_has_a_source_for_every_number() {
     }
 }
 
-/// The design sheet's table of KVLCC2, §1, number by number.
+/// Yasukawa & Yoshimura (2015), tables 1 and 3, number by number.
 #[test]
 #[rustfmt::skip]
 fn kvlcc2_has_the_published_numbers() {
@@ -184,7 +184,7 @@ fn kvlcc2_has_the_published_numbers() {
     assert!(told("sway_polynomial.x_vvvv") && told("rudder.race_gain") && told("rudder.rate"));
 }
 
-/// The design sheet's table of KCS, §1. 1 − (1 − t) is t to the last bit in all three.
+/// KCS, number by number (vessels/kcs.toml says where they are from). 1 − (1 − t) is t to the last bit in all three.
 #[test]
 #[rustfmt::skip]
 fn kcs_has_the_published_numbers() {
@@ -231,7 +231,7 @@ fn kcs_has_the_published_numbers() {
     assert!((vessel.shaft.expect("a shaft").full_rps - 115.5 / 60.0).abs() < 1e-12);
 }
 
-/// The design sheet's coefficients of Esso Osaka, §2.
+/// Esso Osaka by Miyauchi et al. (2022), number by number.
 #[test]
 #[rustfmt::skip]
 fn esso_osaka_has_the_published_numbers() {

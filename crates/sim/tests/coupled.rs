@@ -1,4 +1,4 @@
-//! The coupled method against every row of the contact model's §5: what the paper's method gets
+//! The coupled method against every row of docs/contact_model.md, section 5: what the paper's method gets
 //! wrong, with the right answers.
 
 mod support;

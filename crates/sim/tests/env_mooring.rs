@@ -1,4 +1,4 @@
-//! Mooring lines against the design sheet's reference, closed forms and the laws of a passive line.
+//! Mooring lines against MoorPy, closed forms and the laws of a passive line.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 const G: f64 = 9.806_65;
 
-/// The cable of the design sheet: EA 1e9 N, 200 kg/m, ø 0.1 m in sea water.
+/// The cable of validation/lines_and_tugs.toml: EA 1e9 N, 200 kg/m, ø 0.1 m in sea water.
 fn reference(length_m: f64) -> Cable {
     let displaced_kgpm = 1025.0 * std::f64::consts::PI * 0.1 * 0.1 / 4.0;
     Cable { length_m, axial_stiffness_n: 1e9, weight_npm: (200.0 - displaced_kgpm) * G }
@@ -17,8 +17,8 @@ fn close(ours: f64, theirs: f64, relative: f64) {
     assert!((ours / theirs - 1.0).abs() < relative, "{ours} for {theirs}");
 }
 
-/// MoorPy and MoorDyn, design sheet §5: span 200 m, depth 50 m, 210 m of cable: T 577.7, H 483.6,
-/// V 316.0 kN. Asked for: 0.2 %; the sheet prints four digits.
+/// MoorPy 3.0, and the sums of validation/independent/ship_formulas.py: span 200 m, depth 50 m, 210 m of cable: T 577.7, H 483.6,
+/// V 316.0 kN. Held to 0.2 %.
 #[test]
 fn the_reference_cable_of_moorpy_and_moordyn() {
     let c = catenary(&reference(210.0), 200.0, 50.0, true);
@@ -220,7 +220,7 @@ fn a_pretension_is_met() {
     }
 }
 
-/// Design sheet §5: the brake renders at 60 % of the ship design MBL, whatever the step and the speed.
+/// The brake renders at 60 % of the ship design MBL, whatever the step and the speed.
 #[test]
 fn a_brake_renders_at_its_setting_and_takes_nothing_back() {
     let winch = Winch::of_design(MBL_N, 100.0);

@@ -1,4 +1,4 @@
-//! Vector tugs: envelope against the design sheet, lag against its exponential, orders and their limits.
+//! Vector tugs: envelope against its formula by hand, lag against its exponential, orders and their limits.
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
@@ -12,7 +12,7 @@ const KNOT_MPS: f64 = 1852.0 / 3600.0;
 const G: f64 = 9.806_65;
 const BP_N: f64 = 60e3 * G;
 
-/// Design sheet §6: 60 t bollard pull, 32 × 4.5 m, Cd 0.73.
+/// 60 t bollard pull, 32 × 4.5 m, Cd 0.73.
 const SIXTY: TugEnvelope = TugEnvelope {
     bollard_pull_n: BP_N,
     length_m: 32.0,
@@ -39,7 +39,7 @@ fn push(force_n: f64) -> TugOrder {
 
 /// 80 % at 5 kn, 49 % at 6, none at 6.4 kn, as printed (6.42 kn is where D = BP).
 #[test]
-fn the_sheets_envelope_beam_on() {
+fn the_envelope_beam_on() {
     let share = |knots: f64| SIXTY.available_n(FRAC_PI_2, knots * KNOT_MPS, 1025.0) / BP_N;
     println!("5 kn {:.4}, 6 kn {:.4}, 6.42 kn {:.4}", share(5.0), share(6.0), share(6.42));
     assert_eq!(share(0.0), 1.0);

@@ -9,39 +9,39 @@ use fenderline_sim::environment::waves::*;
 use proptest::prelude::*;
 
 const G: f64 = 9.806_65;
-const SHEET: Jonswap = Jonswap { height_m: 2.0, peak_period_s: 8.0, peak_enhancement: 3.3 };
+const SEA: Jonswap = Jonswap { height_m: 2.0, peak_period_s: 8.0, peak_enhancement: 3.3 };
 
 fn sea(harmonics: usize, seed: u64) -> Sea {
-    Sea::jonswap(&SHEET, 0.0, 1000.0, Realisation { harmonics, seed }).unwrap()
+    Sea::jonswap(&SEA, 0.0, 1000.0, Realisation { harmonics, seed }).unwrap()
 }
 
-/// Design sheet §4: Hs 2 m, Tp 8 s, γ 3.3: m₀ 0.2503, 4√m₀ 2.001. That is the integral to 4 rad/s; the tail
+/// validation/independent/ship_formulas.py: Hs 2 m, Tp 8 s, γ 3.3: m₀ 0.2503, 4√m₀ 2.001. That is the integral to 4 rad/s; the tail
 /// beyond, 0.2054 (ω_p/ω)⁴ in closed form, brings 0.2506. Trapezoids of 1e-4 rad/s.
 #[test]
-fn the_spectrum_holds_the_sheets_energy() {
+fn the_spectrum_holds_its_energy() {
     let dw = 1e-4;
     let m0_to = |radps: f64| -> f64 {
-        (2000..(radps / dw) as u32).map(|k| SHEET.density(dw * f64::from(k)) * dw).sum()
+        (2000..(radps / dw) as u32).map(|k| SEA.density(dw * f64::from(k)) * dw).sum()
     };
     let m0 = m0_to(4.0);
     println!("m0 {m0:.5} to 4 rad/s, {:.5} to 20 rad/s, 4√m0 {:.4}", m0_to(20.0), 4.0 * m0.sqrt());
     assert!((m0 - 0.2503).abs() < 0.5e-4, "{m0}");
     assert!((4.0 * m0.sqrt() - 2.001).abs() < 0.5e-3);
-    let tail = 0.3125 * (1.0 - 0.287 * 3.3_f64.ln()) * (SHEET.peak_radps() / 4.0).powi(4);
+    let tail = 0.3125 * (1.0 - 0.287 * 3.3_f64.ln()) * (SEA.peak_radps() / 4.0).powi(4);
     assert!((m0_to(20.0) - m0 - tail).abs() < 1e-5);
 }
 
 /// γ = 1 is Pierson–Moskowitz, whose m₀ is Hs²/16 in closed form; the peak lies at ω_p.
 #[test]
 fn without_enhancement_it_is_pierson_moskowitz() {
-    let sea = Jonswap { peak_enhancement: 1.0, ..SHEET };
+    let sea = Jonswap { peak_enhancement: 1.0, ..SEA };
     let dw = 1e-4;
     let m0: f64 = (1..=500_000).map(|k| sea.density(dw * f64::from(k)) * dw).sum();
     // The tail beyond 50 rad/s: below 1e-5.
     assert!((m0 / 0.25 - 1.0).abs() < 1e-4, "{m0}");
-    let wp = SHEET.peak_radps();
-    assert!(SHEET.density(wp) > SHEET.density(1.01 * wp));
-    assert!(SHEET.density(wp) > SHEET.density(0.99 * wp));
+    let wp = SEA.peak_radps();
+    assert!(SEA.density(wp) > SEA.density(1.01 * wp));
+    assert!(SEA.density(wp) > SEA.density(0.99 * wp));
 }
 
 /// However many harmonics: 4√m₀ is Hs to rounding.
@@ -50,7 +50,7 @@ fn a_sea_keeps_its_significant_height() {
     for harmonics in [1, 10, 200] {
         assert!((sea(harmonics, 5).significant_height_m() - 2.0).abs() < 1e-12);
     }
-    let calm = Jonswap { height_m: 0.0, ..SHEET };
+    let calm = Jonswap { height_m: 0.0, ..SEA };
     let realisation = Realisation { harmonics: 20, seed: 1 };
     let calm = Sea::jonswap(&calm, 0.0, 50.0, realisation).unwrap();
     assert_eq!(calm.elevation_m(vec2(3.0, 4.0), 5.0), 0.0);
@@ -101,7 +101,7 @@ fn a_regular_wave_runs_where_it_should() {
     assert!((sea.mean_period_s() - 8.0).abs() < 1e-12);
 }
 
-/// The container ship of the design sheet: 298 × 46 × 9 m, Cb 0.694, roll 16.5 s at GM 5 m.
+/// The paper's container ship: 298 × 46 × 9 m, Cb 0.694, roll 16.5 s at GM 5 m.
 const SHIP: BoxShip = BoxShip {
     length_m: 298.0,
     beam_m: 46.0,
@@ -226,11 +226,11 @@ fn mean_drift_is_that_of_a_wall() {
 #[test]
 fn absurd_seas_are_refused_by_name() {
     let realisation = Realisation { harmonics: 10, seed: 0 };
-    let high = Jonswap { height_m: 1e6, ..SHEET };
+    let high = Jonswap { height_m: 1e6, ..SEA };
     let error = Sea::jonswap(&high, 0.0, 10.0, realisation).unwrap_err().to_string();
     assert_eq!(error, "significant wave height [m] must be between 0 and 30, but is 1000000");
-    assert!(Sea::jonswap(&SHEET, f64::NAN, 10.0, realisation).is_err());
-    assert!(Sea::jonswap(&SHEET, 0.0, 0.0, realisation).is_err());
+    assert!(Sea::jonswap(&SEA, f64::NAN, 10.0, realisation).is_err());
+    assert!(Sea::jonswap(&SEA, 0.0, 0.0, realisation).is_err());
     let steep = RegularWave { height_m: 10.0, period_s: 4.0, phase_rad: 0.0 };
     assert!(Sea::regular(steep, 0.0, 10.0).unwrap_err().to_string().contains("wave height"));
     let one = vec![[Complex::default(); 6]; 2];

@@ -8,8 +8,7 @@ use fenderline_contact::vec2;
 use fenderline_sim::environment::wind::*;
 use proptest::prelude::*;
 
-/// The container ship of the design sheet: 298 × 46 m, A_L 9000 m², A_F 1700 m², centroid amidships. The
-/// perimeter is the one with which Isherwood's CY at 60° is the sheet's; nothing else depends on it there.
+/// The ship of validation/independent/ship_formulas.py: 298 × 46 m, A_L 9000 m², A_F 1700 m², centroid amidships.
 fn container_ship(method: WindMethod) -> ShipWindage {
     ShipWindage {
         length_m: 298.0,
@@ -52,8 +51,7 @@ fn printed(ours: f64, theirs: f64) {
     assert!((ours - theirs).abs() <= 0.5e-3, "{ours} for {theirs}");
 }
 
-/// Design sheet §4, to the printed digits. The sheet does not give the perimeter, and 700 m was chosen for
-/// CY at 60°: that row checks the table's other terms only as far as such a perimeter is likely.
+/// validation/independent/ship_formulas.py, to the printed digits.
 #[test]
 fn isherwood_of_the_container_ship() {
     printed(isherwood().coefficients(FRAC_PI_2).sway, 0.781);
@@ -62,7 +60,7 @@ fn isherwood_of_the_container_ship() {
     printed(isherwood().coefficients(0.0).surge, -0.467);
 }
 
-/// Design sheet §4, to the printed digits; the side force at 20 m/s to 1 kN.
+/// The same script, to the printed digits; the side force at 20 m/s to 1 kN.
 #[test]
 fn blendermann_of_the_container_ship() {
     printed(blendermann().coefficients(FRAC_PI_2).sway, 0.900);

@@ -82,7 +82,7 @@ fn row_of(count: usize, height_m: f64, rated_reaction_n: f64) -> Vec<FenderSetup
         .collect()
 }
 
-/// What the sheet asks of the ledger, to rounding.
+/// The ledger closes, to rounding.
 fn assert_balanced(energy: &Energy, start_j: f64) {
     let parts_j = energy.stored_j
         + energy.shear_stored_j

@@ -1,10 +1,10 @@
 //! Turning circles and zig-zags of published ships against an independent calculation and the experiment.
 //!
-//! All reference numbers are those of the design sheet (hydrodynamics.md §1): AD and TD in lengths, overshoots in
-//! degrees. The *independent* calculation is another program's, from the same coefficients, printed to two
-//! decimals (AD, TD) and one (overshoots): within 1 % or half a unit of the last printed place, where that is
-//! more. The *experiment* is the free-running model of 7 m: a model from captive tests is accepted within 12 % (AD,
-//! TD), 4° (first overshoot) and 8° (second).
+//! AD and TD are in lengths, overshoots in degrees. The *independent* calculation is
+//! validation/independent/mmg_standard.py, from the same coefficients, here to two decimals (AD, TD) and one
+//! (overshoots): within 1 % or half a unit of the last place, where that is more. The *experiment* is the free-running
+//! model of 7 m of Yasukawa & Yoshimura (2015): a model from captive tests is accepted within 12 % (AD, TD), 4° (first
+//! overshoot) and 8° (second, which the authors' own calculation misses by 6°).
 
 #[path = "support/ships.rs"]
 mod ships;
@@ -98,7 +98,7 @@ fn kvlcc2_turns_and_overshoots_near_the_experiment() {
 }
 
 /// The paper's own calculation is of the model of 7 m: within 8 % at that scale. (With R'₀ = 0.022 nobody comes
-/// nearer, by the design sheet; the ship of 320 m, with her thinner wake, is 6 to 11 % off.) Overshoots within 2°.
+/// nearer; the ship of 320 m, with her thinner wake, is 6 to 11 % off.) Overshoots within 2°.
 #[test]
 fn kvlcc2_model_turns_and_overshoots_near_the_published_calculation() {
     let vessel = kvlcc2_model();

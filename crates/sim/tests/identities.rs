@@ -1,4 +1,4 @@
-//! The identities of the contact model's §7: they need no reference data.
+//! The identities of docs/contact_model.md, section 7: they need no reference data.
 
 mod support;
 

@@ -1,4 +1,4 @@
-//! The table of the contact model's §5, both columns: what the paper's method gives and what is right.
+//! The table of docs/contact_model.md, section 5, both columns: what the paper's method gives and what is right.
 //! The wrong answers are held too, so that the comparison stays what it is said to be.
 
 mod support;

@@ -76,9 +76,9 @@ fn introduction(sources: &[Source]) -> Markup {
         }
         p {
             "How sure a number is that ours is held against: published, and taken from the publication "
-            "(for the ship's forces, by way of the project's data sheet); computed by another program from "
-            "the same data; recalled, where the formula or curve was not read, so that agreement shows "
-            "that it is coded as it was recalled and no more; or a closed form."
+            "or its authors' code; computed by another program from the same data, most often one under "
+            "validation/independent; recalled, where the formula or curve was not read, so that agreement "
+            "shows that it is coded as it was recalled and no more; or a closed form."
         }
         h3 { "The paper's contact experiments" }
         p {

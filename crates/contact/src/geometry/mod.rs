@@ -1,4 +1,4 @@
-//! Geometry of one contact (§1 of the contact model; §3.1 of the paper).
+//! Geometry of one contact (docs/contact_model.md, section 1; §3.1 of the paper).
 //!
 //! Everything here happens in the frame of the first body of a pair, so that neither the distance
 //! to the chart's origin nor the size of the port costs a digit.

@@ -1,7 +1,7 @@
 //! Work of a closed, frictionless loop: the corner of a hull is taken round the corner of a quay and
 //! back to where it was, the bow into the quay on one side and out on the other.
 //!
-//! Along the chord's normal kS is no gradient of anything (contact model §2), so that each round gains or
+//! Along the chord's normal kS is no gradient of anything (docs/contact_model.md, section 2), so that each round gains or
 //! loses; along a face it is one, and a round does nothing.
 
 use std::f64::consts::{PI, TAU};

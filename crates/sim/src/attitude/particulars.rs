@@ -57,12 +57,11 @@ pub struct FloatParticulars {
     pub water_kgpm3: f64,
 }
 
-/// Added mass in heave over displacement: a ship with a beam of five draughts (hydrodynamics sheet §7,
-/// *recalled*).
+/// Added mass in heave over displacement: a ship with a beam of five draughts (*recalled*).
 const ADDED_HEAVE: f64 = 2.0;
-/// ζ of heave, roll and pitch (sheet §7; heave's is ours), *recalled*.
+/// ζ of heave, roll and pitch: roll's and pitch's as usual for bare hulls with bilge keels (*recalled*), heave's ours.
 const DAMPING: [f64; 3] = [0.3, 0.15, 0.3];
-/// Roll's radius of gyration over beam, added inertia included (sheet §7).
+/// Roll's radius of gyration over beam, added inertia included (*recalled*: 0.35 to 0.45 are usual).
 const ROLL_GYRADIUS: f64 = 0.40;
 /// Pitch's radius of gyration over length, without added inertia.
 const PITCH_GYRADIUS: f64 = 0.25;
@@ -160,7 +159,7 @@ mod tests {
         water_kgpm3: 1025.0,
     };
 
-    /// The sheet's periods: heave about 9.9 s; roll 36.9, 26.1 and 16.5 s at GM 1, 2 and 5 m, printed to
+    /// The closed forms of validation/independent/ship_formulas.py: heave 9.87 s; roll 36.9, 26.1 and 16.5 s at GM 1, 2 and 5 m, printed to
     /// a tenth.
     #[test]
     fn the_container_ships_periods() {

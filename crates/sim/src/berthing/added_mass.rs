@@ -51,7 +51,7 @@ pub fn vasco_costa_added_mass(draught_m: f64, beam_m: f64) -> Result<f64, Berthi
 mod tests {
     use super::*;
 
-    /// The check values of the design sheet: KC 6.28 m, D 13.72 m, B 51 m, Cb 0.831. They are given
+    /// By hand from the three formulas: KC 6.28 m, D 13.72 m, B 51 m, Cb 0.831. They are given
     /// to three decimals.
     #[allow(clippy::approx_constant, reason = "6.28 m is a clearance, not 2π")]
     #[test]

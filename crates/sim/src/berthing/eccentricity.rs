@@ -101,7 +101,7 @@ impl ContactPoint {
 mod tests {
     use super::*;
 
-    /// The check value of the design sheet: Cb 0.796, L 236 m, B 43 m, third-point, 5°.
+    /// By hand from the formula: Cb 0.796, L 236 m, B 43 m, third-point, 5°.
     #[test]
     fn the_published_example() {
         let contact = ContactPoint { along_m: 236.0 / 6.0, beam_m: 43.0 };

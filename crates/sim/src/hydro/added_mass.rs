@@ -1,8 +1,8 @@
 //! Added mass in surge, sway and yaw from main particulars.
 //!
-//! Everything here is an estimate, to be shown as such. The regressions are recalled, not read in
-//! their sources; they reproduce the numbers of the design sheet for the paper's two ships
-//! (`tests/hydro_masses.rs`).
+//! Everything here is an estimate, to be shown as such. Clarke's formula was read in a public toolbox; the
+//! regression on Motora's charts is recalled. Both are held against potential flow by `fenderline validate`
+//! (validation/added_mass.toml).
 
 use std::f64::consts::PI;
 
@@ -41,8 +41,7 @@ impl AddedMass {
     }
 }
 
-/// Regression of Zhou, Sheng & Feng on Motora's charts. The surge term is recalled; sway and yaw are
-/// those of the design sheet.
+/// Regression of Zhou, Sheng & Feng (1983) on Motora's charts, as it is handed on: recalled, no print was read.
 ///
 /// # Errors
 /// [`HydroError::NegativeAddedMass`] where the hull is outside the charts.
@@ -72,7 +71,8 @@ pub fn zhou_added_mass(ship: &Particulars) -> Result<AddedMass, HydroError> {
     })
 }
 
-/// Clarke, Gedling & Hine (1983), added mass in sway [m³] and in yaw [m⁵], both over the density:
+/// Clarke, Gedling & Hine (1983), read in clarke83.m of the MSS toolbox: added mass in sway [m³] and in yaw [m⁵],
+/// both over the density:
 /// −Y'v̇ = π(T/L)²[1 + 0.16 Cb B/T − 5.1 (B/L)²] by ½ρL³ and
 /// −N'ṙ = π(T/L)²[1/12 + 0.017 Cb B/T − 0.33 B/L] by ½ρL⁵.
 ///

@@ -23,8 +23,8 @@ pub fn ittc_1957(reynolds: f64) -> Result<f64, HydroError> {
 
 impl Mmg {
     /// The same ship with her own friction instead of that of the model whose resistance she has, both at the Froude
-    /// number of a speed [m/s]: the difference of the ITTC 1957 line on the wetted surface by Mumford, 1.7Ld + ∇/d
-    /// (recalled). No form factor and no roughness, which would take more and add some.
+    /// number of a speed [m/s]: the difference of the ITTC 1957 line on the wetted surface 1.7Ld + ∇/d (UFC 4-159-03,
+    /// eq. 18 and 19, read). No form factor and no roughness, which would take more and add some.
     ///
     /// # Errors
     /// [`HydroError::OutOfRange`] for a speed or a length of model that none has, or where no resistance would be left.

@@ -29,7 +29,7 @@ impl TunnelThruster {
 }
 
 /// What is left of a tunnel thruster's turning moment at a speed [m/s]: all at rest, half at 4 knots, all
-/// again at 15 (trials of a tanker of 60 000 t, 1967, by the design sheet), by smooth steps between.
+/// again at 15 (trials of a tanker of 60 000 t, 1967, recalled: the report was not read), by smooth steps between.
 pub fn tunnel_effect(surge_mps: f64) -> f64 {
     let speed_mps = surge_mps.abs();
     let lost = 1.0 - WORST;

@@ -79,7 +79,7 @@ pub fn catenary(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Cat
 /// H and V by Newton's method in both; `None` where it has not settled to 1e-12 of the length.
 fn newton(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Option<(f64, f64)> {
     let (l, w) = (cable.length_m, cable.weight_npm);
-    // λ of the inextensible cable: sinh λ/λ ≈ 1 + λ²/6; 0.2 where it is taut (Jonkman; recalled).
+    // λ of the inextensible cable: sinh λ/λ ≈ 1 + λ²/6; 0.2 where it is taut (Jonkman, as in MoorPy's Catenary.py).
     let excess = 3.0 * ((l * l - rise_m * rise_m) / (span_m * span_m) - 1.0);
     let lambda = if excess > 0.04 { excess.sqrt() } else { 0.2 };
     let mut h = 0.5 * w * span_m / lambda;

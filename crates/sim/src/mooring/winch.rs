@@ -44,7 +44,7 @@ pub struct WinchNotes {
 
 impl Winch {
     /// A winch for a ship design MBL: brake set to render at 60 %, motor 30 % (both found in public
-    /// summaries of MEG4 and of brake tests: 60 %, pull 22 to 33 %), 0.25 m/s (recalled).
+    /// summaries of MEG4 and of brake tests: 60 %, pull 22 to 33 %), 0.25 m/s (assumed).
     #[must_use]
     pub fn of_design(ship_design_mbl_n: f64, reserve_m: f64) -> Winch {
         Winch {

@@ -13,7 +13,7 @@ pub struct TugEnvelope {
     pub beam_m: f64,
     /// Draught of hull and skeg [m].
     pub draught_m: f64,
-    /// Drag coefficient of the hull across the flow; 0.73 (design sheet §6).
+    /// Drag coefficient of the hull across the flow; 0.73 is ours, for a tug beam-on.
     pub drag_coefficient: f64,
 }
 
@@ -34,7 +34,7 @@ impl TugEnvelope {
     /// The greatest force [N] that the tug gives at an angle [rad] from the direction in which she and the
     /// ship go through the water, at a speed [m/s].
     ///
-    /// Derived, unvalidated (design sheet §6; no published envelope was found): the tug lies along the force.
+    /// Derived by us, unvalidated (no published envelope was found): the tug lies along the force.
     /// Her thrust gives the force F and overcomes her own drag D against the motion, |F·e + D·x| = BP, so
     /// that F = √(BP² − D² sin²θ) − D cos θ; beam-on it is √(BP² − D²), and 0 where BP < D. D = ½ρ Cd T V² (L sin²θ + B cos²θ):
     /// her side to the flow when she pushes across, her end when along (with the same Cd: ours). Drag that

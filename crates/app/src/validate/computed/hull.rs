@@ -93,7 +93,7 @@ fn shallow_factors(values: &mut Values) {
 
 /// 0.5 m/s abeam of the container ship.
 fn current(values: &mut Values) {
-    // The midship coefficient is not in the sheet; 0.98 is usual for container ships.
+    // The midship coefficient is assumed; validation/independent/ship_formulas.py takes the same.
     let (ship, midship_coefficient) = (container(), 0.98);
     for (ratio, name) in [(100.0, "100"), (2.0, "2"), (1.2, "1.2")] {
         let depth_m = ratio * ship.draught_m;

@@ -22,7 +22,7 @@ pub(super) fn compute(values: &mut Values) {
     tug(values);
 }
 
-/// Hs 2 m, Tp 8 s, γ 3.3, to 4 rad/s as the sheet has it, in strips of 1e-3 rad/s.
+/// Hs 2 m, Tp 8 s, γ 3.3, from 0.2 to 4 rad/s, in strips of 1e-3 rad/s.
 fn jonswap_m0_m2() -> f64 {
     let sea = Jonswap { height_m: 2.0, peak_period_s: 8.0, peak_enhancement: 3.3 };
     let strip_radps = 1e-3;

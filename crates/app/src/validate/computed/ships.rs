@@ -11,7 +11,7 @@ pub(super) fn vessel(name: &str) -> Vessel {
     data(name).trial()
 }
 
-/// The paper's container ship as the design sheet has her: coefficients by the length overall.
+/// The paper's container ship, with coefficients by the length overall, the only length that the paper gives.
 pub(super) fn container() -> Particulars {
     by_length_overall("container-ship")
 }

@@ -1,6 +1,6 @@
-//! Wind coefficients of the container ship of the design sheet.
+//! Wind coefficients of the paper's container ship, with areas that are assumed (298 × 46 m, A_L 9000 m², A_F 1700 m²).
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
 
 use fenderline_sim::environment::wind::{
     Blendermann, Fujiwara, Isherwood, RelativeWind, ShipWindage, WindMethod,
@@ -8,22 +8,34 @@ use fenderline_sim::environment::wind::{
 
 use super::Values;
 
-/// Density of air with which the sheet's side force was calculated [kg/m³].
+/// Density of the air of the side force, as validation/independent/ship_formulas.py has it [kg/m³].
 const AIR_KGPM3: f64 = 1.224;
 
 pub(super) fn compute(values: &mut Values) {
     let isherwood = ship(WindMethod::Isherwood(Isherwood {
-        // Not in the sheet: with it CY at 60° is the sheet's; CY at 90° and CX at 0° do not depend on it.
+        // Assumed, as in validation/independent/ship_formulas.py.
         perimeter_m: 700.0,
         superstructure_m2: 1500.0,
         mast_groups: 1.0,
     }));
     let of_type = Blendermann::of_type("container ship, loaded").expect("a type of the table");
     let blendermann = ship(WindMethod::Blendermann(of_type));
-    for (name, windage) in [("isherwood", &isherwood), ("blendermann", &blendermann)] {
-        values.put(format!("{name}/sway_90"), windage.coefficients(FRAC_PI_2).sway, "");
-        values.put(format!("{name}/sway_60"), windage.coefficients(FRAC_PI_3).sway, "");
-        values.put(format!("{name}/surge_0"), windage.coefficients(0.0).surge, "");
+    for (angle_rad, at) in [(0.0, "0"), (FRAC_PI_3, "60"), (PI, "180")] {
+        let surge = isherwood.coefficients(angle_rad).surge;
+        values.put(format!("isherwood/surge_{at}"), surge, "");
+    }
+    for (angle_rad, at) in [(FRAC_PI_3, "60"), (FRAC_PI_2, "90"), (2.0 * FRAC_PI_3, "120")] {
+        values.put(format!("isherwood/sway_{at}"), isherwood.coefficients(angle_rad).sway, "");
+    }
+    for (angle_rad, at) in [(0.0, "0"), (FRAC_PI_6, "30")] {
+        let surge = blendermann.coefficients(angle_rad).surge;
+        values.put(format!("blendermann/surge_{at}"), surge, "");
+    }
+    for (angle_rad, at) in [(FRAC_PI_6, "30"), (FRAC_PI_3, "60"), (FRAC_PI_2, "90")] {
+        values.put(format!("blendermann/sway_{at}"), blendermann.coefficients(angle_rad).sway, "");
+    }
+    for (angle_rad, at) in [(FRAC_PI_3, "60"), (2.0 * FRAC_PI_3, "120")] {
+        values.put(format!("blendermann/yaw_{at}"), blendermann.coefficients(angle_rad).yaw, "");
     }
     values.put("fujiwara/surge_0", esso_osaka_model().coefficients(0.0).surge, "");
     let abeam = RelativeWind { speed_mps: 20.0, angle_rad: FRAC_PI_2 };

@@ -29,7 +29,7 @@ pub struct BoxShip {
     pub block_coefficient: f64,
     /// Natural period of roll [s].
     pub roll_period_s: f64,
-    /// Damping of roll as a share of the critical one; 0.15 (design sheet §7).
+    /// Damping of roll as a share of the critical one; 0.15 unless it is known.
     pub roll_damping: f64,
 }
 

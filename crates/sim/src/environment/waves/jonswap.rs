@@ -6,7 +6,7 @@ use crate::range::{OutOfRange, within};
 
 /// A JONSWAP sea: S(ω) = A·(5/16) Hs² ω_p⁴ ω⁻⁵ exp(−1.25 (ω_p/ω)⁴)·γ^b,
 /// b = exp(−(ω−ω_p)²/(2σ²ω_p²)), σ = 0.07 up to ω_p and 0.09 beyond, A = 1 − 0.287 ln γ (the form of
-/// DNV-RP-C205; recalled, and checked by the design sheet's m₀).
+/// DNV-RP-C205, read in the MSS toolbox's waveSpectrum.m, and integrated in validation/independent/ship_formulas.py).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jonswap {
     /// Hs, significant wave height [m].

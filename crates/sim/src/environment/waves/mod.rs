@@ -2,7 +2,7 @@
 //!
 //! A [`Sea`] is a sum of long-crested harmonics; its elevation is ζ = Σ a·cos(ωt − k·x + ε), upwards. A
 //! [`MotionResponse`] turns it into the motion of a ship that is superposed on her manoeuvring:
-//! [`first_order_motion`]. Not Cummins' equations: no memory, no coupling back (design sheet §7).
+//! [`first_order_motion`]. Not Cummins' equations: no memory, no coupling back.
 //!
 //! The direction of a wave is that it runs *towards*, clockwise from north. μ is that direction from the
 //! bow: 0 from astern, π from ahead, 0 < μ < π from port. Motions are surge, sway, heave *down*, roll to

@@ -3,7 +3,7 @@
 use crate::hydro::quantities::{Force, Velocity, Water};
 
 /// Drag coefficient of a section over B/2T, Hoerner's curve as digitised in Fossen's MSS toolbox
-/// (recalled; at B/2T = 2.556 it gives the 0.6015 of the design sheet).
+/// (the points of Hoerner.m of the MSS toolbox, after Leite et al., Appl. Ocean Res. 20, 1998).
 const HOERNER: [[f64; 2]; 20] = [
     [0.0109, 1.9661],
     [0.1766, 1.9657],
