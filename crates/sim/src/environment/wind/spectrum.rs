@@ -38,7 +38,8 @@ pub enum GustSpectrum {
     },
 }
 
-/// C₁₀ over the sea, (0.75 + 0.067 U₁₀)·10⁻³ (Garratt 1977; recalled).
+/// C₁₀ over the sea, (0.75 + 0.067 U₁₀)·10⁻³, for 4 to 21 m/s (Garratt, Monthly Weather Review 105, 1977; its abstract
+/// was read).
 #[must_use]
 pub fn surface_drag(speed_mps: f64) -> f64 {
     (0.75 + 0.067 * speed_mps) * 1e-3
