@@ -107,7 +107,10 @@ impl fmt::Display for StepError {
                 write!(f, "the model has {bodies} bodies, but {states} states were given")
             }
             StepError::BadTimeStep { step_s } => {
-                write!(f, "the time step is {step_s} s: it must be positive and finite")
+                write!(
+                    f,
+                    "the time step is {step_s} s: 1e-9 s to 1e6 s is taken, and 0 for a pause"
+                )
             }
             StepError::BadState { body, field, value } => {
                 write!(f, "{field} of body `{body}` is {value}")

@@ -60,6 +60,7 @@ mod number;
 pub mod outline;
 mod overlap;
 mod pairing;
+mod pause;
 mod ranked;
 mod report;
 mod snapshot;

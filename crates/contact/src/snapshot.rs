@@ -27,7 +27,7 @@ use crate::state::BodyState;
 use crate::vec2::{Rotation, Vec2, vec2};
 
 /// The version that [`Memory::snapshot`] writes and [`Memory::restore`] reads.
-pub const SNAPSHOT_VERSION: u32 = 5;
+pub const SNAPSHOT_VERSION: u32 = 6;
 
 const MAGIC: &[u8; 8] = b"fndrline";
 const STATE_BYTES: usize = 48;

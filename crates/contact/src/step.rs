@@ -16,6 +16,7 @@ use crate::limit::paper::{self, Velocities};
 use crate::memory::{Memory, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::overlap::{Patch, overlap};
+use crate::pause::pause;
 use crate::report::{Contact, Event, Wrench};
 use crate::state::BodyState;
 use crate::touch::{Movers, Scene, arms_m, touch};
@@ -26,7 +27,8 @@ use crate::workspace::Workspace;
 /// the paper's method. `states` are in the order in which the bodies were added.
 ///
 /// Results are in `work`: [`Workspace::contacts`], [`Workspace::wrenches`], [`Workspace::events`].
-/// `memory` goes on to the next step. The order in which bodies were added changes no bit of any
+/// `memory` goes on to the next step. In a step of 0 s, of a host that is paused, nothing goes on: `memory` stays as
+/// it is, and what is in `work` but for events and work. The order in which bodies were added changes no bit of any
 /// force: all sums go by the bodies' keys.
 ///
 /// # Errors
@@ -39,8 +41,12 @@ pub fn step(
     states: &[BodyState],
     step_s: f64,
 ) -> Result<(), StepError> {
+    if step_s == 0.0 {
+        return pause(model, memory, work, states, None);
+    }
     admit::admit(model, memory, states, step_s)?;
     work.advanced = None;
+    work.results_of = Some(model.layout);
     admit::place(model, memory, work, states);
     let all_held = work.near.holds(model, &work.poses, &work.reach_m);
     broad::pair(model, work, all_held);

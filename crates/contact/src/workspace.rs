@@ -29,6 +29,8 @@ pub struct Workspace {
     /// The layout of the last step's model, where that step was one of [`crate::advance`] and went through: what
     /// there is of its bodies is then what that step left.
     pub(crate) advanced: Option<u64>,
+    /// The layout of the model of the last good step: the results are of its bodies.
+    pub(crate) results_of: Option<u64>,
     pub(crate) contacts: Vec<Contact>,
     /// Whether contacts are reported one by one.
     pub(crate) contacts_told: bool,
@@ -172,6 +174,7 @@ impl Workspace {
         let count = model.bodies().len();
         Workspace {
             advanced: None,
+            results_of: None,
             contacts: Vec::new(),
             contacts_told: true,
             wrenches: vec![Wrench::default(); count],

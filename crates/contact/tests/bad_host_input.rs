@@ -75,7 +75,7 @@ fn a_bad_number_names_body_and_field_and_changes_nothing() {
 fn a_bad_time_step_changes_nothing() {
     let (model, mut memory, mut work, good) = at_berth();
     let before = memory.snapshot();
-    let bad = BAD_NUMBERS.into_iter().chain([0.0, -0.0, -0.1, 5e-324, 1e12]);
+    let bad = BAD_NUMBERS.into_iter().chain([-0.1, 5e-324, 1e12]);
     for step_s in bad {
         let error =
             step(&model, &mut memory, &mut work, &good, step_s).expect_err("a bad time step");

@@ -251,10 +251,11 @@ impl Engine {
         Ok(())
     }
 
-    /// One step of `step_s` seconds, from the states shown last.
+    /// One step of `step_s` seconds, from the states shown last. In a step of 0 s, of a host that is paused, nothing
+    /// goes on: results are those of the last step, but for events and the contacts' work.
     ///
     /// # Errors
-    /// A floating body was never shown, or a step that is not positive and finite.
+    /// A floating body was never shown, or a step that is neither 0 nor from 1e-9 s to 1e6 s.
     pub fn step(&mut self, step_s: f64) -> Result<(), EngineError> {
         let mut bodies = self.plan.model.bodies().iter().zip(&self.shown);
         let unseen = bodies.find(|(body, shown)| !**shown && body.mobility != Mobility::Fixed);
@@ -264,7 +265,7 @@ impl Engine {
         let Engine { plan, core, spare, states, loads, no_loads, .. } = self;
         spare.take_step(core, plan, states, loads.as_deref(), no_loads, step_s)?;
         mem::swap(core, spare);
-        self.latest = Latest::InWorkspace;
+        self.keep_results(step_s);
         Ok(())
     }
 
@@ -292,8 +293,17 @@ impl Engine {
         if loads.is_some() {
             self.set_loads(loads)?;
         }
-        self.latest = Latest::InWorkspace;
+        self.keep_results(step_s);
         Ok(self.results()?.wrenches)
+    }
+
+    /// After a step: its results are in the workspace, or in a pause, where an engine was restored, as they were
+    /// saved.
+    fn keep_results(&mut self, step_s: f64) {
+        match &mut self.latest {
+            Latest::Saved(saved) if step_s == 0.0 => saved.pause(&self.states),
+            latest => *latest = Latest::InWorkspace,
+        }
     }
 
     /// What the last step found.
@@ -349,6 +359,10 @@ impl Core {
         step_s: f64,
     ) -> Result<(), EngineError> {
         let model = &plan.model;
+        if step_s == 0.0 {
+            // What it tells is what the last step found.
+            self.clone_from(before);
+        }
         match (&mut *self, before) {
             (Core::Present { memory, work }, Core::Present { memory: now, .. }) => {
                 memory.copy_from(now);

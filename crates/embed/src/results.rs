@@ -1,6 +1,8 @@
 //! What a step found.
 
-use fenderline_contact::{BodyState, Contact, Event, HostWorkspace, Workspace, Wrench};
+use fenderline_contact::{
+    BodyState, Contact, ContactWork, Event, HostWorkspace, Workspace, Wrench,
+};
 
 /// What the last step found, or what it had found when the engine was saved. One entry a body, in the order
 /// of the model, unless said otherwise.
@@ -100,6 +102,15 @@ pub(crate) struct Saved {
 }
 
 impl Saved {
+    /// A step of no length.
+    pub(crate) fn pause(&mut self, states: &[BodyState]) {
+        self.events.clear();
+        self.contacts.iter_mut().for_each(|contact| contact.work = ContactWork::default());
+        if !self.states_after.is_empty() {
+            self.states_after.copy_from_slice(states);
+        }
+    }
+
     pub(crate) fn view(&self) -> Results<'_> {
         Results {
             wrenches: &self.wrenches,

@@ -92,12 +92,49 @@ fn calls_out_of_order_are_errors_and_change_nothing() {
     let loads = [Wrench::default(); 2];
     assert!(matches!(engine.set_loads(Some(&loads)), Err(EngineError::NotHere(_))));
     engine.set_state(0, &states[0]).expect("a good state");
-    let bad_step = StepError::BadTimeStep { step_s: 0.0 };
-    assert_eq!(engine.step(0.0), Err(EngineError::Input(bad_step)));
+    let bad_step = StepError::BadTimeStep { step_s: -0.1 };
+    assert_eq!(engine.step(-0.1), Err(EngineError::Input(bad_step)));
     assert_eq!(engine.results(), Err(EngineError::NoStepYet));
     engine.step(0.1).expect("a good step");
     engine.reset();
     assert_eq!(engine.save(), fresh);
+}
+
+/// A pause was refused. Restored engines tell what was saved in it, too.
+#[test]
+fn a_pause_changes_nothing_and_is_good() {
+    for host in [Host::default(), following(0).host, following(1).host] {
+        let settings = Settings { host, ..coupled() };
+        let mut engine = engine(TUG, &settings);
+        let mut states = engine.initial_states().to_vec();
+        assert_eq!(engine.advance(&states, None, 0.0).expect("a pause"), [Wrench::default(); 2]);
+        go_on(&mut engine, &mut states, 12);
+        let wrenches = engine.results().expect("steps were taken").wrenches.to_vec();
+        assert!(wrenches[1].force_n.length() > 1e5);
+        let (saved, mut twin) = (engine.save(), engine.clone());
+        let mut restored = engine.clone();
+        restored.reset();
+        restored.restore(&saved).expect("its own bytes");
+        for paused in [&mut engine, &mut restored] {
+            for _ in 0..3 {
+                paused.advance(&states, None, 0.0).expect("a pause");
+                let results = paused.results().expect("steps were taken");
+                assert_eq!(results.wrenches, wrenches);
+                assert!(results.events.is_empty() && !results.contacts.is_empty());
+            }
+        }
+        // What is shown late is younger after a pause.
+        if host != following(1).host {
+            let mut others = states.clone();
+            go_on(&mut engine, &mut states, 5);
+            go_on(&mut twin, &mut others, 5);
+            assert_eq!(states, others);
+        }
+    }
+}
+
+fn coupled() -> Settings {
+    Settings { method: Some(Method::Coupled), ..Settings::default() }
 }
 
 #[test]

@@ -72,6 +72,11 @@ impl EngineRun {
         Ok(EngineRun { engine, tells_loads, body_fixed: is_on(Setting::BodyFixed), beginning })
     }
 
+    /// Is it still before its first step?
+    pub(crate) fn waits(&self) -> bool {
+        self.beginning != Beginning::Begun
+    }
+
     /// A step of the host.
     pub(crate) fn step(&mut self, plan: &Plan, values: &[f64], step_s: f64) -> Result<(), String> {
         match self.beginning {

@@ -178,11 +178,11 @@ impl Instance {
         Ok(())
     }
 
-    /// One communication step.
+    /// One communication step; in one of no length, of a master that is paused, nothing goes on.
     pub(crate) fn step(&mut self, from_s: f64, step_s: f64) -> Outcome {
         self.must_be(&[Phase::Stepping], "a step")?;
         let (plan, state) = (&*self.plan, &mut self.state);
-        if !(step_s > 0.0 && step_s.is_finite() && from_s.is_finite()) {
+        if !(step_s >= 0.0 && step_s.is_finite() && from_s.is_finite()) {
             return Err(format!("a step from {from_s} s of {step_s} s is none"));
         }
         let slack_s = SLACK_S * state.time_s.abs().max(1.0) + SLACK_STEPS * step_s;
@@ -206,6 +206,8 @@ impl Instance {
             ));
         }
         match &mut state.run {
+            // At the start no step is counted as one that masters show zeros in.
+            Some(Run::Engine(run)) if step_s == 0.0 && run.waits() => {}
             Some(Run::Engine(run)) => run.step(plan, &state.values, step_s)?,
             Some(Run::Simulation(run)) => {
                 run.go_to(plan, &state.values, end_s - state.start_s)?;

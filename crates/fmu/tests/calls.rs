@@ -36,7 +36,8 @@ fn calls_out_of_order() {
     assert_eq!(tug.step(0.0, 0.1), OK);
     told(tug.step(0.0, 0.1), "goes back");
     told(tug.step(0.3, 0.1), "leaps");
-    for step_s in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+    assert_eq!(tug.step(0.1, 0.0), OK, "a pause");
+    for step_s in [-0.1, f64::NAN, f64::INFINITY] {
         told(tug.step(0.1, step_s), "is none");
     }
     told(tug.step(f64::NAN, 0.1), "is none");

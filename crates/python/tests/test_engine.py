@@ -109,11 +109,29 @@ def test_refused_calls_change_nothing() -> None:
     with pytest.raises(EngineError, match="tug"):
         engine.step(0.1)
     engine.loads[1, 0] = 0.0
-    for step_s in (0.0, -1.0, np.nan):
+    for step_s in (-1.0, np.nan):
         with pytest.raises(EngineError):
             engine.step(step_s)
     engine.restore(saved)
     assert engine.save() == saved
+
+
+@pytest.mark.parametrize("host", ["present", "following"])
+def test_a_pause_changes_nothing_and_is_good(host: str) -> None:
+    engine = Engine(coupled_tug(), host=host)
+    engine.step(0.0)
+    assert not engine.wrenches.any()
+    engine.states[1, 1] = -38.9
+    for _ in range(3):
+        engine.step(0.1)
+    wrenches, saved = engine.wrenches.copy(), engine.save()
+    engine.step(0.0)
+    assert np.array_equal(engine.wrenches, wrenches) and not engine.events
+    if host == "present":
+        assert np.array_equal(engine.states_after, engine.states)
+    engine.restore(saved)
+    engine.step(0.0)
+    assert np.array_equal(engine.wrenches, wrenches)
 
 
 def test_save_restore_and_copy() -> None:

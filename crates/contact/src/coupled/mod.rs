@@ -36,6 +36,7 @@ use crate::events::note;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::overlap::overlap;
+use crate::pause::pause;
 use crate::report::{EventKind, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
@@ -49,6 +50,9 @@ use crate::workspace::Workspace;
 /// a host that integrates by itself adds to its forces; [`Workspace::states_after`] the states that
 /// the engine came to, for hosts that let it; [`Workspace::contacts`] mean forces and true peaks.
 ///
+/// In a step of 0 s, of a host that is paused, nothing goes on: `memory` stays as it is, the states after it are those
+/// shown, and wrenches and contacts those of the last step, without work and events.
+///
 /// Where a host puts a body farther than its velocities lead it, contacts give back what they hold there.
 ///
 /// # Errors
@@ -61,6 +65,9 @@ pub fn advance(
     loads: &[Wrench],
     step_s: f64,
 ) -> Result<(), StepError> {
+    if step_s == 0.0 {
+        return pause(model, memory, work, states, Some(loads));
+    }
     let all_held = bodies::take(model, memory, work, (states, loads), step_s)?;
     // Of those that stand as they stood nothing is written.
     if work.states_after.len() != states.len() {
@@ -101,6 +108,11 @@ pub fn advance_in_place(
     loads: &[Wrench],
     step_s: f64,
 ) -> Result<(), StepError> {
+    if step_s == 0.0 {
+        pause(model, memory, work, states, Some(loads))?;
+        work.states_after.clear();
+        return Ok(());
+    }
     let all_held = bodies::take(model, memory, work, (states, loads), step_s)?;
     core::mem::swap(states, &mut work.states_after);
     let carried_out = carry_out(model, memory, work, all_held, step_s);
@@ -131,7 +143,9 @@ fn carry_out(
     work.next_hints.clear();
     let all_go_on = advance_islands(model, memory, work, step_s);
     bodies::drift_apart(model, work, step_s);
+    work.results_of = None;
     report(model, work)?;
+    work.results_of = Some(model.layout);
     remember(memory, work, all_go_on, step_s);
     work.advanced = Some(model.layout);
     Ok(())

@@ -6,22 +6,26 @@ use alloc::vec::Vec;
 use crate::admit;
 use crate::coupled::advance;
 use crate::error::StepError;
-use crate::host::settings::HostSettings;
-use crate::host::steering::{self, Velocity};
+use crate::host::lead::{self, Lead, Start, is_steady};
+use crate::host::settings::{HostIntegration, HostSettings};
+use crate::host::steering::{self, Velocity, Way};
 use crate::host::workspace::HostWorkspace;
 use crate::host::{observer, predictor};
 use crate::memory::Memory;
 use crate::model::Model;
+use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// The coupled method for a host that integrates its bodies by itself, with a fixed step, shows states
+/// The coupled method for a host that integrates its bodies by itself, with a step that may vary, shows states
 /// that may be some steps old, and need not tell its loads.
 ///
 /// The host answers wrench W and its own load by M(v′ − v)/Δt = W + load, with the mass matrix of the
 /// model in the body's attitude at the step's start. The wrenches of [`FollowingHost::step`] make its
 /// positions follow the engine's sub-stepped motion, whatever Δt: the same rebound, the same depth at
-/// rest. While bodies touch, the velocities of the host are then means over a step.
+/// rest. While bodies touch and the step is always the same, the velocities of the host are means over a step, and
+/// its places those of the engine. In a contact in which the step changes the velocities are the engine's, and the
+/// places are off by up to half the acceleration times Δt², which is made good in some 10 s.
 ///
 /// All state is plain data, as [`Memory`] is: copy it to branch a run, compare it, save it with
 /// [`FollowingHost::snapshot`] and get it back with [`FollowingHost::restore`].
@@ -63,6 +67,8 @@ pub struct FollowingHost {
     /// What was given in the last steps, at most `delay_steps` + 1 of them, the oldest first; body by
     /// body within a step.
     pub(super) given: Vec<Given>,
+    /// The length of the last step that was one; 0 before the first [s].
+    pub(super) last_step_s: f64,
 }
 
 /// What is remembered of one body.
@@ -72,9 +78,9 @@ pub(super) struct Followed {
     pub(super) shown: BodyState,
     /// The last load observed.
     pub(super) observed: Wrench,
-    /// What contact did to the engine's velocity that the host's has not got yet; nothing where
-    /// nothing touched the body.
-    pub(super) ahead: Option<Velocity>,
+    /// What contact did to the engine's motion that the host's has not got yet; nothing where nothing
+    /// touched the body.
+    pub(super) ahead: Option<Lead>,
 }
 
 /// What one body was given for one step.
@@ -95,6 +101,7 @@ impl FollowingHost {
             memory: Memory::new(model),
             bodies: vec![Followed::default(); model.bodies().len()],
             given: Vec::new(),
+            last_step_s: 0.0,
         }
     }
 
@@ -109,6 +116,7 @@ impl FollowingHost {
         self.memory.copy_from(&other.memory);
         self.bodies.clone_from(&other.bodies);
         self.given.clone_from(&other.given);
+        self.last_step_s = other.last_step_s;
     }
 
     /// What is known of the host.
@@ -139,6 +147,8 @@ impl FollowingHost {
     /// than it goes in a step begins within it. No load that is not yet known can be answered; with a
     /// long Δt and delay a body at rest may be driven deep before it is.
     ///
+    /// In a step of 0 s, of a host that is paused, nothing goes on, and the wrenches are those of the last step.
+    ///
     /// Where a body's shown position is not where its velocity leads, the host has put it elsewhere:
     /// no load is read from that, and its contacts start afresh
     /// ([`crate::EventKind::Teleported`]).
@@ -160,10 +170,14 @@ impl FollowingHost {
         }
         self.observe(model, work, states_shown);
         self.predict(model, work, told_loads);
+        if step_s == 0.0 {
+            self.stand_still(model, work, told_loads)?;
+            return Ok(&work.wrenches);
+        }
         self.set_out(model, work, step_s);
         let (starts, loads) = (&work.starts, &work.loads_now);
         advance(model, &mut self.memory, &mut work.engine, starts, loads, step_s)?;
-        steer(model, work, step_s);
+        self.steer(model, work, step_s);
         self.remember(work, told_loads, step_s);
         core::mem::swap(&mut work.present_now, &mut work.present);
         core::mem::swap(&mut work.loads_now, &mut work.loads);
@@ -188,12 +202,32 @@ impl FollowingHost {
                 if observer::was_moved(self.settings.integration, body, &next.shown, &shown, given)
                 {
                     next.ahead = None;
-                } else if let Some(load) = observer::load(body, &next.shown, &shown, given) {
+                } else if given.step_s > 0.0
+                    && let Some(load) = observer::load(body, &next.shown, &shown, given)
+                {
                     next.observed = load;
                 }
             }
             next.shown = shown;
         }
+    }
+
+    /// A step of no length: nothing but what the host shows later is another step older by then.
+    fn stand_still(
+        &mut self,
+        model: &Model,
+        work: &mut HostWorkspace,
+        told_loads: Option<&[Wrench]>,
+    ) -> Result<(), StepError> {
+        pause(model, &self.memory, &mut work.engine, &work.present_now, None)?;
+        if work.wrenches.len() != self.bodies.len() {
+            work.wrenches.clear();
+            work.wrenches.resize(self.bodies.len(), Wrench::default());
+        }
+        self.remember(work, told_loads, 0.0);
+        core::mem::swap(&mut work.present_now, &mut work.present);
+        core::mem::swap(&mut work.loads_now, &mut work.loads);
+        Ok(())
     }
 
     /// The host's present and its loads, into `work.present_now` and `work.loads_now`.
@@ -217,14 +251,32 @@ impl FollowingHost {
         }
     }
 
-    /// Where the engine begins, into `work.starts`.
+    /// Where the engine begins, into `work.starts` and `work.leads`.
     fn set_out(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
+        let is_steady = is_steady(self.last_step_s, step_s);
+        let integration = self.settings.integration;
         work.starts.clear();
+        work.leads.clear();
         for (index, present) in work.present_now.iter().enumerate() {
-            let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
-            let half_kick = steering::half_kick(inverse, present, &work.loads_now[index], step_s);
-            let lead = half_kick.plus(work.next[index].ahead.unwrap_or_default());
-            work.starts.push(steering::start(self.settings.integration, present, lead, step_s));
+            let ahead = work.next[index].ahead;
+            let velocity = Velocity::of(present);
+            if is_steady && ahead.is_none_or(|lead| lead.exact) {
+                let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+                let load = &work.loads_now[index];
+                let half_kick = steering::half_kick(inverse, present, load, step_s);
+                let lead = half_kick.plus(ahead.map_or(Velocity::default(), |lead| lead.velocity));
+                work.starts.push(steering::start(integration, present, lead, step_s));
+                work.leads.push(Start { exact: true, ..Start::default() });
+            } else {
+                let early_s = match integration {
+                    HostIntegration::ForwardEuler => self.last_step_s,
+                    HostIntegration::SemiImplicit => 0.0,
+                };
+                let start = lead::start_varying(ahead.as_ref(), present, early_s);
+                let place = start.way.from(present);
+                work.starts.push(velocity.plus(start.velocity).of_a_body_at(&place));
+                work.leads.push(start);
+            }
         }
     }
 
@@ -239,31 +291,68 @@ impl FollowingHost {
             self.given.push(Given { step_s, wrench, told });
         }
         self.bodies.clone_from(&work.next);
-    }
-}
-
-/// Wrenches for the host from the way that the engine went, into `work.wrenches`; and how far its
-/// velocities are ahead of the host's.
-fn steer(model: &Model, work: &mut HostWorkspace, step_s: f64) {
-    work.touching.clear();
-    work.touching.resize(work.next.len(), false);
-    for contact in work.engine.contacts() {
-        work.touching[contact.body_1.0 as usize] = true;
-        work.touching[contact.body_2.0 as usize] = true;
-    }
-    work.wrenches.clear();
-    work.wrenches.extend_from_slice(work.engine.wrenches());
-    for (index, next) in work.next.iter_mut().enumerate() {
-        let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
-        if !inverse.floats() || (!work.touching[index] && next.ahead.is_none()) {
-            continue;
+        if step_s > 0.0 {
+            self.last_step_s = step_s;
         }
-        let (present, load) = (&work.present_now[index], &work.loads_now[index]);
-        let (start, end) = (&work.starts[index], &work.engine.states_after()[index]);
-        let mean = Velocity::mean(start, end, step_s);
-        let mobility = &model.bodies()[index].mobility;
-        work.wrenches[index] = steering::wrench(mobility, present, mean, load, step_s);
-        let half_kick = steering::half_kick(inverse, present, load, step_s);
-        next.ahead = work.touching[index].then(|| Velocity::of(end).minus(mean).minus(half_kick));
+    }
+
+    /// Wrenches for the host from the way that the engine went, into `work.wrenches`; and how far its motion
+    /// is ahead of the host's.
+    fn steer(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
+        work.touching.clear();
+        work.touching.resize(work.next.len(), false);
+        for contact in work.engine.contacts() {
+            work.touching[contact.body_1.0 as usize] = true;
+            work.touching[contact.body_2.0 as usize] = true;
+        }
+        work.wrenches.clear();
+        work.wrenches.extend_from_slice(work.engine.wrenches());
+        for (index, next) in work.next.iter_mut().enumerate() {
+            let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+            let touches = work.touching[index];
+            if !inverse.floats() || (!touches && next.ahead.is_none()) {
+                continue;
+            }
+            let (present, load) = (&work.present_now[index], &work.loads_now[index]);
+            let (begun, end) = (&work.starts[index], &work.engine.states_after()[index]);
+            let start = &work.leads[index];
+            let after = if start.exact {
+                let mean = Velocity::mean(begun, end, step_s);
+                let half_kick = steering::half_kick(inverse, present, load, step_s);
+                next.ahead = touches.then(|| Lead {
+                    velocity: Velocity::of(end).minus(mean).minus(half_kick),
+                    half_kick,
+                    exact: true,
+                    ..Lead::default()
+                });
+                mean
+            } else {
+                self.follow(next, start, end, (present, touches), step_s)
+            };
+            let mobility = &model.bodies()[index].mobility;
+            work.wrenches[index] = steering::wrench(mobility, present, after, load, step_s);
+        }
+    }
+
+    /// The velocity with which a host whose step varies is to end a step, and what the engine is ahead then.
+    fn follow(
+        &self,
+        next: &mut Followed,
+        start: &Start,
+        end: &BodyState,
+        (present, touches): (&BodyState, bool),
+        step_s: f64,
+    ) -> Velocity {
+        let due_s = next.ahead.map_or(0.0, |lead| lead.due_s);
+        if !touches && lead::is_near(start.way) {
+            next.ahead = lead::paid_off(start.velocity, due_s, step_s);
+            let left = next.ahead.map_or(Velocity::default(), |lead| lead.velocity);
+            return Velocity::of(end).minus(left);
+        }
+        let left = lead::closed(start, step_s);
+        let after = Velocity::of(end).minus(left);
+        let arrival = steering::arrival(self.settings.integration, present, after, step_s);
+        next.ahead = Some(lead::apart(left, Way::between(&arrival, end)));
+        after
     }
 }

@@ -1,6 +1,5 @@
-//! Hosts that show old states and tell no loads: a co-simulation master with a fixed step, say, that
-//! moves its bodies by itself, shows them some steps late and keeps its loads to itself (§6.7 of the
-//! contact model).
+//! Hosts that show old states and tell no loads: a co-simulation master, say, or the loop of a game, that
+//! moves its bodies by itself, shows them some steps late and keeps its loads to itself.
 //!
 //! One step, in the order of [`FollowingHost::step`]:
 //!
@@ -8,10 +7,12 @@
 //! 2. [`predictor`]: from the state shown, with the wrenches given since, the host's present;
 //! 3. [`steering`]: where the engine has to begin, for a host that integrates as this one does;
 //! 4. [`crate::advance`];
-//! 5. [`steering`]: the wrench that makes the host's own integration land where the engine did.
+//! 5. [`steering`]: the wrench that makes the host's own integration land where the engine did; of a host whose
+//!    step varies [`lead`]: the wrench that takes it along with the engine, whatever step comes next.
 
 mod following;
 mod inertia;
+mod lead;
 mod observer;
 mod predictor;
 mod settings;

@@ -5,9 +5,9 @@
 //! | 8 | `fndrhost` |
 //! | 4 | version |
 //! | 4, 4 | delay in steps; integration: 0 forward Euler, 1 semi-implicit |
-//! | 4 | number of steps given |
+//! | 4, 8 | number of steps given; length of the last step |
 //! | 4 + as many | length and bytes of the contacts' [`Memory::snapshot`] |
-//! | 100 each | bodies: state shown, load observed, 1 or 0 and velocity ahead |
+//! | 160 each | bodies: state shown, load observed, 1 or 0 and lead: velocity, half kick, way, 1 or 0, time |
 //! | 60 each | steps given, body by body: Δt, wrench, 1 or 0 and load told |
 //! | 8 | FNV-1a of all before |
 //!
@@ -18,15 +18,16 @@ use alloc::vec::Vec;
 use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
 use crate::host::following::{Followed, FollowingHost, Given};
+use crate::host::lead::Lead;
 use crate::host::settings::{HostIntegration, HostSettings};
-use crate::host::steering::Velocity;
+use crate::host::steering::{Velocity, Way};
 use crate::memory::Memory;
 use crate::model::{Fnv, Model};
 use crate::report::Wrench;
 use crate::snapshot::{Reader, SNAPSHOT_VERSION, Writer};
 
 const MAGIC: &[u8; 8] = b"fndrhost";
-const BODY_BYTES: usize = 100;
+const BODY_BYTES: usize = 160;
 const GIVEN_BYTES: usize = 60;
 
 impl FollowingHost {
@@ -49,6 +50,7 @@ impl FollowingHost {
             HostIntegration::SemiImplicit => 1,
         });
         out.word32(self.steps_given() as u32);
+        out.number(self.last_step_s);
         out.word32(memory.len() as u32);
         out.0.extend_from_slice(&memory);
         for id in &model.id_of {
@@ -99,6 +101,10 @@ fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
     };
     let mut host = FollowingHost::new(model, HostSettings { delay_steps, integration });
     let steps = input.word32()?;
+    host.last_step_s = input.number()?;
+    if host.last_step_s != 0.0 && !is_step(host.last_step_s) {
+        return Err(RestoreError::Content);
+    }
     let memory_bytes = input.word32()? as usize;
     let mut memory = Memory::new(model);
     memory.restore(model, input.take(memory_bytes)?)?;
@@ -128,10 +134,19 @@ fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
 fn write_body(out: &mut Writer, body: &Followed) {
     out.state(&body.shown);
     write_wrench(out, &body.observed);
-    let ahead = body.ahead.unwrap_or_default();
+    let lead = body.ahead.unwrap_or_default();
     out.word32(u32::from(body.ahead.is_some()));
-    out.vector(ahead.linear_mps);
-    out.number(ahead.yaw_radps);
+    write_velocity(out, lead.velocity);
+    write_velocity(out, lead.half_kick);
+    out.vector(lead.way.linear_m);
+    out.number(lead.way.turn_rad);
+    out.word32(u32::from(lead.exact));
+    out.number(lead.due_s);
+}
+
+fn write_velocity(out: &mut Writer, velocity: Velocity) {
+    out.vector(velocity.linear_mps);
+    out.number(velocity.yaw_radps);
 }
 
 fn write_given(out: &mut Writer, given: &Given) {
@@ -150,13 +165,27 @@ fn read_body(input: &mut Reader<'_>) -> Result<Followed, RestoreError> {
     let shown = input.state()?;
     let observed = read_wrench(input)?;
     let is_ahead = read_flag(input)?;
-    let ahead = Velocity { linear_mps: input.vector()?, yaw_radps: input.number()? };
-    Ok(Followed { shown, observed, ahead: is_ahead.then_some(ahead) })
+    let lead = Lead {
+        velocity: read_velocity(input)?,
+        half_kick: read_velocity(input)?,
+        way: Way { linear_m: input.vector()?, turn_rad: input.number()? },
+        exact: read_flag(input)?,
+        due_s: input.number()?,
+    };
+    Ok(Followed { shown, observed, ahead: is_ahead.then_some(lead) })
+}
+
+fn read_velocity(input: &mut Reader<'_>) -> Result<Velocity, RestoreError> {
+    Ok(Velocity { linear_mps: input.vector()?, yaw_radps: input.number()? })
+}
+
+fn is_step(step_s: f64) -> bool {
+    (SHORTEST_STEP_S..=LONGEST_STEP_S).contains(&step_s)
 }
 
 fn read_given(input: &mut Reader<'_>) -> Result<Given, RestoreError> {
     let step_s = input.number()?;
-    if !(SHORTEST_STEP_S..=LONGEST_STEP_S).contains(&step_s) {
+    if step_s != 0.0 && !is_step(step_s) {
         return Err(RestoreError::Content);
     }
     let wrench = read_wrench(input)?;

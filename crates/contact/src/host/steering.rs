@@ -14,6 +14,8 @@
 //! Loads: by a steady load, too, such a host's velocities are means over a step, half a kick ΔtM⁻¹W/2
 //! behind. The engine begins with that half kick added; at rest on a fender, contact's and load's
 //! halves cancel.
+//!
+//! All of this is for a step that is as long as the last one. For others see [`super::lead`].
 
 use crate::host::inertia;
 use crate::host::settings::HostIntegration;
@@ -41,6 +43,15 @@ impl Velocity {
             linear_mps: (to.position_m - from.position_m) * (1.0 / step_s),
             yaw_radps: (to.heading_rad - from.heading_rad) / step_s,
         }
+    }
+
+    /// How far it leads in a time.
+    pub(super) fn way(self, step_s: f64) -> Way {
+        Way { linear_m: self.linear_mps * step_s, turn_rad: self.yaw_radps * step_s }
+    }
+
+    pub(super) fn times(self, factor: f64) -> Velocity {
+        Velocity { linear_mps: self.linear_mps * factor, yaw_radps: self.yaw_radps * factor }
     }
 
     pub(super) fn plus(self, other: Velocity) -> Velocity {
@@ -72,6 +83,40 @@ impl Velocity {
     }
 }
 
+/// How far a body is from another place, and turned.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Way {
+    pub(super) linear_m: Vec2,
+    pub(super) turn_rad: f64,
+}
+
+impl Way {
+    pub(super) fn between(from: &BodyState, to: &BodyState) -> Way {
+        Way {
+            linear_m: to.position_m - from.position_m,
+            turn_rad: to.heading_rad - from.heading_rad,
+        }
+    }
+
+    pub(super) fn plus(self, other: Way) -> Way {
+        Way { linear_m: self.linear_m + other.linear_m, turn_rad: self.turn_rad + other.turn_rad }
+    }
+
+    /// The velocity that goes it in that time.
+    pub(super) fn per(self, step_s: f64) -> Velocity {
+        Velocity { linear_mps: self.linear_m * (1.0 / step_s), yaw_radps: self.turn_rad / step_s }
+    }
+
+    /// The state so far on; its velocity stays.
+    pub(super) fn from(self, state: &BodyState) -> BodyState {
+        BodyState {
+            position_m: state.position_m + self.linear_m,
+            heading_rad: state.heading_rad + self.turn_rad,
+            ..*state
+        }
+    }
+}
+
 /// What half a step of the load does.
 pub(super) fn half_kick(
     inverse: &InverseMatrix,
@@ -97,15 +142,28 @@ pub(super) fn start(
     velocity.plus(lead).of_a_body_at(&place)
 }
 
-/// The wrench that brings the host's velocity to `mean`, with its load.
+/// Where a host comes to in a step that it ends with velocity `after`.
+pub(super) fn arrival(
+    integration: HostIntegration,
+    present: &BodyState,
+    after: Velocity,
+    step_s: f64,
+) -> BodyState {
+    match integration {
+        HostIntegration::ForwardEuler => Velocity::of(present).carry(present, step_s),
+        HostIntegration::SemiImplicit => after.carry(present, step_s),
+    }
+}
+
+/// The wrench that brings the host's velocity to `after`, with its load.
 pub(super) fn wrench(
     mobility: &Mobility,
     present: &BodyState,
-    mean: Velocity,
+    after: Velocity,
     load: &Wrench,
     step_s: f64,
 ) -> Wrench {
-    let impulse = inertia::impulse_for(mobility, present, mean.minus(Velocity::of(present)));
+    let impulse = inertia::impulse_for(mobility, present, after.minus(Velocity::of(present)));
     let rate = 1.0 / step_s;
     Wrench {
         force_n: impulse.force_n * rate - load.force_n,

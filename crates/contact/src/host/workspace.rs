@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::host::following::Followed;
+use crate::host::lead::Start;
 use crate::model::Model;
 use crate::report::{Contact, Event, Wrench};
 use crate::state::BodyState;
@@ -17,8 +18,9 @@ pub struct HostWorkspace {
     /// The host's present in the step under way, and in the last good one.
     pub(super) present_now: Vec<BodyState>,
     pub(super) present: Vec<BodyState>,
-    /// Where the engine begins.
+    /// Where the engine begins, and how far that is from the host's present.
     pub(super) starts: Vec<BodyState>,
+    pub(super) leads: Vec<Start>,
     /// Loads of the step under way, and of the last good one.
     pub(super) loads_now: Vec<Wrench>,
     pub(super) loads: Vec<Wrench>,
@@ -37,6 +39,7 @@ impl HostWorkspace {
             present_now: Vec::with_capacity(count),
             present: Vec::with_capacity(count),
             starts: Vec::with_capacity(count),
+            leads: Vec::with_capacity(count),
             loads_now: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
             touching: Vec::with_capacity(count),
