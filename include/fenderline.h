@@ -137,7 +137,9 @@
 #define FL_EVENT_DEEP_OVERLAP 5
 
 /**
- * fl_event.kind: a body moved by more than its velocities explain; its contacts start afresh.
+ * fl_event.kind: a body moved by a tenth of the radius of its outline more than its velocities explain, or
+ * fl_engine_place() said that it was put there; its contacts start afresh. The radius is the largest distance of a
+ * vertex from the centre of gravity.
  */
 #define FL_EVENT_TELEPORTED 6
 
@@ -155,6 +157,18 @@
  * fl_event.kind: the solve of these bodies' contact did not settle within its bounded work.
  */
 #define FL_EVENT_NOT_CONVERGED 9
+
+/**
+ * fl_event.kind: a body was put into another, so deep that the contact would throw it out: it is pressed out
+ * instead, at 0.08 m/s at most.
+ */
+#define FL_EVENT_PUT_INTO 10
+
+/**
+ * fl_event.kind: a body answers the wrenches that a following host is given otherwise than its mass in the model
+ * says: the host moves it with another (fl_engine_mass_matrix()). Told once a body.
+ */
+#define FL_EVENT_MASS_DIFFERS 11
 
 /**
  * fl_contact.flags: the friction slips; else it sticks.
@@ -826,6 +840,16 @@ fl_status fl_engine_set_states(fl_engine *engine,
                                size_t count);
 
 /**
+ * Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
+ * start afresh (FL_EVENT_TELEPORTED), no load is read from it, and where it lies within another body it is
+ * pressed out slowly (FL_EVENT_PUT_INTO). Without it the engine finds that out where the body is a tenth of the
+ * radius of its outline farther than its velocities lead it. A host that shows its states some steps late calls it
+ * when it first shows the new place. To go back in time, restore a saved engine.
+ */
+fl_status fl_engine_place(fl_engine *engine,
+                          uint32_t body);
+
+/**
  * Tells all that acts on each body except contact, until it is told again; `count` is the number of bodies.
  * NULL and 0: not told, as at the start. Then a host of the present has no loads, and those of a following
  * host are found in its states. By the paper's method there are no loads.
@@ -836,7 +860,8 @@ fl_status fl_engine_set_loads(fl_engine *engine,
 
 /**
  * Takes a step of `step_s` seconds from the states that were shown last. All floating bodies must have been
- * shown.
+ * shown. Steps may be of any lengths. In one of 0 s, of a host that is paused, nothing goes on, and results are
+ * those of the last step without its events and the contacts' work.
  */
 fl_status fl_engine_step(fl_engine *engine,
                          double step_s);

@@ -271,6 +271,16 @@ pub unsafe extern "C" fn fl_engine_set_states(
     })
 }
 
+/// Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
+/// start afresh (FL_EVENT_TELEPORTED), no load is read from it, and where it lies within another body it is
+/// pressed out slowly (FL_EVENT_PUT_INTO). Without it the engine finds that out where the body is a tenth of the
+/// radius of its outline farther than its velocities lead it. A host that shows its states some steps late calls it
+/// when it first shows the new place. To go back in time, restore a saved engine.
+#[unsafe(no_mangle)]
+pub extern "C" fn fl_engine_place(engine: *mut FlEngine, body: u32) -> FlStatus {
+    ENGINES.call(engine, |held| Ok(held.engine.place(body as usize)?))
+}
+
 /// Tells all that acts on each body except contact, until it is told again; `count` is the number of bodies.
 /// NULL and 0: not told, as at the start. Then a host of the present has no loads, and those of a following
 /// host are found in its states. By the paper's method there are no loads.
@@ -288,7 +298,8 @@ pub unsafe extern "C" fn fl_engine_set_loads(
 }
 
 /// Takes a step of `step_s` seconds from the states that were shown last. All floating bodies must have been
-/// shown.
+/// shown. Steps may be of any lengths. In one of 0 s, of a host that is paused, nothing goes on, and results are
+/// those of the last step without its events and the contacts' work.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_step(engine: *mut FlEngine, step_s: f64) -> FlStatus {
     ENGINES.call(engine, |held| Ok(held.engine.step(step_s)?))

@@ -57,7 +57,9 @@ pub const FL_EVENT_PATCHES_MERGED: u32 = 3;
 pub const FL_EVENT_CONTAINED: u32 = 4;
 /// fl_event.kind: the overlap is deeper than half the smaller body is wide.
 pub const FL_EVENT_DEEP_OVERLAP: u32 = 5;
-/// fl_event.kind: a body moved by more than its velocities explain; its contacts start afresh.
+/// fl_event.kind: a body moved by a tenth of the radius of its outline more than its velocities explain, or
+/// fl_engine_place() said that it was put there; its contacts start afresh. The radius is the largest distance of a
+/// vertex from the centre of gravity.
 pub const FL_EVENT_TELEPORTED: u32 = 6;
 /// fl_event.kind: a fender is deflected beyond what it is rated for.
 pub const FL_EVENT_FENDER_OVER_RATED: u32 = 7;
@@ -65,6 +67,12 @@ pub const FL_EVENT_FENDER_OVER_RATED: u32 = 7;
 pub const FL_EVENT_FENDER_FAILED: u32 = 8;
 /// fl_event.kind: the solve of these bodies' contact did not settle within its bounded work.
 pub const FL_EVENT_NOT_CONVERGED: u32 = 9;
+/// fl_event.kind: a body was put into another, so deep that the contact would throw it out: it is pressed out
+/// instead, at 0.08 m/s at most.
+pub const FL_EVENT_PUT_INTO: u32 = 10;
+/// fl_event.kind: a body answers the wrenches that a following host is given otherwise than its mass in the model
+/// says: the host moves it with another (fl_engine_mass_matrix()). Told once a body.
+pub const FL_EVENT_MASS_DIFFERS: u32 = 11;
 
 /// fl_contact.flags: the friction slips; else it sticks.
 pub const FL_CONTACT_SLIPS: u32 = 1;
@@ -444,6 +452,8 @@ impl FlEvent {
             EventKind::FenderOverRated(fender) => (FL_EVENT_FENDER_OVER_RATED, fender.0),
             EventKind::FenderFailed(fender) => (FL_EVENT_FENDER_FAILED, fender.0),
             EventKind::NotConverged => (FL_EVENT_NOT_CONVERGED, FL_NONE),
+            EventKind::PutInto => (FL_EVENT_PUT_INTO, FL_NONE),
+            EventKind::MassDiffers => (FL_EVENT_MASS_DIFFERS, FL_NONE),
         };
         let [body_1, body_2] = event.bodies.map(|body| body.0);
         FlEvent { size: size_of::<FlEvent>(), kind, body_1, body_2, fender }

@@ -50,6 +50,20 @@ impl Engine {
         (status, wrenches)
     }
 
+    /// The kinds of the last step's events.
+    fn events(self) -> Vec<u32> {
+        let mut count = 0;
+        // SAFETY: a count that is there.
+        assert_eq!(unsafe { fl_engine_event_count(self.0, &mut count) }, FlStatus::Ok);
+        let kind = |index| {
+            let mut event = FlEvent { size: size_of::<FlEvent>(), ..FlEvent::default() };
+            // SAFETY: an event that is there.
+            assert_eq!(unsafe { fl_engine_event(self.0, index, &mut event) }, FlStatus::Ok);
+            event.kind
+        };
+        (0..count as u32).map(kind).collect()
+    }
+
     fn error(self) -> String {
         // SAFETY: as the text is asked for.
         text(|buffer, capacity| unsafe {
@@ -145,10 +159,33 @@ fn calls_out_of_order_have_their_status() {
     let states = engine.begin();
     assert_eq!(engine.set(&states[1..]), FlStatus::BadArgument);
     assert_eq!(engine.set(&states), FlStatus::Ok);
-    assert_eq!(fl_engine_step(engine.0, 0.0), FlStatus::BadNumber);
+    assert_eq!(fl_engine_step(engine.0, -0.1), FlStatus::BadNumber);
     assert_eq!(engine.wrenches().0, FlStatus::OutOfOrder);
     assert_eq!(fl_engine_step(engine.0, STEP_S), FlStatus::Ok);
     assert_eq!(engine.wrenches().0, FlStatus::Ok);
+    assert_eq!(engine.destroy(), FlStatus::Ok);
+}
+
+/// A pause was refused; and a body could be put somewhere without a word only.
+#[test]
+fn a_pause_is_good_and_a_body_can_be_placed() {
+    let engine = Engine::new(COUPLED, None);
+    let mut states = engine.begin();
+    assert_eq!(fl_engine_place(engine.0, 2), FlStatus::NoSuch);
+    // A tug of 16 m from her middle to her bow: 1 m is no tenth of it, with a word it counts nevertheless.
+    for (moved_m, says_so, teleported) in [(0.0, false, 0), (1.0, false, 0), (1.0, true, 1)] {
+        states[1].east_m += moved_m;
+        if says_so {
+            assert_eq!(fl_engine_place(engine.0, 1), FlStatus::Ok);
+        }
+        assert_eq!(engine.set(&states), FlStatus::Ok);
+        assert_eq!(fl_engine_step(engine.0, 0.0), FlStatus::Ok, "a pause");
+        assert_eq!(engine.events().len(), 0);
+        assert_eq!(fl_engine_step(engine.0, STEP_S), FlStatus::Ok);
+        let kinds = engine.events();
+        let count = kinds.iter().filter(|kind| **kind == FL_EVENT_TELEPORTED).count();
+        assert_eq!(count, teleported, "{moved_m} m, {says_so}");
+    }
     assert_eq!(engine.destroy(), FlStatus::Ok);
 }
 

@@ -172,7 +172,7 @@ pub(crate) fn place(model: &Model, memory: &Memory, work: &mut Workspace, states
         (*own, *reach_m) = (state, body.reach_m);
         take_pose(pose, heading_rad, &state);
         if let Some(last) = memory.last_states.get(rank)
-            && came((last, memory.last_step_s), &state, body.radius_m) == Came::Jumped
+            && memory.came(rank, last, &state, body.radius_m) == Came::Jumped
         {
             teleported.push(rank as u32);
         }

@@ -70,6 +70,7 @@ mod touch;
 mod vec2;
 mod workspace;
 
+pub use coupled::press_out::PRESSED_OUT_MPS;
 pub use coupled::{advance, advance_in_place};
 pub use error::{ModelError, RestoreError, StepError};
 pub use fender::{Fender, FenderId, FenderLaw, ReactionFactors, Stop};

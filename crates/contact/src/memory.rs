@@ -2,8 +2,9 @@
 
 use alloc::vec::Vec;
 
+use crate::admit::{Came, came};
 use crate::geometry::clip::Hint;
-use crate::model::Model;
+use crate::model::{BodyId, Model};
 use crate::overlap::{Patch, Place};
 use crate::state::BodyState;
 use crate::vec2::{Rotation, Vec2};
@@ -24,6 +25,8 @@ pub struct Memory {
     pub(crate) last_states: Vec<BodyState>,
     /// Time from the last step to the next [s]; 0 before the first.
     pub(crate) last_step_s: f64,
+    /// Ranks, in order, of the bodies of which the host has said that it put them where it shows them next.
+    pub(crate) placed: Vec<u32>,
 }
 
 /// What a patch of contact remembers (§3.3 and §3.4 of the paper).
@@ -72,6 +75,8 @@ impl PatchMemory {
     pub(crate) const DEEP: u32 = 2;
     /// V_n was positive at the last (sub-)step's start.
     pub(crate) const APPROACHING: u32 = 4;
+    /// A body was put into the other and is pressed out.
+    pub(crate) const PRESSED_OUT: u32 = 8;
 
     /// Of a patch with this normal, at this point: all that the laws do not say.
     #[inline(always)]
@@ -224,6 +229,7 @@ impl Memory {
             hints: Vec::new(),
             last_states: Vec::new(),
             last_step_s: 0.0,
+            placed: Vec::new(),
         }
     }
 
@@ -252,5 +258,35 @@ impl Memory {
         self.hints.clone_from(&other.hints);
         self.last_states.clone_from(&other.last_states);
         self.last_step_s = other.last_step_s;
+        self.placed.clone_from(&other.placed);
+    }
+
+    /// The host has put a body where the next step shows it: its contacts start afresh there
+    /// ([`crate::EventKind::Teleported`]), and where it is put into another one it is pressed out slowly
+    /// ([`crate::EventKind::PutInto`]). Without a word of the host that is found out where the way is longer than a
+    /// tenth of the body's radius.
+    ///
+    /// # Panics
+    /// Where the model has no such body.
+    pub fn place(&mut self, model: &Model, body: BodyId) {
+        let rank = model.rank_of[body.0 as usize];
+        if let Err(at) = self.placed.binary_search(&rank) {
+            self.placed.insert(at, rank);
+        }
+    }
+
+    /// How a body came to where it is shown.
+    #[inline(always)]
+    pub(crate) fn came(
+        &self,
+        rank: usize,
+        last: &BodyState,
+        now: &BodyState,
+        radius_m: f64,
+    ) -> Came {
+        if !self.placed.is_empty() && self.placed.binary_search(&(rank as u32)).is_ok() {
+            return Came::Jumped;
+        }
+        came((last, self.last_step_s), now, radius_m)
     }
 }

@@ -179,7 +179,8 @@ pub enum EventKind {
     Contained,
     /// The overlap is deeper than half the smaller body is wide: the force law means little there.
     DeepOverlap,
-    /// A body moved by a tenth of its size more than its velocities explain: its contacts start afresh.
+    /// A body moved by a tenth of the radius of its outline more than its velocities explain, or its host said that it
+    /// has put it there: its contacts start afresh.
     Teleported,
     /// A fender is deflected beyond what it is rated for.
     FenderOverRated(FenderId),
@@ -188,4 +189,10 @@ pub enum EventKind {
     FenderFailed(FenderId),
     /// The coupled solve of these bodies' contact did not settle within its bounded work.
     NotConverged,
+    /// A body was put into another, so deep that the contact would throw it out: it is pressed out instead, at
+    /// [`crate::PRESSED_OUT_MPS`] at most.
+    PutInto,
+    /// A body answers the wrenches that its host is given otherwise than its mass in the model says: the host moves
+    /// it with another. Told once a body, by a following host.
+    MassDiffers,
 }

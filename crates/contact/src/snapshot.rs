@@ -6,10 +6,11 @@
 //! | 4 | version |
 //! | 8 | fingerprint of the model |
 //! | 8 | Δt of the last step |
-//! | 4, 4, 4 | numbers of states, patches and hints |
+//! | 4, 4, 4, 4 | numbers of states, patches, hints and bodies placed |
 //! | 48 each | states, by rank |
 //! | 220 each | patches |
 //! | 40 each | hints |
+//! | 4 each | ranks of bodies that the host has said it put somewhere |
 //! | 8 | FNV-1a of all before |
 //!
 //! Everything is in the order of the bodies' keys: the bytes do not depend on the order in which
@@ -39,7 +40,8 @@ impl Memory {
     #[must_use]
     pub fn snapshot(&self) -> Vec<u8> {
         let mut out = Writer(Vec::with_capacity(
-            48 + self.last_states.len() * STATE_BYTES
+            52 + self.placed.len() * 4
+                + self.last_states.len() * STATE_BYTES
                 + self.patches.len() * PATCH_BYTES
                 + self.hints.len() * HINT_BYTES,
         ));
@@ -50,12 +52,14 @@ impl Memory {
         out.word32(self.last_states.len() as u32);
         out.word32(self.patches.len() as u32);
         out.word32(self.hints.len() as u32);
+        out.word32(self.placed.len() as u32);
         self.last_states.iter().for_each(|s| out.state(s));
         for patch in &self.patches {
             out.patch(patch);
             out.place(&place_of(patch, &self.places).unwrap_or_default());
         }
         self.hints.iter().for_each(|h| out.hint(h));
+        self.placed.iter().for_each(|&rank| out.word32(rank));
         let mut sum = Fnv::default();
         sum.bytes(&out.0);
         out.word64(sum.0);
@@ -86,9 +90,11 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
     let last_step_s = input.number()?;
     let [states, patches, hints] = [input.word32()?, input.word32()?, input.word32()?];
     let [states, patches, hints] = [states as usize, patches as usize, hints as usize];
+    let placed = input.word32()?;
     let body = states as u128 * STATE_BYTES as u128
         + patches as u128 * PATCH_BYTES as u128
-        + hints as u128 * HINT_BYTES as u128;
+        + hints as u128 * HINT_BYTES as u128
+        + u128::from(placed) * 4;
     if input.0.len() as u128 != body + 8 {
         return Err(RestoreError::Length);
     }
@@ -119,6 +125,9 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
     for _ in 0..hints {
         memory.hints.push(input.hint()?);
     }
+    for _ in 0..placed {
+        memory.placed.push(input.word32()?);
+    }
     check(model, &memory)?;
     Ok(memory)
 }
@@ -137,6 +146,8 @@ fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
     let elapsed = 1e-3 * SHORTEST_STEP_S..=LONGEST_STEP_S;
     let ok = (memory.last_states.is_empty() || memory.last_states.len() == bodies)
         && (memory.last_step_s == 0.0 || elapsed.contains(&memory.last_step_s))
+        && memory.placed.windows(2).all(|w| w[0] < w[1])
+        && memory.placed.last().is_none_or(|&rank| (rank as usize) < bodies)
         && memory.patches.windows(2).all(|w| w[0].key() < w[1].key())
         && memory.patches.iter().all(|p| known(p.candidate()) && p.area_m2 > 0.0)
         && memory.patches.iter().all(|p| p.taken_j >= 0.0 && p.sheared_j >= 0.0)

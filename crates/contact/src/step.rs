@@ -227,4 +227,5 @@ fn remember(memory: &mut Memory, work: &mut Workspace, all_go_on: bool, step_s: 
     }
     core::mem::swap(&mut memory.last_states, &mut work.states);
     memory.last_step_s = step_s;
+    memory.placed.clear();
 }

@@ -66,6 +66,8 @@ impl Writer {
             EventKind::FenderOverRated(fender) => (7, fender.0),
             EventKind::FenderFailed(fender) => (8, fender.0),
             EventKind::NotConverged => (9, NONE),
+            EventKind::PutInto => (10, NONE),
+            EventKind::MassDiffers => (11, NONE),
         };
         self.word32(kind);
         self.word32(fender);
@@ -214,6 +216,8 @@ impl<'a> Reader<'a> {
             (7, Some(fender)) => EventKind::FenderOverRated(fender),
             (8, Some(fender)) => EventKind::FenderFailed(fender),
             (9, None) => EventKind::NotConverged,
+            (10, None) => EventKind::PutInto,
+            (11, None) => EventKind::MassDiffers,
             _ => return Err(RestoreError::Content),
         };
         Ok(Event { bodies, kind })

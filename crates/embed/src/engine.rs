@@ -4,8 +4,8 @@ use std::mem;
 use std::sync::Arc;
 
 use fenderline_contact::{
-    self as contact, BodyState, FollowingHost, HostWorkspace, Memory, Mobility, Model, StepError,
-    Workspace, Wrench,
+    self as contact, BodyId, BodyState, FollowingHost, HostWorkspace, Memory, Mobility, Model,
+    StepError, Workspace, Wrench,
 };
 use fenderline_scenario::Scenario;
 use fenderline_sim::{Integrator, Method, Setup};
@@ -229,6 +229,26 @@ impl Engine {
         self.check_states(states)?;
         self.states.copy_from_slice(states);
         self.shown.fill(true);
+        Ok(())
+    }
+
+    /// Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
+    /// start afresh, no load is read from it, and where it lies within another body it is pressed out slowly
+    /// ([`fenderline_contact::EventKind::PutInto`]). Without it the engine finds out where the way is longer than
+    /// the body's velocities lead it, by a tenth of its radius.
+    ///
+    /// # Errors
+    /// There is no such body.
+    pub fn place(&mut self, body: usize) -> Result<(), EngineError> {
+        let count = self.states.len();
+        if body >= count {
+            return Err(EngineError::NoSuch { what: "body", index: body, count });
+        }
+        let (model, id) = (&self.plan.model, BodyId(body as u32));
+        match &mut self.core {
+            Core::Present { memory, .. } => memory.place(model, id),
+            Core::Following { host, .. } => host.place(model, id),
+        }
         Ok(())
     }
 

@@ -103,7 +103,8 @@ impl Engine {
     }
 
     /// One step of `step_s` seconds from `states`, under `loads` where `tells_loads`: fills `wrenches`, and
-    /// `states_after` where the engine moves the bodies.
+    /// `states_after` where the engine moves the bodies. Steps may be of any lengths; in one of 0 s, a pause, nothing
+    /// goes on.
     fn step(&mut self, py: Python<'_>, step_s: f64) -> PyResult<()> {
         let Engine { engine, state_rows, load_rows, .. } = self;
         self.states.read(py, |numbers| read_states(numbers, state_rows))??;
@@ -116,6 +117,14 @@ impl Engine {
         };
         engine.advance(state_rows, loads, step_s).map_err(|error| errors::of_engine(py, &error))?;
         self.show(py)
+    }
+
+    /// Says that you have put the body of a name where `states` has it in the next step, rather than moved it there:
+    /// its contacts start afresh, and where it lies within another one it is pressed out slowly (event `put_into`).
+    fn place(&mut self, py: Python<'_>, body: &str) -> PyResult<()> {
+        let Engine { engine, .. } = self;
+        let placed = engine.body_named(body).and_then(|index| engine.place(index));
+        placed.map_err(|error| errors::of_engine(py, &error))
     }
 
     /// States that the next step begins from, one row a body: north and east [m], heading [rad], velocity north

@@ -134,6 +134,25 @@ def test_a_pause_changes_nothing_and_is_good(host: str) -> None:
     assert np.array_equal(engine.wrenches, wrenches)
 
 
+def test_a_tug_that_is_put_into_a_ship_is_pressed_out_slowly() -> None:
+    engine = Engine(coupled_tug())
+    engine.states[1, 3:] = 0.0
+    engine.step(0.1)
+    engine.states[1, 1] = -36.0  # three metres into her side
+    engine.place("tug")
+    engine.step(0.1)
+    assert {"teleported", "put_into"} <= {event.kind for event in engine.events}
+    fastest_mps = 0.0
+    for _ in range(600):
+        engine.states[:] = engine.states_after
+        engine.step(0.1)
+        fastest_mps = max(fastest_mps, float(np.hypot(engine.states[1, 3], engine.states[1, 4])))
+    assert 0.07 < fastest_mps < 0.1
+    assert not len(engine.contacts)
+    with pytest.raises(EngineError, match="barge"):
+        engine.place("barge")
+
+
 def test_save_restore_and_copy() -> None:
     engine = Engine(coupled_tug())
     engine.states[1, 1] = -38.9

@@ -15,6 +15,8 @@ pub fn event_key(kind: EventKind) -> &'static str {
         EventKind::DeepOverlap => "deep_overlap",
         EventKind::Teleported => "teleported",
         EventKind::NotConverged => "not_converged",
+        EventKind::PutInto => "put_into",
+        EventKind::MassDiffers => "mass_differs",
         EventKind::FenderOverRated(_) => "fender_over_rated",
         EventKind::FenderFailed(_) => "fender_failed",
     }

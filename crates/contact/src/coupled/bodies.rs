@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::admit::{Came, admit_call, admit_loads, admit_states, came, is_sound, tell_of_jumps};
+use crate::admit::{Came, admit_call, admit_loads, admit_states, is_sound, tell_of_jumps};
 use crate::error::StepError;
 use crate::mass::InverseMatrix;
 use crate::memory::Memory;
@@ -102,7 +102,7 @@ fn place(
                 inverses[rank] = model.ranked.rest(rank).inverse.turned(poses[rank].rotation);
             }
         }
-        match last.map(|last| came((last, memory.last_step_s), state, body.radius_m)) {
+        match last.map(|last| memory.came(rank, last, state, body.radius_m)) {
             None | Some(Came::ByItself) => {}
             Some(how) => {
                 put.push(rank as u32);

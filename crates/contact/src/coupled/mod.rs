@@ -22,6 +22,7 @@ pub(crate) mod island;
 pub(crate) mod leap;
 pub(crate) mod let_go;
 pub(crate) mod pace;
+pub(crate) mod press_out;
 pub(crate) mod rows;
 pub(crate) mod solve;
 pub(crate) mod tie;
@@ -360,4 +361,5 @@ fn remember(memory: &mut Memory, work: &mut Workspace, all_go_on: bool, step_s: 
     }
     core::mem::swap(&mut memory.last_states, &mut work.shown);
     memory.last_step_s = step_s;
+    memory.placed.clear();
 }

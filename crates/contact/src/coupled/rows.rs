@@ -2,8 +2,9 @@
 
 use alloc::vec::Vec;
 
+use crate::coupled::press_out::{Put, opening_mps};
 use crate::coupled::tie::{Forces, Tie};
-use crate::events::tell_of_patch;
+use crate::events::{note, tell_of_patch};
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
@@ -14,7 +15,7 @@ use crate::model::Material;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::ranked::Bodies;
-use crate::report::{Event, ForceParts, Friction};
+use crate::report::{Event, EventKind, ForceParts, Friction};
 use crate::state::BodyState;
 use crate::touch::{Levers, Movers, Scene, Touch, touch};
 use crate::vec2::Vec2;
@@ -145,7 +146,7 @@ pub(crate) fn collect(
         normal_force(material, &touch, factor, patch.area_m2, area_before_m2, begun.elapsed_s);
     let law_n = parts.total_n();
     let (v_ref_mps, approaching) = reference_speed(touch.v_normal_mps, old);
-    let laws = Laws {
+    let mut laws = Laws {
         material,
         law_n,
         rebound_mps: material.restitution * v_ref_mps,
@@ -153,6 +154,22 @@ pub(crate) fn collect(
         may_shear_j: old.map_or(0.0, |m| m.sheared_j),
         unheld_j: unheld_j(&touch, factor, law_n, old),
     };
+    let put = Put {
+        placed: taken.placed,
+        old,
+        may_give_j: laws.may_give_j,
+        law_n,
+        inverse_mass: tie.linear,
+        restitution: material.restitution,
+    };
+    let pressed_out = put.is_pressed_out();
+    if pressed_out {
+        laws.rebound_mps = opening_mps(touch.v_normal_mps, begun.h);
+        laws.unheld_j = 0.0;
+        if taken.placed {
+            note(model, aside.events, a, b, EventKind::PutInto);
+        }
+    }
     let begins_with = Forces {
         normal_n: old.map_or(law_n, |m| lesser(m.normal_force_n, law_n)),
         tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
@@ -160,7 +177,8 @@ pub(crate) fn collect(
     };
     tie.obey(&touch, &laws, begins_with, begun.h);
     let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
-        | (u32::from(approaching) * PatchMemory::APPROACHING);
+        | (u32::from(approaching) * PatchMemory::APPROACHING)
+        | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
     if let Some(row) = row {
         let Touch { depth_m, tilt_rad, stored_j, .. } = touch;
         *row = Row { depth_m, tilt_rad, parts, stored_j: stored_j * factor };

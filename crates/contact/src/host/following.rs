@@ -12,7 +12,7 @@ use crate::host::steering::{self, Velocity, Way};
 use crate::host::workspace::HostWorkspace;
 use crate::host::{observer, predictor};
 use crate::memory::Memory;
-use crate::model::Model;
+use crate::model::{BodyId, Model};
 use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
@@ -78,6 +78,8 @@ pub(super) struct Followed {
     pub(super) shown: BodyState,
     /// The last load observed.
     pub(super) observed: Wrench,
+    /// The host has said that it puts the body where it shows it next.
+    pub(super) placed: bool,
     /// What contact did to the engine's motion that the host's has not got yet; nothing where nothing
     /// touched the body.
     pub(super) ahead: Option<Lead>,
@@ -117,6 +119,16 @@ impl FollowingHost {
         self.bodies.clone_from(&other.bodies);
         self.given.clone_from(&other.given);
         self.last_step_s = other.last_step_s;
+    }
+
+    /// The host has put a body where the next step shows it: its contacts start afresh, no load is read from it, and
+    /// where it lies within another one it is pressed out slowly. See [`Memory::place`].
+    ///
+    /// # Panics
+    /// Where the model has no such body.
+    pub fn place(&mut self, model: &Model, body: BodyId) {
+        self.memory.place(model, body);
+        self.bodies[body.0 as usize].placed = true;
     }
 
     /// What is known of the host.
@@ -199,7 +211,14 @@ impl FollowingHost {
             if two_states {
                 let given = &self.given[index];
                 let body = &model.bodies()[index];
-                if observer::was_moved(self.settings.integration, body, &next.shown, &shown, given)
+                if next.placed
+                    || observer::was_moved(
+                        self.settings.integration,
+                        body,
+                        &next.shown,
+                        &shown,
+                        given,
+                    )
                 {
                     next.ahead = None;
                 } else if given.step_s > 0.0
@@ -207,6 +226,10 @@ impl FollowingHost {
                 {
                     next.observed = load;
                 }
+            }
+            if next.placed {
+                next.ahead = None;
+                next.placed = false;
             }
             next.shown = shown;
         }

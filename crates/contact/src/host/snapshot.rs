@@ -7,7 +7,7 @@
 //! | 4, 4 | delay in steps; integration: 0 forward Euler, 1 semi-implicit |
 //! | 4, 8 | number of steps given; length of the last step |
 //! | 4 + as many | length and bytes of the contacts' [`Memory::snapshot`] |
-//! | 160 each | bodies: state shown, load observed, 1 or 0 and lead: velocity, half kick, way, 1 or 0, time |
+//! | 164 each | bodies: state shown, load observed, 1 or 0: placed, 1 or 0 and lead: velocity, half kick, way, 1 or 0, time |
 //! | 60 each | steps given, body by body: Δt, wrench, 1 or 0 and load told |
 //! | 8 | FNV-1a of all before |
 //!
@@ -27,7 +27,7 @@ use crate::report::Wrench;
 use crate::snapshot::{Reader, SNAPSHOT_VERSION, Writer};
 
 const MAGIC: &[u8; 8] = b"fndrhost";
-const BODY_BYTES: usize = 160;
+const BODY_BYTES: usize = 164;
 const GIVEN_BYTES: usize = 60;
 
 impl FollowingHost {
@@ -134,6 +134,7 @@ fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
 fn write_body(out: &mut Writer, body: &Followed) {
     out.state(&body.shown);
     write_wrench(out, &body.observed);
+    out.word32(u32::from(body.placed));
     let lead = body.ahead.unwrap_or_default();
     out.word32(u32::from(body.ahead.is_some()));
     write_velocity(out, lead.velocity);
@@ -164,6 +165,7 @@ fn write_wrench(out: &mut Writer, wrench: &Wrench) {
 fn read_body(input: &mut Reader<'_>) -> Result<Followed, RestoreError> {
     let shown = input.state()?;
     let observed = read_wrench(input)?;
+    let placed = read_flag(input)?;
     let is_ahead = read_flag(input)?;
     let lead = Lead {
         velocity: read_velocity(input)?,
@@ -172,7 +174,7 @@ fn read_body(input: &mut Reader<'_>) -> Result<Followed, RestoreError> {
         exact: read_flag(input)?,
         due_s: input.number()?,
     };
-    Ok(Followed { shown, observed, ahead: is_ahead.then_some(lead) })
+    Ok(Followed { shown, observed, placed, ahead: is_ahead.then_some(lead) })
 }
 
 fn read_velocity(input: &mut Reader<'_>) -> Result<Velocity, RestoreError> {

@@ -107,6 +107,8 @@ fn contact_text(event: &Event, setup: &Setup, contacts: &[ContactNow]) -> Option
         EventKind::FenderFailed(fender) => {
             format!("FENDER {} HAS FAILED", setup.fenders[fender.0 as usize].name)
         }
+        EventKind::PutInto => format!("{one} was put into {two} and is pressed out slowly"),
+        EventKind::MassDiffers => format!("{one} moves with another mass than the model's"),
         EventKind::NotConverged => format!("the contact of {one} and {two} did not settle"),
     })
 }

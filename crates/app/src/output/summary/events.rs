@@ -79,6 +79,10 @@ pub(crate) fn event_text(kind: EventKind) -> &'static str {
         EventKind::NotConverged => {
             "the coupled solve of a contact did not settle within its bounded work"
         }
+        EventKind::PutInto => {
+            "a body was put into another, so deep that it is pressed out slowly instead of thrown out"
+        }
+        EventKind::MassDiffers => "a body moves with another mass than the model's",
         EventKind::FenderOverRated(_) => "a fender was deflected beyond what it is rated for",
         EventKind::FenderFailed(_) => {
             "a fender FAILED: its stop, or the structure behind it, held the hull"

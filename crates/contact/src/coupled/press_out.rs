@@ -1,0 +1,69 @@
+//! Bodies that were put into one another are pressed out slowly.
+//!
+//! Whoever puts a ship 3 m into a quay has pressed its springs with more than any impact: a thousand
+//! meganewtons and more, that would throw her out at metres a second. Such a contact does not act by its law but
+//! by its speed: N is what it takes to bring V_n⁺ to
+//!
+//! V_n − h (a + V_n/T) while the bodies close, and from there with a to −V_out,
+//!
+//! where the law has as much. So N holds the load, and accelerates the bodies by at most a (and V_n/T where they
+//! still close), however deep they lie. Where the law has less than that, the bodies have come to where the
+//! load is held, or out: the contact acts by its law again. A contact that came about by itself never begins
+//! like this.
+
+use crate::memory::PatchMemory;
+
+/// V_out: the fastest that a contact presses bodies apart that were put into one another [m/s].
+pub const PRESSED_OUT_MPS: f64 = 0.08;
+
+/// a: how fast it gets there [m/s²]: a five-hundredth of the weight.
+const GENTLY_MPS2: f64 = 0.02;
+
+/// T: in which time it stops bodies that close [s].
+const STOPPING_S: f64 = 2.0;
+
+/// Bodies that what the springs hold could bring to this speed are not left to them [m/s].
+const THROWN_OUT_MPS: f64 = 0.5;
+
+/// What decides whether a contact presses bodies apart slowly.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Put<'m> {
+    /// Were they put where they are before this sub-step?
+    pub(crate) placed: bool,
+    pub(crate) old: Option<&'m PatchMemory>,
+    /// What the contact may give them [J], and f [N].
+    pub(crate) may_give_j: f64,
+    pub(crate) law_n: f64,
+    /// n·K n without rotation [1/kg], and γ.
+    pub(crate) inverse_mass: f64,
+    pub(crate) restitution: f64,
+}
+
+impl Put<'_> {
+    /// Is this a contact that presses out slowly?
+    #[inline(always)]
+    pub(crate) fn is_pressed_out(&self) -> bool {
+        self.placed && self.would_throw_out() || self.old.is_some_and(|old| self.goes_on(old))
+    }
+
+    /// As long as the law has more than it takes.
+    #[inline(always)]
+    fn goes_on(&self, old: &PatchMemory) -> bool {
+        old.flags & PatchMemory::PRESSED_OUT != 0 && old.normal_force_n < self.law_n
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn would_throw_out(&self) -> bool {
+        let fastest_mps = libm::sqrt(2.0 * self.may_give_j * self.inverse_mass);
+        fastest_mps > THROWN_OUT_MPS || self.restitution * fastest_mps > PRESSED_OUT_MPS
+    }
+}
+
+/// What V_n⁺ may not fall below, with the other sign, as that of γ v_ref else [m/s].
+pub(crate) fn opening_mps(v_normal_mps: f64, h: f64) -> f64 {
+    let slower_mps = h * (GENTLY_MPS2 + v_normal_mps.max(0.0) / STOPPING_S);
+    // A sub-step that is long beside T stops them.
+    let opening_mps = slower_mps.min(v_normal_mps.max(0.0) + h * GENTLY_MPS2) - v_normal_mps;
+    opening_mps.min(PRESSED_OUT_MPS)
+}
