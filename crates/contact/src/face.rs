@@ -41,6 +41,8 @@ pub(crate) struct Press {
     pub(crate) deflection_m: f64,
     /// Energy stored in spring and stop [J].
     pub(crate) stored_j: f64,
+    /// What the overlap grows by with the hull's way along `push` [m].
+    pub(crate) chord_m: f64,
     /// Angle between hull and face [rad].
     pub(crate) tilt_rad: f64,
 }
@@ -119,6 +121,7 @@ pub(crate) fn press<'a>(
         stop_n,
         deflection_m,
         stored_j: spring_j + 0.5 * stop_npm * past_m * past_m,
+        chord_m: vec2(sums.of_area[0], sums.of_area[1]).dot(push),
         tilt_rad: tilt_rad(sums.of_area[1].abs(), greater(sums.of_area[0], 0.0)),
     }
 }

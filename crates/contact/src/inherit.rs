@@ -164,6 +164,7 @@ fn inherit_of_several(
         merged.flags |= parent.flags;
         merged.taken_j += parent.taken_j;
         merged.sheared_j += parent.sheared_j;
+        merged.damped_m2 += parent.damped_m2;
     }
     let place = shares.len() as u32;
     shares.push(merged);
@@ -185,6 +186,7 @@ fn share_of(
         area_m2: parent.area_m2 * share,
         taken_j: parent.taken_j * share,
         sheared_j: parent.sheared_j * share,
+        damped_m2: parent.damped_m2 * share,
         ..*parent
     }
 }

@@ -71,7 +71,7 @@ mod vec2;
 mod workspace;
 
 pub use coupled::press_out::PRESSED_OUT_MPS;
-pub use coupled::{advance, advance_in_place};
+pub use coupled::{advance, advance_in_place, advance_on};
 pub use error::{ModelError, RestoreError, StepError};
 pub use fender::{Fender, FenderId, FenderLaw, ReactionFactors, Stop};
 pub use geometry::clip::{Clip, PairClip};

@@ -27,7 +27,14 @@ pub struct Memory {
     pub(crate) last_step_s: f64,
     /// Ranks, in order, of the bodies of which the host has said that it put them where it shows them next.
     pub(crate) placed: Vec<u32>,
+    /// By rank, after a step of the coupled method: how long before its position the velocity that the engine left of
+    /// a body belongs to, which is half of its last sub-step [s]; [`NOT_BEHIND`] of what does not float. See
+    /// [`crate::coupled::bodies`].
+    pub(crate) behind_s: Vec<f64>,
 }
+
+/// Of bodies of whose velocities it is not known that they belong to another time than their positions.
+pub(crate) const NOT_BEHIND: f64 = -1.0;
 
 /// What a patch of contact remembers (§3.3 and §3.4 of the paper).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,8 +44,8 @@ pub(crate) struct PatchMemory {
     pub(crate) b: u32,
     pub(crate) face: u32,
     pub(crate) patch: u32,
-    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is told once, and
-    /// [`PatchMemory::APPROACHING`].
+    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is told once,
+    /// [`PatchMemory::APPROACHING`] and [`PatchMemory::SLIPPING`].
     pub(crate) flags: u32,
     /// S^{n−1} [m²].
     pub(crate) area_m2: f64,
@@ -66,6 +73,8 @@ pub(crate) struct PatchMemory {
     /// What the shear spring has taken from the bodies and still stores, by the coupled method [J]: the
     /// most that it may give them.
     pub(crate) sheared_j: f64,
+    /// The area whose growth the damper has answered, by the coupled method [m²]: see [`crate::law::damper`].
+    pub(crate) damped_m2: f64,
 }
 
 impl PatchMemory {
@@ -77,6 +86,8 @@ impl PatchMemory {
     pub(crate) const APPROACHING: u32 = 4;
     /// A body was put into the other and is pressed out.
     pub(crate) const PRESSED_OUT: u32 = 8;
+    /// By the coupled method: it slipped in the last (sub-)step.
+    pub(crate) const SLIPPING: u32 = 16;
 
     /// Of a patch with this normal, at this point: all that the laws do not say.
     #[inline(always)]
@@ -230,6 +241,7 @@ impl Memory {
             last_states: Vec::new(),
             last_step_s: 0.0,
             placed: Vec::new(),
+            behind_s: Vec::new(),
         }
     }
 
@@ -259,6 +271,7 @@ impl Memory {
         self.last_states.clone_from(&other.last_states);
         self.last_step_s = other.last_step_s;
         self.placed.clone_from(&other.placed);
+        self.behind_s.clone_from(&other.behind_s);
     }
 
     /// The host has put a body where the next step shows it: its contacts start afresh there

@@ -149,9 +149,10 @@ pub struct Wrench {
 /// load's work.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// Σ ½(v + v⁺)h over the sub-steps, earth-fixed [m].
+    /// Σ ½(v + v⁺)κ over the sub-steps, earth-fixed, with κ for how long forces act: h, and half of the two where a
+    /// sub-step is not as long as the last one [m].
     pub way_m: Vec2,
-    /// Σ ½(r + r⁺)h [rad].
+    /// Σ ½(r + r⁺)κ [rad].
     pub turn_rad: f64,
 }
 

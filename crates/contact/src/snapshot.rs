@@ -6,11 +6,12 @@
 //! | 4 | version |
 //! | 8 | fingerprint of the model |
 //! | 8 | Δt of the last step |
-//! | 4, 4, 4, 4 | numbers of states, patches, hints and bodies placed |
+//! | 4, 4, 4, 4, 4 | numbers of states, patches, hints, bodies placed and times |
 //! | 48 each | states, by rank |
-//! | 220 each | patches |
+//! | 228 each | patches |
 //! | 40 each | hints |
 //! | 4 each | ranks of bodies that the host has said it put somewhere |
+//! | 8 each | how long before the positions the velocities belong to, by rank |
 //! | 8 | FNV-1a of all before |
 //!
 //! Everything is in the order of the bodies' keys: the bytes do not depend on the order in which
@@ -21,7 +22,7 @@ use alloc::vec::Vec;
 use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
 use crate::geometry::clip::Hint;
-use crate::memory::{Extent, HintMemory, Memory, PatchMemory, PlaceMemory, place_of};
+use crate::memory::{Extent, HintMemory, Memory, NOT_BEHIND, PatchMemory, PlaceMemory, place_of};
 use crate::model::{Fnv, Model};
 use crate::overlap::Place;
 use crate::state::BodyState;
@@ -32,18 +33,20 @@ pub const SNAPSHOT_VERSION: u32 = 6;
 
 const MAGIC: &[u8; 8] = b"fndrline";
 const STATE_BYTES: usize = 48;
-const PATCH_BYTES: usize = 220;
+const PATCH_BYTES: usize = 228;
 const HINT_BYTES: usize = 40;
+const TIME_BYTES: usize = 8;
 
 impl Memory {
     /// All of this memory as bytes.
     #[must_use]
     pub fn snapshot(&self) -> Vec<u8> {
         let mut out = Writer(Vec::with_capacity(
-            52 + self.placed.len() * 4
+            56 + self.placed.len() * 4
                 + self.last_states.len() * STATE_BYTES
                 + self.patches.len() * PATCH_BYTES
-                + self.hints.len() * HINT_BYTES,
+                + self.hints.len() * HINT_BYTES
+                + self.behind_s.len() * TIME_BYTES,
         ));
         out.0.extend_from_slice(MAGIC);
         out.word32(SNAPSHOT_VERSION);
@@ -53,6 +56,7 @@ impl Memory {
         out.word32(self.patches.len() as u32);
         out.word32(self.hints.len() as u32);
         out.word32(self.placed.len() as u32);
+        out.word32(self.behind_s.len() as u32);
         self.last_states.iter().for_each(|s| out.state(s));
         for patch in &self.patches {
             out.patch(patch);
@@ -60,6 +64,7 @@ impl Memory {
         }
         self.hints.iter().for_each(|h| out.hint(h));
         self.placed.iter().for_each(|&rank| out.word32(rank));
+        self.behind_s.iter().for_each(|&behind_s| out.number(behind_s));
         let mut sum = Fnv::default();
         sum.bytes(&out.0);
         out.word64(sum.0);
@@ -91,10 +96,12 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
     let [states, patches, hints] = [input.word32()?, input.word32()?, input.word32()?];
     let [states, patches, hints] = [states as usize, patches as usize, hints as usize];
     let placed = input.word32()?;
+    let times = input.word32()?;
     let body = states as u128 * STATE_BYTES as u128
         + patches as u128 * PATCH_BYTES as u128
         + hints as u128 * HINT_BYTES as u128
-        + u128::from(placed) * 4;
+        + u128::from(placed) * 4
+        + u128::from(times) * TIME_BYTES as u128;
     if input.0.len() as u128 != body + 8 {
         return Err(RestoreError::Length);
     }
@@ -128,6 +135,9 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
     for _ in 0..placed {
         memory.placed.push(input.word32()?);
     }
+    for _ in 0..times {
+        memory.behind_s.push(input.number()?);
+    }
     check(model, &memory)?;
     Ok(memory)
 }
@@ -144,7 +154,11 @@ fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
     };
     // `Memory::set_elapsed` takes parts of a step.
     let elapsed = 1e-3 * SHORTEST_STEP_S..=LONGEST_STEP_S;
-    let ok = (memory.last_states.is_empty() || memory.last_states.len() == bodies)
+    let in_time =
+        |behind_s: f64| behind_s == NOT_BEHIND || (0.0..=LONGEST_STEP_S).contains(&behind_s);
+    let ok = (memory.behind_s.is_empty() || memory.behind_s.len() == bodies)
+        && memory.behind_s.iter().all(|&behind_s| in_time(behind_s))
+        && (memory.last_states.is_empty() || memory.last_states.len() == bodies)
         && (memory.last_step_s == 0.0 || elapsed.contains(&memory.last_step_s))
         && memory.placed.windows(2).all(|w| w[0] < w[1])
         && memory.placed.last().is_none_or(|&rank| (rank as usize) < bodies)
@@ -193,7 +207,7 @@ impl Writer {
         [p.area_m2, p.shear_m, p.v_normal_0_mps, p.v_tangential_0_mps]
             .into_iter()
             .for_each(|v| self.number(v));
-        [p.normal_force_n, p.tangential_force_n, p.factor, p.taken_j, p.sheared_j]
+        [p.normal_force_n, p.tangential_force_n, p.factor, p.taken_j, p.sheared_j, p.damped_m2]
             .into_iter()
             .for_each(|v| self.number(v));
         [p.point_in_a_m, p.point_in_b_m, p.normal_in_a].into_iter().for_each(|v| self.vector(v));
@@ -269,6 +283,7 @@ impl<'a> Reader<'a> {
             factor: self.number()?,
             taken_j: self.number()?,
             sheared_j: self.number()?,
+            damped_m2: self.number()?,
             point_in_a_m: self.vector()?,
             point_in_b_m: self.vector()?,
             normal_in_a: self.vector()?,

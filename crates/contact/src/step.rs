@@ -9,7 +9,7 @@ use crate::events::tell_of_patch;
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::{Inherited, inherit_from};
-use crate::law::normal::{factor, normal_force};
+use crate::law::normal::{damper_n, factor, normal_force};
 use crate::law::shear;
 use crate::limit::effective_mass::inverse_mass;
 use crate::limit::paper::{self, Velocities};
@@ -159,7 +159,7 @@ fn contact(
     let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, face, &touch, old);
     let mut parts =
-        normal_force(material, &touch, factor, patch.area_m2, area_before_m2, elapsed_s);
+        normal_force(&touch, factor, damper_n(material, patch.area_m2, area_before_m2, elapsed_s));
     let trial_n = parts.total_n();
     let normal_force_n = paper::limited_normal_n(trial_n, &v, &mass, material.restitution, step_s);
     parts.limiter_n = trial_n - normal_force_n;
@@ -228,4 +228,5 @@ fn remember(memory: &mut Memory, work: &mut Workspace, all_go_on: bool, step_s: 
     core::mem::swap(&mut memory.last_states, &mut work.states);
     memory.last_step_s = step_s;
     memory.placed.clear();
+    memory.behind_s.clear();
 }

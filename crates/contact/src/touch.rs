@@ -29,6 +29,8 @@ pub(crate) struct Touch {
     /// What a fender stores, before factors [J]; an area spring between two hulls stores no energy that
     /// its depth alone would tell.
     pub(crate) stored_j: f64,
+    /// What S grows by with the distance that the two close along n [m].
+    pub(crate) chord_m: f64,
     /// Angle between a fender's face and the hull [rad].
     pub(crate) tilt_rad: f64,
     /// V_n, V_t [m/s] (eq. 10).
@@ -189,6 +191,7 @@ fn by_face(scene: &Scene<'_>, patch: &Patch, face: &RankedFender) -> Touch {
         spring_n: press.spring_n,
         stop_n: press.stop_n,
         stored_j: press.stored_j,
+        chord_m: press.chord_m,
         tilt_rad: press.tilt_rad,
         ..Touch::default()
     }

@@ -89,6 +89,9 @@ pub struct Workspace {
     /// mass is not the same in all directions.
     pub(crate) accelerations: Vec<Velocity>,
     pub(crate) loads: Vec<Wrench>,
+    /// How long before its position the velocity of each body belongs to, by rank, or the negative of that where it is
+    /// taken to be as if all its (sub-)steps were as long as this one [s].
+    pub(crate) behind_s: Vec<f64>,
     /// The most that any point of a body may move at in this step, by rank, and what of it acceleration and
     /// rotation add [m/s].
     pub(crate) fastest_mps: Vec<f64>,
@@ -209,6 +212,7 @@ impl Workspace {
             velocities: Vec::with_capacity(count),
             accelerations: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
+            behind_s: Vec::with_capacity(count),
             fastest_mps: Vec::with_capacity(count),
             room_mps: Vec::with_capacity(count),
             islands: Vec::new(),

@@ -146,15 +146,15 @@ fn another_model_and_another_version_are_refused() {
 fn a_forged_snapshot_is_refused() {
     let mut run = in_contact();
     let before = run.memory.snapshot();
-    // Δt of the last step, then the first state's position: bytes 20.. and 40..
+    // Δt of the last step, then the first state's position: bytes 20.. and 44..
     for (place, value) in [
         (20, f64::NAN),
         (20, -0.1),
         (20, f64::MIN_POSITIVE),
         (20, 1e20),
-        (40, f64::NAN),
-        (40, f64::INFINITY),
-        (40, f64::MAX),
+        (44, f64::NAN),
+        (44, f64::INFINITY),
+        (44, f64::MAX),
     ] {
         let mut forged = before.clone();
         forged[place..place + 8].copy_from_slice(&value.to_le_bytes());

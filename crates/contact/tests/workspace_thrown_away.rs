@@ -6,7 +6,8 @@ mod support;
 
 use fenderline_contact::{
     BodyId, BodyState, Contact, Event, Fender, FenderLaw, Material, MaterialId, Memory, Mobility,
-    Model, ReactionFactors, Vec2, Workspace, Wrench, advance, advance_in_place, step, vec2,
+    Model, ReactionFactors, Vec2, Workspace, Wrench, advance, advance_in_place, advance_on, step,
+    vec2,
 };
 use support::harbour::{PAPER, at, body};
 use support::shapes::{ellipse, hull, points, rectangle, stepped_ship};
@@ -141,7 +142,7 @@ fn by_the_coupled_method(
     states: &mut [BodyState],
     loads: &[Wrench],
 ) {
-    advance(model, memory, work, states, loads, STEP_S).expect("good states and loads");
+    advance_on(model, memory, work, states, loads, STEP_S).expect("good states and loads");
     states.copy_from_slice(work.states_after());
 }
 

@@ -285,6 +285,7 @@ impl Simulation {
         gather_loads(&self.setup.loads, t_s, step_s, &mut self.buffers.loads);
         add_external(&self.buffers.external, &mut self.buffers.loads);
         self.world.step(&self.setup.world, &self.states, t_s, step_s, &mut self.buffers.loads);
+        self.buffers.before.clone_from(&self.states);
         if let Err(cause) = self.contact() {
             if let Some(world) = world_before {
                 self.world = world;
@@ -292,12 +293,9 @@ impl Simulation {
             return Err(SimError { t_s, cause });
         }
         // Stages 6 and 7: everything that acts on each body, and the next states.
-        self.buffers.before.clone_from(&self.states);
         match self.setup.integrator {
-            Integrator::SemiImplicit if self.setup.method == Method::Coupled => {
-                // The engine has moved the bodies itself, in its sub-steps.
-                self.states.clone_from_slice(self.work.states_after());
-            }
+            // The engine has moved the bodies itself, in its sub-steps.
+            Integrator::SemiImplicit if self.setup.method == Method::Coupled => {}
             Integrator::Euler => self.one_stage(euler),
             Integrator::SemiImplicit => self.one_stage(semi_implicit),
             Integrator::Rk4 => {
@@ -358,8 +356,12 @@ impl Simulation {
                     sum.force_n = loads[body].force_n + turning.force_n;
                     sum.moment_nm = loads[body].moment_nm + turning.moment_nm;
                 }
-                let (memory, work) = (&mut self.memory, &mut self.work);
-                contact::advance(&self.model, memory, work, &self.states, sums, step_s)
+                let (model, memory, work) = (&self.model, &mut self.memory, &mut self.work);
+                if self.setup.integrator == Integrator::SemiImplicit {
+                    contact::advance_in_place(model, memory, work, &mut self.states, sums, step_s)
+                } else {
+                    contact::advance(model, memory, work, &self.states, sums, step_s)
+                }
             }
         }
     }

@@ -1,13 +1,20 @@
 //! The bodies of a step: what they begin with, and how they move.
+//!
+//! Sub-steps are a leapfrog: x⁺ = x + h v⁺ with v⁺ = v + κ M⁻¹ (W + contact). So v⁺ belongs to the middle of its
+//! sub-step, v to the middle of the one before, and κ, from the one to the other, is (h_before + h)/2: h, as long as
+//! sub-steps are of one length. Where their length changes half of the difference is owed. At rest loads and contacts
+//! have the same κ and cancel, whatever the steps.
 
 use alloc::vec::Vec;
 use core::ops::Range;
 
 use crate::admit::{Came, admit_call, admit_loads, admit_states, is_sound, tell_of_jumps};
+use crate::coupled::island::Island;
 use crate::error::StepError;
 use crate::mass::InverseMatrix;
-use crate::memory::Memory;
+use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::Model;
+use crate::number::{greater, lesser};
 use crate::ranked::Rest;
 use crate::report::{Motion, Wrench};
 use crate::state::{BodyState, Velocity};
@@ -20,7 +27,7 @@ const AT_ONCE: usize = 64;
 /// Stage 1: admits what the host gave, and finds what loads alone do to each body that floats, and the room each may
 /// need in the step; but for those that stand as they stood at the last step, as quays and fenders on them do: these
 /// are left as they are. `work.active` are the others. Whether all are still within their circles in the list of
-/// those that are near.
+/// those that are near. `moves_on` says that bodies have the velocities that the engine left them.
 ///
 /// # Errors
 /// What is not sound; nothing but what stages work with has changed then.
@@ -29,7 +36,7 @@ pub(crate) fn take(
     memory: &Memory,
     work: &mut Workspace,
     (states, loads): (&[BodyState], &[Wrench]),
-    step_s: f64,
+    (step_s, moves_on): (f64, bool),
 ) -> Result<bool, StepError> {
     admit_call(model, memory, states, step_s)?;
     admit_loads(model, states, loads)?;
@@ -49,7 +56,8 @@ pub(crate) fn take(
         if !place(model, memory, work, states, ranks) {
             return admit_states(model, states).map(|()| false);
         }
-        all_held &= take_loads(model, work, loads, first, step_s);
+        let behind_s = moves_on.then_some(memory.behind_s.as_slice());
+        all_held &= take_loads(model, work, (loads, behind_s), first, step_s);
     }
     // Not before all states are sound: these are results.
     if is_new {
@@ -121,7 +129,7 @@ fn place(
 fn take_loads(
     model: &Model,
     work: &mut Workspace,
-    loads: &[Wrench],
+    (loads, left_behind_s): (&[Wrench], Option<&[f64]>),
     first: usize,
     step_s: f64,
 ) -> bool {
@@ -129,10 +137,10 @@ fn take_loads(
     let count = ranked.len();
     let Workspace { active, shown, moves, velocities, loads: own, inverses, .. } = work;
     let Workspace { accelerations, motions_by_rank, moving_walls, states, .. } = work;
-    let Workspace { room_mps, fastest_mps, reach_m, .. } = work;
+    let Workspace { room_mps, fastest_mps, reach_m, behind_s, put, .. } = work;
     // Of one length, so that it is asked for once.
     let (shown, velocities) = (&shown[..count], &mut velocities[..count]);
-    let accelerations = &mut accelerations[..count];
+    let (accelerations, behind_s) = (&mut accelerations[..count], &mut behind_s[..count]);
     let (fastest_mps, room_mps) = (&mut fastest_mps[..count], &mut room_mps[..count]);
     let (reach_m, id_of) = (&mut reach_m[..count], &model.id_of[..count]);
     let circles = work.near.circles_for(model);
@@ -143,6 +151,7 @@ fn take_loads(
         let mut room = state.yaw_rate_radps.abs() * body.reach_m;
         if body.is_fixed() {
             moves[rank] = !state.is_at_rest();
+            behind_s[rank] = NOT_BEHIND;
             velocities[rank] = state.velocity();
             motions_by_rank[rank] = Motion::default();
             if moves[rank] {
@@ -162,8 +171,15 @@ fn take_loads(
                 inverses[rank].response(load.force_n, load.moment_nm)
             };
             accelerations[rank] = (way, turn);
-            velocities[rank] = free_velocity(state, (way, turn), step_s);
-            room += (way.length() + turn.abs() * body.reach_m) * step_s;
+            behind_s[rank] = match left_behind_s {
+                // The velocities that a run begins with belong to the places that it begins at.
+                Some([]) => 0.0,
+                Some(left_s) if left_s[rank] >= 0.0 && !is_among(put, rank) => left_s[rank],
+                _ => -0.5 * step_s,
+            };
+            let kick_s = kick_s(behind_s[rank], step_s);
+            velocities[rank] = free_velocity(state, (way, turn), kick_s);
+            room += (way.length() + turn.abs() * body.reach_m) * greater(kick_s, step_s);
         }
         let fastest = state.velocity_mps.length() + room;
         let reach = body.reach_m + fastest * step_s;
@@ -171,6 +187,18 @@ fn take_loads(
         all_held &= circles.get(rank).is_some_and(|circle| circle.holds(state.position_m, reach));
     }
     all_held
+}
+
+/// Is this rank in the list of those that were put, which is empty most often?
+#[inline(always)]
+fn is_among(put: &[u32], rank: usize) -> bool {
+    !put.is_empty() && put.binary_search(&(rank as u32)).is_ok()
+}
+
+/// κ of a sub-step of this length, of a body whose velocity belongs to so long before.
+#[inline(always)]
+pub(crate) fn kick_s(behind_s: f64, h: f64) -> f64 {
+    behind_s.abs() + 0.5 * h
 }
 
 /// Makes room for the bodies of a model, of which this workspace knows nothing.
@@ -189,6 +217,7 @@ fn forget(model: &Model, work: &mut Workspace) {
     work.loads.resize(count, Wrench::default());
     work.inverses.clear();
     work.inverses.extend((0..count).map(|rank| model.ranked.rest(rank).inverse));
+    refill(&mut work.behind_s, count, NOT_BEHIND);
     work.room_mps.resize(count, 0.0);
     work.fastest_mps.resize(count, 0.0);
     work.motions_by_rank.resize(count, Motion::default());
@@ -230,28 +259,58 @@ impl Sums {
 }
 
 /// The bodies of islands as they were shown, where more than one sub-step moves them.
-pub(crate) fn begin(work: &mut Workspace) {
-    let Workspace { island_bodies, shown, states, .. } = work;
+pub(crate) fn begin(work: &mut Workspace, h: f64) {
+    let Workspace { island_bodies, shown, states, behind_s, .. } = work;
     for &rank in &*island_bodies {
-        states[rank as usize] = shown[rank as usize];
+        let rank = rank as usize;
+        states[rank] = shown[rank];
+        if behind_s[rank] < 0.0 {
+            behind_s[rank] = 0.5 * h;
+        }
     }
+}
+
+/// Bodies that touch each other begin with one κ, or what pushes one would not push the other: the least. Their
+/// loads go with it. Says whether any has another than its own now.
+#[inline(never)]
+pub(crate) fn agree(model: &Model, work: &mut Workspace, islands: &[Island]) -> bool {
+    let Workspace { found, own_patches, behind_s, .. } = work;
+    let patches = &found.patches[own_patches.clone()];
+    let mut changed = false;
+    for island in islands {
+        let own = &patches[island.patches_from(own_patches.start)];
+        let floating = || {
+            let both = own.iter().flat_map(|patch| [patch.candidate.a, patch.candidate.b]);
+            both.map(|rank| rank as usize).filter(|&rank| !model.ranked[rank].is_fixed())
+        };
+        let least_s =
+            floating().fold(f64::INFINITY, |least, rank| lesser(least, behind_s[rank].abs()));
+        for rank in floating() {
+            if behind_s[rank].abs() > least_s {
+                (behind_s[rank], changed) = (least_s, true);
+            }
+        }
+    }
+    changed
 }
 
 /// v_free of the bodies of islands for a sub-step that is not the whole step, for which [`take`] has found it.
 pub(crate) fn free_velocities(work: &mut Workspace, h: f64) {
-    let Workspace { island_bodies, states, velocities, accelerations, .. } = work;
+    let Workspace { island_bodies, states, velocities, accelerations, behind_s, .. } = work;
     let count = states.len();
     let (velocities, accelerations) = (&mut velocities[..count], &accelerations[..count]);
+    let behind_s = &behind_s[..count];
     for &rank in &*island_bodies {
         let rank = rank as usize;
-        velocities[rank] = free_velocity(&states[rank], accelerations[rank], h);
+        let kick_s = kick_s(behind_s[rank], h);
+        velocities[rank] = free_velocity(&states[rank], accelerations[rank], kick_s);
     }
 }
 
-/// v_free = v + h M⁻¹ W.
+/// v_free = v + κ M⁻¹ W.
 #[inline(always)]
-fn free_velocity(state: &BodyState, (way, turn): Velocity, h: f64) -> Velocity {
-    (state.velocity_mps + way * h, state.yaw_rate_radps + turn * h)
+fn free_velocity(state: &BodyState, (way, turn): Velocity, kick_s: f64) -> Velocity {
+    (state.velocity_mps + way * kick_s, state.yaw_rate_radps + turn * kick_s)
 }
 
 /// Positions with the new velocities, and inverse masses as the bodies are turned then; and how far the
@@ -265,11 +324,14 @@ pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64, is_
     let (states, velocities, motions) =
         (&mut states[..count], &velocities[..count], &mut motions[..count]);
     let (poses, headings_rad) = (&mut poses[..count], &mut headings_rad[..count]);
+    let behind_s = &mut work.behind_s[..count];
     for &rank in &*island_bodies {
         let rank = rank as usize;
         let (state, motion, pose) = (&mut states[rank], &mut motions[rank], &mut poses[rank]);
         let so_far = if is_first { Motion::default() } else { *motion };
-        *motion = moved_on(so_far, state.velocity(), velocities[rank], h);
+        let kick_s = kick_s(behind_s[rank], h);
+        behind_s[rank] = 0.5 * h;
+        *motion = moved_on(so_far, state.velocity(), velocities[rank], kick_s);
         move_body(state, velocities[rank], h);
         pose.position_m = state.position_m;
         if !alike[rank] {
@@ -296,12 +358,15 @@ pub(crate) fn arrive(model: &Model, work: &mut Workspace, h: f64, is_first: bool
         (&states[..count], &velocities[..count], &motions_by_rank[..count]);
     let (wrenches, states_after) = (&wrenches[..count], &mut states_after[..count]);
     let (motions, id_of) = (&mut motions[..count], &model.id_of[..count]);
+    let behind_s = &mut work.behind_s[..count];
     let mut summed = *sums;
     for &rank in &*island_bodies {
         let rank = rank as usize;
         let (id, mut state) = (id_of[rank].0 as usize, states[rank]);
         let so_far = if is_first { Motion::default() } else { motions_by_rank[rank] };
-        motions[id] = moved_on(so_far, state.velocity(), velocities[rank], h);
+        let kick_s = kick_s(behind_s[rank], h);
+        behind_s[rank] = 0.5 * h;
+        motions[id] = moved_on(so_far, state.velocity(), velocities[rank], kick_s);
         move_body(&mut state, velocities[rank], h);
         if !alike[rank] {
             // Turned for the momentum's sake: so the next step need not.
@@ -315,13 +380,14 @@ pub(crate) fn arrive(model: &Model, work: &mut Workspace, h: f64, is_first: bool
     *sums = summed;
 }
 
-/// How far a body went, with a sub-step from one velocity to the other.
+/// How far a body went, with a sub-step from one velocity to the other, for as long as forces act in it: for their
+/// works' sake.
 #[inline(always)]
-fn moved_on(so_far: Motion, before: Velocity, after: Velocity, h: f64) -> Motion {
+fn moved_on(so_far: Motion, before: Velocity, after: Velocity, kick_s: f64) -> Motion {
     let ((from_mps, from_radps), (to_mps, to_radps)) = (before, after);
     Motion {
-        way_m: so_far.way_m + (from_mps + to_mps) * (0.5 * h),
-        turn_rad: so_far.turn_rad + (from_radps + to_radps) * (0.5 * h),
+        way_m: so_far.way_m + (from_mps + to_mps) * (0.5 * kick_s),
+        turn_rad: so_far.turn_rad + (from_radps + to_radps) * (0.5 * kick_s),
     }
 }
 
@@ -359,7 +425,7 @@ pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
         return;
     }
     let Workspace { active, in_island, shown, accelerations, motions_by_rank, poses, .. } = work;
-    let Workspace { wrenches, states_after, motions, sums, states, moves, .. } = work;
+    let Workspace { wrenches, states_after, motions, sums, states, moves, behind_s, .. } = work;
     let in_island = &in_island[..model.ranked.len()];
     for &rank in &*active {
         let rank = rank as usize;
@@ -374,7 +440,9 @@ pub(crate) fn drift_apart(model: &Model, work: &mut Workspace, step_s: f64) {
             motions_by_rank[rank]
         } else {
             let body = model.ranked.rest(rank);
-            drift(body, &mut state, accelerations[rank], poses[rank].rotation, step_s)
+            let kick_s = kick_s(behind_s[rank], step_s);
+            behind_s[rank] = 0.5 * step_s;
+            drift(body, &mut state, accelerations[rank], poses[rank].rotation, (step_s, kick_s))
         };
         sums.add(&state, &wrenches[id]);
         states_after[id] = state;
@@ -387,12 +455,12 @@ fn drift(
     state: &mut BodyState,
     (way, turn): Velocity,
     before: Rotation,
-    step_s: f64,
+    (step_s, kick_s): (f64, f64),
 ) -> Motion {
-    let (dv, dr) = (way * step_s, turn * step_s);
+    let (dv, dr) = (way * kick_s, turn * kick_s);
     let motion = Motion {
-        way_m: (state.velocity_mps + dv * 0.5) * step_s,
-        turn_rad: (state.yaw_rate_radps + 0.5 * dr) * step_s,
+        way_m: (state.velocity_mps + dv * 0.5) * kick_s,
+        turn_rad: (state.yaw_rate_radps + 0.5 * dr) * kick_s,
     };
     let velocity = (state.velocity_mps + dv, state.yaw_rate_radps + dr);
     move_body(state, velocity, step_s);

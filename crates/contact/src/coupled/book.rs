@@ -19,7 +19,8 @@ const MOST_TAKEN_J: f64 = 1e29;
 pub(crate) struct Books<'w> {
     /// Mean wrenches of the step as far as they are known, by id.
     pub(crate) wrenches: &'w mut [Wrench],
-    /// Length of the sub-step [s], and its share of the step.
+    /// Length of the sub-step [s], and its share of the step. What is reported of a step are means over its
+    /// sub-steps' time: at rest they are the force, however sub-steps change.
     pub(crate) h: f64,
     pub(crate) share: f64,
 }
@@ -28,7 +29,7 @@ impl Books<'_> {
     /// Books the forces of a solved contact of these bodies, A and B, and what they leave in its memory.
     #[inline(always)]
     pub(crate) fn book(&mut self, ids: [BodyId; 2], tie: &Tie, memory: &mut PatchMemory) -> Moved {
-        let Forces { normal_n, tangential_n, .. } = tie.forces;
+        let Forces { normal_n, tangential_n, friction } = tie.forces;
         let (mean_n, mean_t) = (normal_n * self.share, tangential_n * self.share);
         let (force_n, on_a_nm) = tie.grip(Side::A).wrench(mean_n, mean_t);
         let (_, on_b_nm) = tie.grip(Side::B).wrench(mean_n, mean_t);
@@ -43,6 +44,9 @@ impl Books<'_> {
         let moved = Moved::of(tie, memory.shear_m, self.h);
         // What the bodies move in this sub-step is found again in the next one's kinematics.
         memory.shear_m = moved.shear_m - self.h * tie.after_mps.1;
+        if friction == Friction::Slip {
+            memory.flags |= PatchMemory::SLIPPING;
+        }
         memory.normal_force_n = normal_n;
         memory.tangential_force_n = tangential_n;
         memory.taken_j = within(tie.may_give_j + normal_n * moved.closing_m, MOST_TAKEN_J);
@@ -122,7 +126,7 @@ impl Reports<'_> {
     }
 }
 
-/// How a contact's bodies moved there in a sub-step, by the mean velocity within it, and what its shear spring is
+/// How a contact's bodies moved there while its forces acted, by the mean velocity within a sub-step, and what its shear spring is
 /// after it.
 pub(crate) struct Moved {
     closing_m: f64,
@@ -138,8 +142,8 @@ impl Moved {
         let (v_normal_mps, v_tangential_mps) = tie.after_mps;
         let shear_m = tie.shear_after_m(shear_m, v_tangential_mps, h);
         Moved {
-            closing_m: 0.5 * (tie.normal_before_mps + v_normal_mps) * h,
-            slip_m: 0.5 * (tie.tangential_before_mps + v_tangential_mps) * h,
+            closing_m: 0.5 * (tie.normal_before_mps + v_normal_mps) * tie.kick_s,
+            slip_m: 0.5 * (tie.tangential_before_mps + v_tangential_mps) * tie.kick_s,
             shear_m,
             shear_stored_j: tie.shear_stored_j(shear_m),
         }

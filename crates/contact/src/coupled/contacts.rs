@@ -68,12 +68,13 @@ pub(crate) fn act(
             1 => {
                 let tie = &mut ties[first];
                 let_go::alone(model, &patches[first], &mut memories[first], tie);
-                solve::alone(velocities, inverses, tie, h)
+                solve::alone(velocities, inverses, tie, tie.kick_s)
             }
             _ => {
                 let (ties, memories) = (&mut ties[own.clone()], &mut memories[own.clone()]);
                 let_go::let_go(model, &patches[own], memories, ties, unheld_j);
-                solve::velocities(velocities, inverses, ties, memories, trials, h)
+                let kick_s = ties[0].kick_s;
+                solve::velocities(velocities, inverses, ties, memories, trials, kick_s)
             }
         };
         if change_mps > solve::TOLD_MPS {
@@ -109,7 +110,7 @@ struct Laying<'w> {
 
 impl<'w> Laying<'w> {
     #[inline(always)]
-    fn new(model: &'w Model, past: Past<'_>, work: &'w mut Workspace, h: f64) -> Laying<'w> {
+    fn new(model: &'w Model, work: &'w mut Workspace, h: f64) -> Laying<'w> {
         // As many as there are bodies: their ranks are checked once.
         let count = model.ranked.len();
         let patches = &work.found.patches[work.own_patches.clone()];
@@ -122,7 +123,6 @@ impl<'w> Laying<'w> {
             work.rows.resize(told, Row::default());
         }
         let scene = Scene { model, found: &work.found, poses: &work.poses[..count] };
-        let elapsed_s = if past.last_step_s > 0.0 { past.last_step_s } else { h };
         Laying {
             begun: Begun {
                 scene,
@@ -130,7 +130,7 @@ impl<'w> Laying<'w> {
                 states: &work.states[..count],
                 moves: &work.moves[..count],
                 inverses: &work.inverses[..count],
-                elapsed_s,
+                behind_s: &work.behind_s[..count],
                 h,
             },
             aside: Aside { events: &mut work.events, buffers: &mut work.clip },
@@ -153,7 +153,7 @@ fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> u
         return 0;
     }
     let Laying { begun, mut aside, patches, ties, rows, next_patches, .. } =
-        Laying::new(model, past, work, h);
+        Laying::new(model, work, h);
     for (index, (tie, (patch, old))) in
         ties.iter_mut().zip(patches.iter().zip(past.patches)).enumerate()
     {
@@ -179,7 +179,7 @@ fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> u
 #[inline(never)]
 fn laws_of_others(model: &Model, past: Past<'_>, work: &mut Workspace, (from, h): (usize, f64)) {
     let Laying { begun, mut aside, patches, ties, rows, next_patches, inherited, shares, put } =
-        Laying::new(model, past, work, h);
+        Laying::new(model, work, h);
     let others = patches.iter().zip(ties).enumerate().skip(from);
     for ((index, (patch, tie)), &inherited) in others.zip(inherited) {
         let taken = Taken {

@@ -2,12 +2,14 @@
 
 use alloc::vec::Vec;
 
+use crate::coupled::bodies::kick_s;
 use crate::coupled::press_out::{Put, opening_mps};
 use crate::coupled::tie::{Forces, Tie};
 use crate::events::{note, tell_of_patch};
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
+use crate::law::damper::{Answered, Growth, damper};
 use crate::law::normal::{factor, normal_force};
 use crate::mass::{InverseMatrix, Seen};
 use crate::memory::PatchMemory;
@@ -57,8 +59,8 @@ pub(crate) struct Begun<'w> {
     pub(crate) states: &'w [BodyState],
     pub(crate) moves: &'w [bool],
     pub(crate) inverses: &'w [InverseMatrix],
-    /// Time since the last (sub-)step began, and length of this one [s].
-    pub(crate) elapsed_s: f64,
+    /// As in the workspace; and the length of this sub-step [s].
+    pub(crate) behind_s: &'w [f64],
     pub(crate) h: f64,
 }
 
@@ -140,10 +142,18 @@ pub(crate) fn collect(
             tie.answer(&seen, floats);
         }
     }
-    let area_before_m2 = old.map_or(0.0, |m| m.area_m2);
     let factor = factor(model, face, &touch, old);
-    let parts =
-        normal_force(material, &touch, factor, patch.area_m2, area_before_m2, begun.elapsed_s);
+    let behind_s = begun.behind_s[tie.one_floating() as usize];
+    let kick_s = kick_s(behind_s, begun.h);
+    let (mut damper_n, mut damped_m2) = (0.0, 0.0);
+    if material.damping_nspm2 != 0.0 {
+        let chord_m = if face.is_some() { touch.chord_m } else { patch.chord_m.length() };
+        let (closing_mps, area_m2) = (touch.v_normal_mps, patch.area_m2);
+        let answered = answered(old, taken.placed, behind_s);
+        let growth = Growth { area_m2, chord_m, closing_mps, answered };
+        (damper_n, damped_m2) = damper(material, &growth, (begun.h, kick_s));
+    }
+    let parts = normal_force(&touch, factor, damper_n);
     let law_n = parts.total_n();
     let (v_ref_mps, approaching) = reference_speed(touch.v_normal_mps, old);
     let mut laws = Laws {
@@ -164,7 +174,7 @@ pub(crate) fn collect(
     };
     let pressed_out = put.is_pressed_out();
     if pressed_out {
-        laws.rebound_mps = opening_mps(touch.v_normal_mps, begun.h);
+        laws.rebound_mps = opening_mps(touch.v_normal_mps, kick_s);
         laws.unheld_j = 0.0;
         if taken.placed {
             note(model, aside.events, a, b, EventKind::PutInto);
@@ -175,7 +185,8 @@ pub(crate) fn collect(
         tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
         friction: Friction::Stick,
     };
-    tie.obey(&touch, &laws, begins_with, begun.h);
+    let slips = old.is_some_and(|m| m.flags & PatchMemory::SLIPPING != 0);
+    tie.obey(&touch, &laws, (begins_with, slips), (begun.h, kick_s));
     let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING)
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
@@ -192,7 +203,20 @@ pub(crate) fn collect(
         factor,
         taken_j: laws.may_give_j,
         sheared_j: laws.may_shear_j,
+        damped_m2,
         ..PatchMemory::of(patch, touch.point_in_a_m, touch.normal_in_a)
+    }
+}
+
+/// What the damper has answered of a contact, one of whose bodies is so far behind.
+#[inline(always)]
+fn answered(old: Option<&PatchMemory>, placed: bool, behind_s: f64) -> Answered {
+    match old {
+        _ if placed => Answered::AllThereIs,
+        None => Answered::Nothing,
+        // The host shows another motion than the engine's.
+        Some(_) if behind_s < 0.0 => Answered::AllThereIs,
+        Some(memory) => Answered::Area(memory.damped_m2),
     }
 }
 

@@ -32,6 +32,8 @@ pub(crate) struct Tie {
     tangential: f64,
     /// n·K n without rotation [1/kg].
     pub(crate) linear: f64,
+    /// κ: for how long its forces act on the velocities in this sub-step [s].
+    pub(crate) kick_s: f64,
     /// ϑ: see [`implicit_share`].
     implicit: f64,
     /// The shear spring's force at V_t⁺ = 0 [N], and what it loses with V_t⁺: c = ϑ² k_s h [N·s/m].
@@ -51,7 +53,8 @@ pub(crate) struct Tie {
     /// Stored energy that nothing holds: see [`super::let_go`] [J].
     pub(crate) unheld_j: f64,
     shear_stiffness_npm: f64,
-    friction_static: f64,
+    /// What T/N may come to while it sticks, and what it is while it slips.
+    friction_holding: f64,
     friction_dynamic: f64,
     /// The forces that sweeps begin with, until others are found [N].
     pub(crate) forces: Forces,
@@ -164,7 +167,7 @@ impl Tie {
         let floats = [a.1, b.1].map(InverseMatrix::floats);
         tie.join([a.0, b.0], Movers::of(floats), touch);
         tie.answer(&Seen::both(seen_of_a, seen_of_b), floats);
-        tie.obey(touch, laws, begins_with, h);
+        tie.obey(touch, laws, (begins_with, false), (h, h));
         tie
     }
 
@@ -190,12 +193,24 @@ impl Tie {
         (self.is_alike, self.turning) = (is_alike, turning);
     }
 
-    /// With these laws and the forces that it begins with.
+    /// With these laws and the forces that it begins with, in a sub-step of length h and its κ.
+    ///
+    /// What `slips` holds no more than the sliding force until its spring is content with less: the slide is over then.
+    /// A slide that had to be begun anew in every sub-step, as eq. 5 to 8 of the paper have it, would load its spring
+    /// from the sliding force up to the static limit each time where sub-steps are short, and slide on where they are
+    /// long.
     #[inline(always)]
-    pub(crate) fn obey(&mut self, touch: &Touch, laws: &Laws, begins_with: Forces, h: f64) {
+    pub(crate) fn obey(
+        &mut self,
+        touch: &Touch,
+        laws: &Laws,
+        (begins_with, slips): (Forces, bool),
+        (h, kick_s): (f64, f64),
+    ) {
         let material = laws.material;
         let implicit = implicit_share(material.shear_stiffness_npm * self.tangential, h);
         let explicit_m = implicit * (1.0 - implicit) * h * touch.v_tangential_mps;
+        self.kick_s = kick_s;
         self.implicit = implicit;
         self.spring_at_rest_n = -material.shear_stiffness_npm * (touch.shear_m + explicit_m);
         self.spring_slope = implicit * implicit * material.shear_stiffness_npm * h;
@@ -205,7 +220,8 @@ impl Tie {
         self.may_shear_j = laws.may_shear_j;
         self.unheld_j = laws.unheld_j;
         self.shear_stiffness_npm = material.shear_stiffness_npm;
-        self.friction_static = material.friction_static;
+        self.friction_holding =
+            if slips { material.friction_dynamic } else { material.friction_static };
         self.friction_dynamic = material.friction_dynamic;
         self.forces = begins_with;
     }
@@ -295,7 +311,7 @@ impl Tie {
         // Once it slips in this sub-step it holds again only below the sliding force: else, with μ_k
         // below μ_s, the sweeps would go to and fro between the two.
         let holds = match now.friction {
-            Friction::Stick => self.friction_static,
+            Friction::Stick => self.friction_holding,
             Friction::Slip => self.friction_dynamic,
         };
         let (wanted_n, friction) = if spring_n.abs() <= holds * normal_n {
@@ -389,7 +405,7 @@ impl Tie {
         let shear_gives_j = 0.5 * h * tangential_n * (self.tangential_before_mps + tangential_mps);
         normal_mps >= -self.rebound_mps
             && gives_j <= self.may_give_j
-            && tangential_n.abs() <= self.friction_static * self.law_n
+            && tangential_n.abs() <= self.friction_holding * self.law_n
             && shear_gives_j <= self.may_shear_j
     }
 
@@ -414,6 +430,12 @@ impl Tie {
             (false, true) => Some(self.b),
             _ => None,
         }
+    }
+
+    /// The rank of one of its bodies that float.
+    #[inline(always)]
+    pub(crate) fn one_floating(&self) -> u32 {
+        if self.a_floats { self.a } else { self.b }
     }
 
     /// Where only one of its bodies floats, which one.
@@ -501,7 +523,7 @@ impl Tie {
         let now = &self.forces;
         let normal_n = (now.normal_n + line.normal_n).min(self.law_n).max(0.0);
         let most_n = match now.friction {
-            Friction::Stick => self.friction_static,
+            Friction::Stick => self.friction_holding,
             Friction::Slip => self.friction_dynamic,
         } * normal_n;
         let tangential_n = (now.tangential_n + line.tangential_n).clamp(-most_n, most_n);

@@ -8,24 +8,27 @@ use crate::report::ForceParts;
 use crate::touch::Touch;
 
 /// What a contact would push with, were nothing to limit it: N = max(0, spring + stop + damper) [N],
-/// with the damper cṠ from the growth of the overlap, Ṡ = (S − S_before)/(time since then); for a
-/// new contact S_before is 0.
+/// with the damper cṠ from the growth of the overlap.
 ///
 /// Eq. 2–3 print −(kS − c dS/dt): with c > 0 that damper pulls the bodies together and makes a
 /// bounce leave faster than it came. A contact does not pull either, hence the maximum.
 #[inline]
-pub(crate) fn normal_force(
+pub(crate) fn normal_force(touch: &Touch, factor: f64, damper_n: f64) -> ForceParts {
+    let (spring_n, stop_n) = (touch.spring_n * factor, touch.stop_n * factor);
+    let damper_n = greater(damper_n, -(spring_n + stop_n));
+    ForceParts { spring_n, stop_n, damper_n, limiter_n: 0.0 }
+}
+
+/// cṠ of the paper's method [N], by a backward difference, Ṡ = (S − S_before)/(time since then); for a new contact
+/// S_before is 0.
+#[inline]
+pub(crate) fn damper_n(
     material: &Material,
-    touch: &Touch,
-    factor: f64,
     area_m2: f64,
     area_before_m2: f64,
     elapsed_s: f64,
-) -> ForceParts {
-    let growth_m2ps = (area_m2 - area_before_m2) / elapsed_s;
-    let (spring_n, stop_n) = (touch.spring_n * factor, touch.stop_n * factor);
-    let damper_n = greater(material.damping_nspm2 * growth_m2ps, -(spring_n + stop_n));
-    ForceParts { spring_n, stop_n, damper_n, limiter_n: 0.0 }
+) -> f64 {
+    material.damping_nspm2 * ((area_m2 - area_before_m2) / elapsed_s)
 }
 
 /// The factor on a contact's spring and stop: that of its fender at the speed and angle at which it
@@ -62,7 +65,8 @@ mod tests {
             restitution: 0.0,
         };
         let touch = Touch { spring_n: 100.0 * area_m2, ..Touch::default() };
-        normal_force(&material, &touch, factor, area_m2, area_before_m2, 0.5).total_n()
+        let damper_n = damper_n(&material, area_m2, area_before_m2, 0.5);
+        normal_force(&touch, factor, damper_n).total_n()
     }
 
     #[test]

@@ -1,0 +1,113 @@
+//! A hit at an angle where friction holds more than it drags: as much is lost at any time step.
+
+use std::f64::consts::PI;
+
+use fenderline_contact::*;
+
+const MASS_KG: f64 = 1e6;
+
+/// A square barge, and a quay with a fender of 4 m or, without one, its own outline.
+fn model(on_fender: bool, shear_stiffness_npm: f64, friction: [f64; 2]) -> Model {
+    let rectangle = |x: [f64; 2], y: [f64; 2]| {
+        let corners = [vec2(x[0], y[0]), vec2(x[1], y[0]), vec2(x[1], y[1]), vec2(x[0], y[1])];
+        Outline::new(&corners).expect("a rectangle").0
+    };
+    let mut builder = Model::builder();
+    let half_m = if on_fender { 12.0 } else { 2.0 };
+    let barge = builder.body(Body {
+        name: "barge".into(),
+        key: 1,
+        outline: rectangle([-5.0, 5.0], [-half_m, half_m]),
+        mobility: Mobility::Free { mass_kg: MASS_KG, yaw_inertia_kgm2: 1e12 },
+    });
+    let near_m = if on_fender { 3.0 } else { 0.0 };
+    let quay = builder.body(Body {
+        name: "quay".into(),
+        key: 2,
+        outline: rectangle([near_m, near_m + 9.0], [-50.0, 50.0]),
+        mobility: Mobility::Fixed,
+    });
+    let material = builder.material(Material {
+        stiffness_npm2: 5e6 / 4.0,
+        damping_nspm2: 0.0,
+        shear_stiffness_npm,
+        friction_static: friction[0],
+        friction_dynamic: friction[1],
+        restitution: 1.0,
+    });
+    if on_fender {
+        builder.fender(Fender {
+            name: "fender".into(),
+            key: 0,
+            body: quay,
+            position_m: vec2(3.0, 0.0),
+            facing_rad: PI,
+            width_m: 4.0,
+            projection_m: 3.0,
+            law: FenderLaw::linear(5e6),
+            material,
+            rated_deflection_m: 2.0,
+            stop: None,
+            factors: ReactionFactors::default(),
+        });
+    }
+    builder.pair(Pair { bodies: [barge, quay], material });
+    builder.build().expect("a good model")
+}
+
+/// The share of the energy that is lost by a barge that comes with this velocity, from so far off.
+fn lost(model: &Model, velocity_mps: Vec2, step_s: f64, gap_m: f64) -> f64 {
+    let (mut memory, mut work) = (Memory::new(model), Workspace::new(model));
+    let barge =
+        BodyState { position_m: vec2(-5.0 - gap_m, 0.0), velocity_mps, ..BodyState::default() };
+    let mut states = vec![barge, BodyState::default()];
+    let loads = [Wrench::default(); 2];
+    for _ in 0..((gap_m / velocity_mps.x + 2.5) / step_s).ceil() as u32 + 1 {
+        advance_in_place(model, &mut memory, &mut work, &mut states, &loads, step_s).unwrap();
+    }
+    assert!(work.contacts().is_empty(), "she has left");
+    1.0 - states[0].velocity_mps.length_squared() / velocity_mps.length_squared()
+}
+
+/// Off the quay's line [rad].
+const GRAZING_RAD: f64 = 10.0 * PI / 180.0;
+
+/// She slides all along, so that μ_k times the normal impulse, 2 m v_n, is taken off her speed along the quay.
+#[test]
+fn a_slide_drags_with_the_sliding_friction_at_any_time_step() {
+    let (sin, cos) = GRAZING_RAD.sin_cos();
+    let velocity_mps = vec2(0.5 * sin, 0.5 * cos);
+    let along = 0.5 * cos - 2.0 * 0.2 * 0.5 * sin;
+    let right = 1.0 - ((0.5 * sin).powi(2) + along * along) / 0.25;
+    // It was 1.22 of that at 1 ms, where the shear spring was loaded up to the static friction again and again, and
+    // came down to it with the time step.
+    for (on_fender, shear_npm) in [(true, 1e6), (true, 3e6), (false, 3e6), (false, 3e7)] {
+        let model = model(on_fender, shear_npm, [0.3, 0.2]);
+        for step_s in [0.001, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0] {
+            for gap in 0..8 {
+                let gap_m = 0.05 + 0.173 * f64::from(gap) * velocity_mps.x * step_s;
+                let ours = lost(&model, velocity_mps, step_s, gap_m);
+                let case = format!("k_s {shear_npm}, Δt {step_s}, {gap_m} m off");
+                assert!((ours / right - 1.0).abs() < 0.002, "{case}: {ours} of {right}");
+            }
+        }
+    }
+}
+
+/// Here she sticks first, and comes loose on the way back.
+#[test]
+fn what_sticks_and_slips_loses_as_much_at_any_time_step() {
+    let velocity_mps = vec2(0.5 * 0.75_f64.sqrt(), 0.25);
+    for (on_fender, shear_npm) in [(true, 1e6), (true, 3e6), (false, 3e6), (false, 3e7)] {
+        let model = model(on_fender, shear_npm, [0.3, 0.2]);
+        let right = lost(&model, velocity_mps, 0.001, 0.05);
+        for step_s in [0.02, 0.05, 0.1, 0.2, 0.5] {
+            for gap in 0..8 {
+                let gap_m = 0.05 + 0.173 * f64::from(gap) * velocity_mps.x * step_s;
+                let ours = lost(&model, velocity_mps, step_s, gap_m);
+                let case = format!("k_s {shear_npm}, Δt {step_s}, {gap_m} m off");
+                assert!((ours / right - 1.0).abs() < 0.03, "{case}: {ours} of {right}");
+            }
+        }
+    }
+}
