@@ -154,8 +154,9 @@ fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
     };
     // `Memory::set_elapsed` takes parts of a step.
     let elapsed = 1e-3 * SHORTEST_STEP_S..=LONGEST_STEP_S;
-    let in_time =
-        |behind_s: f64| behind_s == NOT_BEHIND || (0.0..=LONGEST_STEP_S).contains(&behind_s);
+    let in_time = |behind_s: f64| {
+        behind_s.to_bits() == NOT_BEHIND.to_bits() || (0.0..=LONGEST_STEP_S).contains(&behind_s)
+    };
     let ok = (memory.behind_s.is_empty() || memory.behind_s.len() == bodies)
         && memory.behind_s.iter().all(|&behind_s| in_time(behind_s))
         && (memory.last_states.is_empty() || memory.last_states.len() == bodies)

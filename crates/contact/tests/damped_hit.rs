@@ -89,10 +89,10 @@ struct Hit {
 fn closed_form(ratio: f64) -> Hit {
     let rate = (STIFFNESS_NPM / MASS_KG).sqrt();
     let damped = rate * (1.0 - ratio * ratio).sqrt();
-    let depth = |t: f64| SPEED_MPS / damped * (-ratio * rate * t).exp() * (damped * t).sin();
+    let depth = |t: f64| SPEED_MPS / damped * libm::exp(-ratio * rate * t) * libm::sin(damped * t);
     let speed = |t: f64| {
-        let (sin, cos) = (damped * t).sin_cos();
-        SPEED_MPS * (-ratio * rate * t).exp() * (cos - ratio * rate / damped * sin)
+        let (sin, cos) = libm::sincos(damped * t);
+        SPEED_MPS * libm::exp(-ratio * rate * t) * (cos - ratio * rate / damped * sin)
     };
     let force = |t: f64| MASS_KG * (rate * rate * depth(t) + 2.0 * ratio * rate * speed(t));
     let (mut depth_m, mut peak_n, mut t) = (0.0_f64, 0.0_f64, 0.0);

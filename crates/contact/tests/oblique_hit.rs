@@ -75,7 +75,7 @@ const GRAZING_RAD: f64 = 10.0 * PI / 180.0;
 /// She slides all along, so that μ_k times the normal impulse, 2 m v_n, is taken off her speed along the quay.
 #[test]
 fn a_slide_drags_with_the_sliding_friction_at_any_time_step() {
-    let (sin, cos) = GRAZING_RAD.sin_cos();
+    let (sin, cos) = libm::sincos(GRAZING_RAD);
     let velocity_mps = vec2(0.5 * sin, 0.5 * cos);
     let along = 0.5 * cos - 2.0 * 0.2 * 0.5 * sin;
     let right = 1.0 - ((0.5 * sin).powi(2) + along * along) / 0.25;

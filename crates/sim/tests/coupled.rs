@@ -157,15 +157,16 @@ fn a_moored_ship_held_by_friction_does_not_creep_along() {
         let mut setup = ship_and_fenders(8, 0.0, rubber, step_s, 3600.0);
         setup.loads.push(steady(0, 800e3, 200e3));
         let mut simulation = Simulation::new(setup).unwrap();
-        let mut after_a_minute = None;
+        // Her swing on the shear springs, which nothing but the rebound damps, has died out then.
+        let mut at_rest = None;
         while !simulation.is_done() {
             simulation.step().unwrap();
-            if after_a_minute.is_none() && simulation.time_s() >= 120.0 {
-                after_a_minute = Some(simulation.states()[0].position_m);
+            if at_rest.is_none() && simulation.time_s() >= 1800.0 {
+                at_rest = Some(simulation.states()[0].position_m);
             }
         }
-        let drift_m = (simulation.states()[0].position_m - after_a_minute.unwrap()).length();
-        assert!(drift_m < 1e-3, "Δt {step_s}: drifted {drift_m} m in an hour");
+        let drift_m = (simulation.states()[0].position_m - at_rest.unwrap()).length();
+        assert!(drift_m < 1e-4, "Δt {step_s}: drifted {drift_m} m in half an hour");
     }
 }
 
