@@ -576,7 +576,7 @@ typedef struct {
     /**
      * The largest of it within the step [J].
      */
-    double peak_stored_j;
+    double peak_loaded_j;
     /**
      * Angle between a fender's face and the hull [rad].
      */

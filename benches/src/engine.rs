@@ -137,6 +137,7 @@ fn on_one_quay(plan: &Plan) -> (Vec<Part>, Vec<Fender>) {
         width_m,
         projection_m,
         law: FenderLaw::Area,
+        unloading: None,
         material: MaterialId(0),
         rated_deflection_m: 0.6,
         stop: None,

@@ -4,7 +4,7 @@
 
 use fenderline_contact::{
     Body, BodyId, BodyState, Fender, FenderLaw, Material, MaterialId, Memory, Mobility, Model,
-    Outline, Pair, ReactionFactors, Stop, Vec2, Workspace, Wrench, advance, vec2,
+    Outline, Pair, ReactionFactors, Stop, Unloading, Vec2, Workspace, Wrench, advance, vec2,
 };
 use fenderline_fuzz::input::Input;
 use libfuzzer_sys::fuzz_target;
@@ -139,6 +139,8 @@ fn fender(input: &mut Input<'_>, key: u32, bodies: u32) -> Fender {
         width_m: 16.0 * share(input),
         projection_m,
         law: law(input, projection_m),
+        unloading: (input.byte() < 128)
+            .then(|| Unloading::ReturnedEnergy(share(input).max(Unloading::LEAST_RETURNED))),
         material: MaterialId(1),
         rated_deflection_m: projection_m * share(input),
         stop: (input.byte() < 128).then(|| Stop {

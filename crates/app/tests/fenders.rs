@@ -66,6 +66,7 @@ fn at_every_moment_what_was_given_is_somewhere() {
         let parts = [
             "stored_j",
             "shear_stored_j",
+            "hysteresis_j",
             "damping_j",
             "restitution_j",
             "friction_j",

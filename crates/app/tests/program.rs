@@ -90,8 +90,8 @@ fn the_columns_are_those_that_others_rely_on() {
     );
     assert_eq!(
         header("energy"),
-        "t_s,kinetic_j,load_work_j,stored_j,shear_stored_j,damping_j,restitution_j,friction_j,\
-         contact_residual_j,residual_j"
+        "t_s,kinetic_j,load_work_j,stored_j,shear_stored_j,hysteresis_j,damping_j,restitution_j,\
+         friction_j,contact_residual_j,residual_j"
     );
 }
 

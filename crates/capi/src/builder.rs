@@ -135,6 +135,7 @@ pub unsafe extern "C" fn fl_builder_add_fender(
             width_m: fender.width_m,
             projection_m: fender.projection_m,
             law: FlFender::law(curve),
+            unloading: fender.unloading(),
             material: fender.material as usize,
             rated_deflection_m: fender.rated_deflection_m(),
             stop: fender.stop(),

@@ -2,7 +2,7 @@
 
 use fenderline_contact::{
     BodyState, Contact, Event, EventKind, FenderLaw, Friction, HostIntegration, HostSettings,
-    Material, Stop, Vec2, Wrench, vec2,
+    Material, Stop, Unloading, Vec2, Wrench, vec2,
 };
 use fenderline_embed::{Host, Settings, Turning};
 use fenderline_sim::{MassProperties, Method};
@@ -198,6 +198,9 @@ pub struct FlFender {
     pub body: u32,
     /// Index of its material: friction, restitution, damping, and stiffness where it has no curve.
     pub material: u32,
+    /// Share of the energy taken that its rubber gives back, 0.05 to 1: its reaction falls by that law when the
+    /// hull retreats. 0: by its material's restitution.
+    pub returned_energy: f64,
 }
 
 /// One patch of contact in the last step. The force on body 1 is -normal_force_n times the normal and
@@ -254,14 +257,16 @@ pub struct FlContact {
     pub damper_n: f64,
     /// What the limit from momentum took off the normal force [N].
     pub limiter_n: f64,
-    /// Energy in a fender's spring and stop at the step's start [J]; 0 for outline on outline.
+    /// Energy in a fender's spring and stop at the step's start that it can give back [J]; 0 for outline on outline.
     pub stored_j: f64,
-    /// The largest of it within the step [J].
-    pub peak_stored_j: f64,
+    /// The largest energy within the step that loads such a fender from nothing to where it is [J].
+    pub peak_loaded_j: f64,
     /// Angle between a fender's face and the hull [rad].
     pub tilt_rad: f64,
     /// Factor on a fender's reaction.
     pub factor: f64,
+    /// Energy that the rubber of a fender with returned_energy has turned to heat within the step [J].
+    pub hysteresis_j: f64,
 }
 
 /// Something that a user should know of, told in the step in which it begins.
@@ -349,6 +354,10 @@ impl FlFender {
         if curve.is_empty() { FenderLaw::Area } else { FenderLaw::Curve(curve) }
     }
 
+    pub(crate) fn unloading(&self) -> Option<Unloading> {
+        (self.returned_energy != 0.0).then_some(Unloading::ReturnedEnergy(self.returned_energy))
+    }
+
     pub(crate) fn rated_deflection_m(&self) -> Option<f64> {
         (self.rated_deflection_m != 0.0).then_some(self.rated_deflection_m)
     }
@@ -432,7 +441,8 @@ impl FlContact {
             damper_n: c.parts.damper_n,
             limiter_n: c.parts.limiter_n,
             stored_j: c.stored_j,
-            peak_stored_j: c.peak_stored_j,
+            peak_loaded_j: c.peak_loaded_j,
+            hysteresis_j: c.hysteresis_j,
             tilt_rad: c.tilt_rad,
             factor: c.factor,
         }

@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 use crate::error::ModelError;
 use crate::geometry::convex::ConvexPolygon;
 use crate::model::{BodyId, Material, MaterialId};
+use crate::unloading::Unloading;
 use crate::vec2::{Rotation, Vec2, vec2};
 
 /// Index of a fender, in the order in which fenders were added.
@@ -19,7 +20,8 @@ pub struct FenderId(pub u32);
 ///
 /// Its force is the gradient of the energy that it stores (see [`FenderLaw`]), so that a frictionless
 /// closed loop does no work, whatever its path: it points along the face's axis where a corner presses
-/// on the face, and square to the hull where a flat side covers the whole face.
+/// on the face, and square to the hull where a flat side covers the whole face. With an [`Unloading`] law it is the
+/// gradient of the energy that the fender can give back, and a closed loop costs what the law says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fender {
     /// Name, used in errors.
@@ -38,6 +40,9 @@ pub struct Fender {
     pub projection_m: f64,
     /// Reaction from deflection.
     pub law: FenderLaw,
+    /// How its reaction falls when the hull retreats, by the coupled method. Its material's restitution does nothing
+    /// then. `None`: by restitution alone.
+    pub unloading: Option<Unloading>,
     /// Friction, restitution, damping and, for [`FenderLaw::Area`], stiffness.
     pub material: MaterialId,
     /// The deflection that it is made for [m]: beyond it an event is told; compression times are
@@ -112,17 +117,7 @@ impl FenderLaw {
     #[must_use]
     pub fn energy_j(&self, deflection_m: f64) -> f64 {
         let FenderLaw::Curve(points) = self else { return 0.0 };
-        let mut energy_j = 0.0;
-        for two in points.windows(2) {
-            let [[from, low], [to, high]] = [two[0], two[1]];
-            if deflection_m <= to {
-                return energy_j
-                    + 0.5 * (low + on_line(points, deflection_m)) * (deflection_m - from);
-            }
-            energy_j += 0.5 * (low + high) * (to - from);
-        }
-        let [end_m, end_n] = points[points.len() - 1];
-        energy_j + 0.5 * (end_n + on_line(points, deflection_m)) * (deflection_m - end_m)
+        integral(points, deflection_m)
     }
 
     /// The steepest rise of R up to a deflection [N/m].
@@ -161,8 +156,22 @@ impl ReactionFactors {
     }
 }
 
+/// The integral of [`on_line`] from the first point on.
+pub(crate) fn integral(points: &[[f64; 2]], x: f64) -> f64 {
+    let mut sum = 0.0;
+    for two in points.windows(2) {
+        let [[from, low], [to, high]] = [two[0], two[1]];
+        if x <= to {
+            return sum + 0.5 * (low + on_line(points, x)) * (x - from);
+        }
+        sum += 0.5 * (low + high) * (to - from);
+    }
+    let [end, last] = points[points.len() - 1];
+    sum + 0.5 * (last + on_line(points, x)) * (x - end)
+}
+
 /// Straight lines between points; the last one goes on where it rises.
-fn on_line(points: &[[f64; 2]], x: f64) -> f64 {
+pub(crate) fn on_line(points: &[[f64; 2]], x: f64) -> f64 {
     let index = points[1..points.len() - 1].iter().take_while(|p| p[0] < x).count();
     let [[x0, y0], [x1, y1]] = [points[index], points[index + 1]];
     if x > x1 && y1 < y0 {
@@ -197,6 +206,8 @@ pub(crate) struct RankedFender {
     /// The largest that its factors can be together.
     pub(crate) largest_factor: f64,
     pub(crate) bounds: FenderBounds,
+    /// Has it an unloading law?
+    pub(crate) unloads: bool,
 }
 
 /// Bounds on what a fender does to any hull, which tell in most steps that it needs no sub-steps.
@@ -256,6 +267,7 @@ impl RankedFender {
             width_m: fender.width_m,
             largest_factor: fender.factors.largest(),
             bounds: FenderBounds::of(fender, material, &corners, face_m),
+            unloads: fender.unloading.is_some(),
         }
     }
 
@@ -309,12 +321,13 @@ pub(crate) fn check(fender: &Fender) -> Result<(), ModelError> {
     if !(1e-3..=1e3).contains(&factors.constant) {
         return bad("factor", factors.constant, "between 1e-3 and 1e3");
     }
+    fender.unloading.as_ref().map_or(Ok(()), |unloading| unloading.check(fender))?;
     check_points(fender, "compression time", &factors.by_compression_time, 1e-3..=1e3)?;
     check_points(fender, "angle of a factor", &factors.by_angle, 1e-3..=1e3)
 }
 
 /// Abscissae that rise and ordinates within bounds.
-fn check_points(
+pub(crate) fn check_points(
     fender: &Fender,
     field: &'static str,
     points: &[[f64; 2]],

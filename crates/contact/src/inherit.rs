@@ -165,6 +165,9 @@ fn inherit_of_several(
         merged.taken_j += parent.taken_j;
         merged.sheared_j += parent.sheared_j;
         merged.damped_m2 += parent.damped_m2;
+        for (top_j, more_j) in merged.tops_j.iter_mut().zip(parent.tops_j) {
+            *top_j += more_j;
+        }
     }
     let place = shares.len() as u32;
     shares.push(merged);
@@ -187,6 +190,7 @@ fn share_of(
         taken_j: parent.taken_j * share,
         sheared_j: parent.sheared_j * share,
         damped_m2: parent.damped_m2 * share,
+        tops_j: parent.tops_j.map(|top_j| top_j * share),
         ..*parent
     }
 }

@@ -67,6 +67,7 @@ mod snapshot;
 mod state;
 mod step;
 mod touch;
+mod unloading;
 mod vec2;
 mod workspace;
 
@@ -84,5 +85,6 @@ pub use report::{Contact, ContactWork, Event, EventKind, ForceParts, Friction, M
 pub use snapshot::SNAPSHOT_VERSION;
 pub use state::BodyState;
 pub use step::step;
+pub use unloading::Unloading;
 pub use vec2::{Pose, Rotation, Vec2, vec2};
 pub use workspace::Workspace;

@@ -7,6 +7,7 @@ use crate::geometry::clip::Hint;
 use crate::model::{BodyId, Model};
 use crate::overlap::{Patch, Place};
 use crate::state::BodyState;
+use crate::unloading::PLAYS;
 use crate::vec2::{Rotation, Vec2};
 
 /// All mutable state of a contact problem: plain data. Copy it to branch a run, compare it, save it
@@ -75,6 +76,8 @@ pub(crate) struct PatchMemory {
     pub(crate) sheared_j: f64,
     /// The area whose growth the damper has answered, by the coupled method [m²]: see [`crate::law::damper`].
     pub(crate) damped_m2: f64,
+    /// T of each play of a fender's unloading law [J]; 0 without one.
+    pub(crate) tops_j: [f64; PLAYS],
 }
 
 impl PatchMemory {

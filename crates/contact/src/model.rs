@@ -521,6 +521,9 @@ fn hash_fender(hash: &mut Fnv, fender: &Fender) {
         FenderLaw::Area => &[],
         FenderLaw::Curve(points) => points,
     };
+    if let Some(unloading) = &fender.unloading {
+        unloading.words().for_each(|value| hash.word(value.to_bits()));
+    }
     for points in [curve, &factors.by_compression_time, &factors.by_angle] {
         hash.word(points.len() as u64);
         points.iter().flatten().for_each(|value| hash.word(value.to_bits()));

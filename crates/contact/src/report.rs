@@ -66,11 +66,17 @@ pub struct Contact {
     pub factor: f64,
     /// Angle between a fender's face and the hull [rad]; 0 for outline on outline.
     pub tilt_rad: f64,
-    /// Energy that a fender's spring and stop store at the start of the step [J]; 0 for outline on
-    /// outline, whose law has no potential (docs/contact_model.md, section 2).
+    /// Energy that a fender's spring and stop store at the start of the step [J], of one with an unloading law what they
+    /// can give back; 0 for outline on outline, whose law has no potential (docs/contact_model.md, section 2).
     pub stored_j: f64,
-    /// The largest of it within the step, sub-steps included [J].
-    pub peak_stored_j: f64,
+    /// The largest energy that loads such a fender from nothing to where it is, within the step, sub-steps included
+    /// [J]: ∫ R dδ of the loading curve, which catalogues rate. Without an unloading law the largest of the one above.
+    pub peak_loaded_j: f64,
+    /// Energy that a fender's unloading law has turned to heat [J], found at the starts of this step's sub-steps: since
+    /// the start of the last one of the step before. 0 without such a law, and by the paper's method.
+    pub hysteresis_j: f64,
+    /// The part of it that was found at the start of the step.
+    pub hysteresis_at_start_j: f64,
     /// ½ T²/k_s at the end of the step: what the shear spring stores [J].
     pub shear_stored_j: f64,
 }

@@ -8,7 +8,7 @@
 //! | 8 | Δt of the last step |
 //! | 4, 4, 4, 4, 4 | numbers of states, patches, hints, bodies placed and times |
 //! | 48 each | states, by rank |
-//! | 228 each | patches |
+//! | 252 each | patches |
 //! | 40 each | hints |
 //! | 4 each | ranks of bodies that the host has said it put somewhere |
 //! | 8 each | how long before the positions the velocities belong to, by rank |
@@ -33,7 +33,7 @@ pub const SNAPSHOT_VERSION: u32 = 6;
 
 const MAGIC: &[u8; 8] = b"fndrline";
 const STATE_BYTES: usize = 48;
-const PATCH_BYTES: usize = 228;
+const PATCH_BYTES: usize = 252;
 const HINT_BYTES: usize = 40;
 const TIME_BYTES: usize = 8;
 
@@ -166,6 +166,7 @@ fn check(model: &Model, memory: &Memory) -> Result<(), RestoreError> {
         && memory.patches.windows(2).all(|w| w[0].key() < w[1].key())
         && memory.patches.iter().all(|p| known(p.candidate()) && p.area_m2 > 0.0)
         && memory.patches.iter().all(|p| p.taken_j >= 0.0 && p.sheared_j >= 0.0)
+        && memory.patches.iter().all(|p| p.tops_j.iter().all(|&top_j| top_j >= 0.0))
         && memory.hints.windows(2).all(|w| w[0].key() < w[1].key())
         && memory.hints.iter().all(|h| known(h.candidate()));
     if ok { Ok(()) } else { Err(RestoreError::Content) }
@@ -213,6 +214,7 @@ impl Writer {
             .for_each(|v| self.number(v));
         [p.point_in_a_m, p.point_in_b_m, p.normal_in_a].into_iter().for_each(|v| self.vector(v));
         [p.b_in_a.cos, p.b_in_a.sin].into_iter().for_each(|v| self.number(v));
+        p.tops_j.into_iter().for_each(|v| self.number(v));
     }
 
     fn place(&mut self, p: &Place) {
@@ -289,6 +291,7 @@ impl<'a> Reader<'a> {
             point_in_b_m: self.vector()?,
             normal_in_a: self.vector()?,
             b_in_a: Rotation { cos: self.number()?, sin: self.number()? },
+            tops_j: [self.number()?, self.number()?, self.number()?],
         })
     }
 

@@ -126,6 +126,7 @@ fn ship_off_two_fenders() -> (Model, Vec<BodyState>) {
             projection_m: 1.0,
             rated_deflection_m: 0.9,
             law: FenderLaw::linear(5e6),
+            unloading: None,
             stop: None,
             factors: ReactionFactors::default(),
             material: rubber,

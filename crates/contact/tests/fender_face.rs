@@ -34,6 +34,7 @@ fn fender(body: BodyId, law: FenderLaw) -> Fender {
         width_m: 3.0,
         projection_m: 1.2,
         law,
+        unloading: None,
         material: MaterialId(0),
         rated_deflection_m: 0.8,
         stop: Some(Stop { from_m: 0.9, stiffness_npm: 3e7 }),

@@ -58,6 +58,7 @@ fn fender(body: BodyId, material: MaterialId, key: u64) -> Fender {
         width_m: 3.0,
         projection_m: 1.5,
         law: FenderLaw::linear(2e6),
+        unloading: None,
         material,
         rated_deflection_m: 0.9,
         stop: None,

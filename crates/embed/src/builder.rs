@@ -1,6 +1,6 @@
 //! An engine made by calls.
 
-use fenderline_contact::{FenderLaw, Material, Outline, ReactionFactors, Stop, Vec2};
+use fenderline_contact::{FenderLaw, Material, Outline, ReactionFactors, Stop, Unloading, Vec2};
 use fenderline_sim::{
     BodySetup, BodyVelocity, FenderSetup, HullPressure, Integrator, MassProperties, Method,
     NamedMaterial, PairSetup, Rated, Setup, WorldSetup,
@@ -69,6 +69,8 @@ pub struct FenderParts<'a> {
     pub projection_m: f64,
     /// Reaction from deflection.
     pub law: FenderLaw,
+    /// How its reaction falls when the hull retreats; `None`: by its material's restitution.
+    pub unloading: Option<Unloading>,
     /// Index of its material: friction, restitution, damping and, for an area law, stiffness.
     pub material: usize,
     /// The deflection that it is made for [m]; `None`: its projection. Reaction curves only.
@@ -167,6 +169,7 @@ impl EngineBuilder {
             above_water_m: 0.0,
             projection_m: parts.projection_m,
             law: parts.law.clone(),
+            unloading: parts.unloading.clone(),
             material: parts.material,
             rated,
             stop: parts.stop,

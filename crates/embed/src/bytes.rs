@@ -171,7 +171,8 @@ impl<'a> Reader<'a> {
         let [peak_normal_force_n, peak_depth_m] = self.numbers()?;
         let [spring_n, stop_n, damper_n, limiter_n] = self.numbers()?;
         let [normal_j, tangential_j, damper_j, limiter_j] = self.numbers()?;
-        let [factor, tilt_rad, stored_j, peak_stored_j, shear_stored_j] = self.numbers()?;
+        let [factor, tilt_rad, stored_j, peak_loaded_j, shear_stored_j] = self.numbers()?;
+        let [hysteresis_j, hysteresis_at_start_j] = self.numbers()?;
         Ok(Contact {
             body_1,
             body_2,
@@ -197,7 +198,9 @@ impl<'a> Reader<'a> {
             factor,
             tilt_rad,
             stored_j,
-            peak_stored_j,
+            peak_loaded_j,
+            hysteresis_j,
+            hysteresis_at_start_j,
             shear_stored_j,
         })
     }

@@ -83,13 +83,15 @@ pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
         c.factor,
         c.tilt_rad,
         c.stored_j,
-        c.peak_stored_j,
+        c.peak_loaded_j,
         c.shear_stored_j,
+        c.hysteresis_j,
+        c.hysteresis_at_start_j,
     ]
 }
 
 /// How many they are.
-pub(crate) const CONTACT_NUMBERS: usize = 30;
+pub(crate) const CONTACT_NUMBERS: usize = 32;
 
 /// Results that were saved with an engine.
 #[derive(Clone, Debug, Default, PartialEq)]

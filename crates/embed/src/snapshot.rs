@@ -26,7 +26,7 @@ use crate::results::{Results, Saved};
 use crate::settings::Host;
 
 const MAGIC: &[u8; 8] = b"fndrmbed";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 impl Engine {
     /// All of this engine that can change, as bytes.

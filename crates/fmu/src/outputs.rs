@@ -170,7 +170,7 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
     add_motion(table, setup);
     add_world(table, setup);
     use Unit::Joule;
-    let columns: [Column; 8] = [
+    let columns: [Column; 9] = [
         ("energy.kinetic_j", "kinetic energy, added mass included", Joule, |v, _| {
             v.of_simulation(|s| s.energy().kinetic_j)
         }),
@@ -182,6 +182,9 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
         }),
         ("energy.shear_stored_j", "stored in shear springs", Joule, |v, _| {
             v.of_simulation(|s| s.energy().shear_stored_j)
+        }),
+        ("energy.hysteresis_j", "lost in the rubber of fenders", Joule, |v, _| {
+            v.of_simulation(|s| s.energy().hysteresis_j)
         }),
         ("energy.damping_j", "lost to damping", Joule, |v, _| {
             v.of_simulation(|s| s.energy().damping_j)

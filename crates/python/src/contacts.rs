@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 
 /// The fields of a contact, each of eight bytes: `i` a whole number, `f` a float.
-const FIELDS: [(&str, char); 32] = [
+const FIELDS: [(&str, char); 33] = [
     ("body_1", 'i'),
     ("body_2", 'i'),
     ("fender", 'i'),
@@ -37,7 +37,8 @@ const FIELDS: [(&str, char); 32] = [
     ("factor", 'f'),
     ("tilt_rad", 'f'),
     ("stored_j", 'f'),
-    ("peak_stored_j", 'f'),
+    ("peak_loaded_j", 'f'),
+    ("hysteresis_j", 'f'),
     ("shear_stored_j", 'f'),
     ("arm_1_north_m", 'f'),
     ("arm_1_east_m", 'f'),
@@ -75,7 +76,8 @@ fn words(c: &Contact) -> [u64; FIELDS.len()] {
         f(c.factor),
         f(c.tilt_rad),
         f(c.stored_j),
-        f(c.peak_stored_j),
+        f(c.peak_loaded_j),
+        f(c.hysteresis_j),
         f(c.shear_stored_j),
         f(c.arm_1_m.x),
         f(c.arm_1_m.y),

@@ -243,6 +243,7 @@ impl Simulation {
             ("tangential_work_j", e.tangential_work_j),
             ("stored_j", e.stored_j),
             ("shear_stored_j", e.shear_stored_j),
+            ("hysteresis_j", e.hysteresis_j),
             ("damping_j", e.damping_j),
             ("restitution_j", e.restitution_j),
             ("friction_j", e.friction_j),

@@ -78,8 +78,8 @@ mod vessels;
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;
 pub use library::{
-    CatalogueFender, FactorTable, Family, FenderLibrary, FenderSize, HullPressureLimit,
-    LookUpError, Tolerance,
+    CatalogueFender, FactorTable, Family, FamilyUnloading, FenderLibrary, FenderSize,
+    HullPressureLimit, LookUpError, Tolerance,
 };
 pub use load::{LoadError, read_text};
 pub use order::order;

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use boon::{Compiler, Schemas};
+use fenderline_contact::Unloading;
 use fenderline_scenario::{
     Family, FenderLibrary, LookUpError, ScenarioError, Standing, fender_schema,
 };
@@ -291,7 +292,7 @@ const CASES: &[(&str, &str, &str, &str, &str)] = &[
     ("rated_deflection = 0.525", "rated_deflection = 0.4", "rated_deflection", "family.cell.rated_deflection", "the curve's reaction is 0.95, not 1"),
     ("rated_deflection = 0.525\n", "", "[family.cell]", "family.cell.rated_deflection", "is missing"),
     ("source = \"a maker's catalogue\"\nstanding = \"found\"\n\n[family.cell.v", "standing = \"found\"\n\n[family.cell.v", "[family.cell.curve]", "family.cell.curve.source", "is missing"),
-    ("\"recalled\"\n\n[[family.cell.size]]", "\"remembered\"\n\n[[family.cell.size]]", "standing = \"remembered\"", "family.cell.velocity.standing", "\"found\", \"derived\", \"recalled\", not \"remembered\""),
+    ("\"recalled\"\n\n[[family.cell.size]]", "\"remembered\"\n\n[[family.cell.size]]", "standing = \"remembered\"", "family.cell.velocity.standing", "\"found\", \"derived\", \"recalled\", \"assumed\", not \"remembered\""),
     ("[[\"1 s\", 1.2], [\"10 s\", 1.05]]", "[[\"10 s\", 1.05], [\"1 s\", 1.2]]", "points = [[\"10 s\"", "family.cell.velocity.points[1]", "the time must rise"),
     ("[[\"1 s\", 1.2], [\"10 s\", 1.05]]", "[]", "points = []", "family.cell.velocity.points", "needs at least 1 rows"),
     ("[[\"1 s\", 1.2]", "[[\"1 m\", 1.2]", "points = [[\"1 m\"", "family.cell.velocity.points[0][0]", "must be a time [s], but \"1 m\" is a length [m]"),
@@ -318,6 +319,59 @@ fn every_mistake_is_answered_with_its_line_and_key() {
         assert_eq!(error.key(), Some(*key), "{error}");
         assert_eq!(error.line(), Some(line), "{error}");
     }
+}
+
+/// The good file with an unloading law of its cell fenders.
+fn with_unloading(law: &str) -> String {
+    let table = format!("[family.cell.unloading]\n{law}source = \"x\"\nstanding = \"assumed\"\n\n");
+    GOOD.replacen("[[family.cell.size]]", &format!("{table}[[family.cell.size]]"), 1)
+}
+
+#[test]
+fn a_family_says_how_its_fenders_give_back() {
+    let law = |text: &str| {
+        let cell = read(&with_unloading(text)).unwrap().fender("cell", "1000 A").unwrap();
+        assert!(cell.source.contains("; unloading (assumed): x"), "{}", cell.source);
+        cell.unloading
+    };
+    assert_eq!(law("returned_energy = \"60 %\"\n"), Some(Unloading::ReturnedEnergy(0.6)));
+    let points = Some(Unloading::Curve(vec![[0.0, 0.0], [0.2, 240e3], [0.525, 600e3]]));
+    assert_eq!(law("points = [[0, 0], [0.2, 0.4], [0.525, 1]]\n"), points);
+    assert_eq!(read(GOOD).unwrap().fender("cell", "1000 A").unwrap().unloading, None);
+    for family in ["cone", "cone SPC", "unit element", "V leg", "pneumatic"] {
+        let built_in = FenderLibrary::built_in();
+        let unloading = built_in.family(family).unwrap().unloading.as_ref();
+        let share = if family == "pneumatic" { 0.75 } else { 0.55 };
+        assert_eq!(unloading.map(|u| u.law.clone()), Some(Unloading::ReturnedEnergy(share)));
+    }
+}
+
+#[test]
+fn every_mistake_of_an_unloading_law_is_answered_with_its_line_and_key() {
+    #[rustfmt::skip]
+    let cases = [
+        ("returned_energy = 1.01\n", "returned_energy", "must be at most 1, but is 1.01"),
+        ("returned_energy = 0.04\n", "returned_energy", "must be at least 0.05, but is 0.04"),
+        ("points = [[0, 0], [0.3, -0.1]]\n", "points[1][1]", "must be at least 0, but is -0.1"),
+        ("points = [[0, 0], [0.3, 0.1], [0.3, 0.2]]\n", "points[2]", "the deflection must rise, but 0.3 follows 0.3"),
+        ("points = [[0, 0], [0.4, 1]]\n", "points", "between 0 and 0.95"),
+        ("points = [[0, 0.1], [0.525, 1]]\n", "points", "must begin with [0, 0]"),
+        ("points = [[0, 0], [0.3, 0.5]]\nreturned_energy = 0.5\n", "points", "does not go together with `returned_energy`"),
+    ];
+    for (law, key, fragment) in cases {
+        let text = with_unloading(law);
+        let error = read(&text).expect_err(law);
+        let told = format!("{} {}", error.message(), error.help().unwrap_or_default());
+        assert!(told.contains(fragment), "{law}: {error}");
+        assert_eq!(error.key(), Some(format!("family.cell.unloading.{key}").as_str()), "{error}");
+        let at = text.find(law).expect(law);
+        assert_eq!(error.line(), Some(text[..at].matches('\n').count() + 1), "{error}");
+    }
+    let error = read(&with_unloading("")).unwrap_err();
+    assert!(
+        error.message().contains("`family.cell.unloading.returned_energy` is missing"),
+        "{error}"
+    );
 }
 
 #[test]

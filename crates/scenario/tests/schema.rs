@@ -240,7 +240,7 @@ fn full() -> Json {
                 "on": "b", "position": [1, 0], "facing": "-90 deg", "width": "2 m",
                 "face_height": 3, "above_water": "2 m", "material": "m", "type": "cone", "height": "1.2 m",
                 "rated_reaction": "900 kN", "count": 2, "temperature": 10, "tolerance": "-10 %",
-                "velocity_factor": false, "angle_factor": true, "hull": "large tanker"
+                "velocity_factor": false, "angle_factor": true, "unloading_law": true, "hull": "large tanker"
             },
             "of a size": {
                 "on": "b", "position": [0, 0], "facing": 0, "width": 6.5, "material": "m",
@@ -248,13 +248,14 @@ fn full() -> Json {
             },
             "linear": {
                 "on": "b", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
-                "projection": 1, "stiffness": "2 MN/m", "rated_deflection": "0.5 m",
+                "projection": 1, "stiffness": "2 MN/m", "rated_deflection": "0.5 m", "returned_energy": "60 %",
                 "stop": { "from": "0.9 m", "stiffness": "50 MN/m" },
                 "hull_pressure_limit": "200 kN/m^2"
             },
             "tabulated": {
                 "on": "a", "position": [0, 0], "facing": 0, "width": 1, "material": "m",
-                "projection": 1, "curve": [[0, 0], ["0.5 m", "600 kN"]]
+                "projection": 1, "curve": [[0, 0], ["0.5 m", "600 kN"]],
+                "unloading": [[0, 0], ["0.5 m", "300 kN"]]
             },
             "on a belting": {
                 "on": "g", "belting": "bow", "material": "m", "projection": 1

@@ -1,6 +1,6 @@
 //! Fenders: what a set-up says of them and what a run did to them.
 
-use fenderline_contact::{Contact, FenderLaw, ReactionFactors, Stop, Vec2};
+use fenderline_contact::{Contact, FenderLaw, ReactionFactors, Stop, Unloading, Vec2};
 
 /// A fender of a [`crate::Setup`].
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,8 @@ pub struct FenderSetup {
     pub projection_m: f64,
     /// Reaction from deflection.
     pub law: FenderLaw,
+    /// How its reaction falls when the hull retreats, by the coupled method; `None`: by its material's restitution.
+    pub unloading: Option<Unloading>,
     /// Index into [`crate::Setup::materials`]: friction, restitution, damping, and k of an area law.
     pub material: usize,
     /// What it is made for; `None` where nobody said.
@@ -134,7 +136,7 @@ pub struct FenderSummary {
     /// Start of the step of the largest reaction [s]; a fender that buckles has it before its largest
     /// deflection.
     pub peak_reaction_at_s: f64,
-    /// Largest energy stored at a time [J].
+    /// Largest energy at a time that its loading curve takes to where it is [J], which catalogues rate.
     pub peak_energy_j: f64,
     /// Largest pressure on the hull [N/m²], by [`FenderSetup::hull_pressure_npm2`].
     pub peak_hull_pressure_npm2: Option<f64>,
@@ -189,7 +191,7 @@ impl FenderSummaries {
             // Two hulls on one fender press together; of a tilted hull's force the fender's reaction is the
             // part along its axis.
             *reaction_n += contact.peak_normal_force_n * libm::cos(contact.tilt_rad);
-            *energy_j += contact.peak_stored_j;
+            *energy_j += contact.peak_loaded_j;
             book_contact(summary, setup, contact, t_s);
             book_peaks(summary, setup, *reaction_n, *energy_j, t_s);
         }

@@ -61,6 +61,8 @@ struct Seen {
     now: bool,
     stored_j: f64,
     shear_stored_j: f64,
+    /// Heat by unloading laws that belongs to the step before.
+    hysteresis_at_start_j: f64,
 }
 
 impl Books {
@@ -87,6 +89,7 @@ impl Books {
             let seen = &mut self.seen[index];
             seen.now = true;
             seen.stored_j += contact.stored_j;
+            seen.hysteresis_at_start_j += contact.hysteresis_at_start_j;
             seen.shear_stored_j += contact.shear_stored_j;
         }
         // The books of contacts that go on against the fenders' potentials; those of contacts that are
@@ -97,7 +100,9 @@ impl Books {
                 (true, None) => book.stored_j,
                 (false, _) => 0.0,
             };
-            book.residual_j = book.stored_j - is_j;
+            // Heat is found where a sub-step begins: that of the last step's end is in its book now.
+            book.hysteresis_j = seen.hysteresis_at_start_j;
+            book.residual_j = book.stored_j - seen.hysteresis_at_start_j - is_j;
             book.stored_j = is_j;
         }
     }
@@ -124,9 +129,11 @@ impl Books {
             book.normal_impulse_ns += contact.normal_force_n * seconds;
             book.normal_j += work.normal_j;
             book.tangential_j += work.tangential_j;
+            let hysteresis_j = contact.hysteresis_j - contact.hysteresis_at_start_j;
+            book.hysteresis_j += hysteresis_j;
             book.damping_j -= work.damper_j;
             book.restitution_j += work.limiter_j;
-            book.stored_j -= work.normal_j - work.damper_j + work.limiter_j;
+            book.stored_j -= work.normal_j - work.damper_j + work.limiter_j + hysteresis_j;
         }
     }
 
@@ -200,6 +207,7 @@ impl Ledger {
             energy.tangential_work_j += book.tangential_j;
             energy.stored_j += book.stored_j;
             energy.shear_stored_j += book.shear_stored_j;
+            energy.hysteresis_j += book.hysteresis_j;
             energy.damping_j += book.damping_j;
             energy.restitution_j += book.restitution_j;
             energy.friction_j += book.friction_j;

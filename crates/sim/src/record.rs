@@ -41,7 +41,7 @@ pub struct StepRecord<'a> {
 /// What one contact did in one step, over all the integrator's stages and the engine's sub-steps: a
 /// fender and its hull, or two outlines.
 ///
-/// What the bodies lose to the normal force goes three ways, `-normal_j = Δstored + damping_j +
+/// What the bodies lose to the normal force goes four ways, `-normal_j = Δstored + hysteresis_j + damping_j +
 /// restitution_j`, and what they lose to the tangential force two: `-tangential_j = Δshear_stored +
 /// friction_j`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,10 +56,12 @@ pub struct ContactBook {
     pub normal_j: f64,
     /// Work of the tangential force on the two bodies [J].
     pub tangential_j: f64,
-    /// Stored in spring and stop at the end of the step [J].
+    /// Stored in spring and stop at the end of the step, and to be had back [J].
     pub stored_j: f64,
     /// Stored in the shear spring at the end of the step [J].
     pub shear_stored_j: f64,
+    /// Turned into heat by a fender's unloading law [J].
+    pub hysteresis_j: f64,
     /// Turned into heat by damping [J].
     pub damping_j: f64,
     /// What the springs gave back and the limiter kept from the bodies [J].
@@ -79,7 +81,7 @@ pub struct ContactBook {
 /// for the change of kinetic energy exactly:
 ///
 /// kinetic = kinetic at the start + load_work + normal_work + tangential_work + residual, and
-/// −(normal_work + tangential_work) = stored + shear_stored + damping + restitution + friction +
+/// −(normal_work + tangential_work) = stored + shear_stored + hysteresis + damping + restitution + friction +
 /// contact_residual.
 ///
 /// A contact that leaves with more energy than it came with shows as positive `normal_work_j` and
@@ -98,6 +100,8 @@ pub struct Energy {
     pub stored_j: f64,
     /// Stored now in shear springs.
     pub shear_stored_j: f64,
+    /// Lost in rubber: by the unloading laws of fenders.
+    pub hysteresis_j: f64,
     /// Lost to damping.
     pub damping_j: f64,
     /// Lost to restitution.

@@ -635,6 +635,7 @@ fn engine_fender(fender: &FenderSetup, key: u64) -> Fender {
         width_m: fender.width_m,
         projection_m: fender.projection_m,
         law: fender.law.clone(),
+        unloading: fender.unloading.clone(),
         material: MaterialId(fender.material as u32),
         rated_deflection_m: fender.rated.map_or(fender.projection_m, |rated| rated.deflection_m),
         stop: fender.stop,

@@ -31,6 +31,7 @@ fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let is_split = end.contact_residual_j.abs() <= BOOKED * given_j;
     let split = [
         ("stored in springs", &trace.stored_j, 1.0),
+        ("lost in rubber", &trace.hysteresis_j, 1.0),
         ("lost to restitution", &trace.restitution_j, 1.0),
         ("lost to friction", &trace.friction_j, 1.0),
         ("lost to damping", &trace.damping_j, 1.0),
@@ -93,6 +94,7 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                     (row("Kinetic at the end", end.kinetic_j))
                     (row("Taken by normal forces", -end.normal_work_j))
                     (part("stored in springs and stops at the end", end.stored_j))
+                    (part("lost in rubber, by unloading laws", end.hysteresis_j))
                     (part("lost to restitution", end.restitution_j))
                     (part("lost to damping", end.damping_j))
                     (part("lost, or made up (−), by method and time step", end.contact_residual_j))

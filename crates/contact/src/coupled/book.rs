@@ -163,6 +163,8 @@ struct Booked {
     friction: Friction,
     depth_m: f64,
     stored_j: f64,
+    loaded_j: f64,
+    hysteresis_j: f64,
     work: ContactWork,
     parts: ForceParts,
     factor: f64,
@@ -182,6 +184,8 @@ impl Booked {
             friction,
             depth_m: row.depth_m,
             stored_j: row.stored_j,
+            loaded_j: row.loaded_j,
+            hysteresis_j: row.hysteresis_j,
             work: ContactWork {
                 normal_j: -normal_n * moved.closing_m,
                 tangential_j: tangential_n * moved.slip_m,
@@ -223,7 +227,9 @@ impl Booked {
             work: self.work,
             factor: self.factor,
             stored_j: self.stored_j,
-            peak_stored_j: self.stored_j,
+            peak_loaded_j: self.loaded_j,
+            hysteresis_j: self.hysteresis_j,
+            hysteresis_at_start_j: self.hysteresis_j,
             shear_stored_j: self.shear_stored_j,
             ..touch_of(tie, row).contact(scene, (patch, ids), face, arms_m)
         }
@@ -235,7 +241,8 @@ impl Booked {
         contact.tangential_force_n += self.tangential_n * share;
         contact.peak_normal_force_n = greater(contact.peak_normal_force_n, self.normal_n);
         contact.peak_depth_m = greater(contact.peak_depth_m, self.depth_m);
-        contact.peak_stored_j = greater(contact.peak_stored_j, self.stored_j);
+        contact.peak_loaded_j = greater(contact.peak_loaded_j, self.loaded_j);
+        contact.hysteresis_j += self.hysteresis_j;
         contact.work.normal_j += self.work.normal_j;
         contact.work.tangential_j += self.work.tangential_j;
         contact.work.damper_j += self.work.damper_j;

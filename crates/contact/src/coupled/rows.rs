@@ -13,13 +13,14 @@ use crate::law::damper::{Answered, Growth, damper};
 use crate::law::normal::{factor, normal_force};
 use crate::mass::{InverseMatrix, Seen};
 use crate::memory::PatchMemory;
-use crate::model::Material;
+use crate::model::{Material, Model};
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::ranked::Bodies;
 use crate::report::{Event, EventKind, ForceParts, Friction};
 use crate::state::BodyState;
 use crate::touch::{Levers, Movers, Scene, Touch, touch};
+use crate::unloading::{PLAYS, unload};
 use crate::vec2::Vec2;
 
 /// One contact of a sub-step, where contacts are reported: what is told of it besides what its [`Tie`] and its
@@ -31,8 +32,12 @@ pub(crate) struct Row {
     pub(crate) tilt_rad: f64,
     /// What f is made of.
     pub(crate) parts: ForceParts,
-    /// What spring and stop of a fender store, with its factor [J].
+    /// What spring and stop of a fender store, with its factor [J]; with an unloading law, what they can give back.
     pub(crate) stored_j: f64,
+    /// What loads them to where they are, with its factor [J].
+    pub(crate) loaded_j: f64,
+    /// Heat by a fender's unloading law since the last (sub-)step, with its factor [J].
+    pub(crate) hysteresis_j: f64,
 }
 
 /// What the laws say of a contact.
@@ -130,7 +135,12 @@ pub(crate) fn collect(
     let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
     let movers = Movers::of([a, b].map(|rank| begun.moves[rank as usize]));
     let bodies = (movers, begun.states);
-    let touch = touch(&begun.scene, aside.buffers, patch, face, material, old, bodies);
+    let mut touch = touch(&begun.scene, aside.buffers, patch, face, material, old, bodies);
+    let loaded_j = touch.stored_j;
+    let unloaded = match face {
+        Some(face) if face.unloads => by_unloading(model, face, &mut touch, old),
+        _ => None,
+    };
     tie.join([a, b], movers, &touch);
     let Touch { normal, levers_a, levers_b, .. } = touch;
     // Each by itself: what any of them returns would wait in memory for the other two.
@@ -159,10 +169,14 @@ pub(crate) fn collect(
     let mut laws = Laws {
         material,
         law_n,
-        rebound_mps: material.restitution * v_ref_mps,
+        rebound_mps: if unloaded.is_some() {
+            UNBOUNDED_MPS
+        } else {
+            material.restitution * v_ref_mps
+        },
         may_give_j: may_give_j(&touch, factor, law_n, old, taken.placed),
         may_shear_j: old.map_or(0.0, |m| m.sheared_j),
-        unheld_j: unheld_j(&touch, factor, law_n, old),
+        unheld_j: if unloaded.is_some() { 0.0 } else { unheld_j(&touch, factor, law_n, old) },
     };
     let put = Put {
         placed: taken.placed,
@@ -192,7 +206,15 @@ pub(crate) fn collect(
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
     if let Some(row) = row {
         let Touch { depth_m, tilt_rad, stored_j, .. } = touch;
-        *row = Row { depth_m, tilt_rad, parts, stored_j: stored_j * factor };
+        let hysteresis_j = unloaded.map_or(0.0, |lost| lost.lost_j * factor);
+        *row = Row {
+            depth_m,
+            tilt_rad,
+            parts,
+            stored_j: stored_j * factor,
+            loaded_j: loaded_j * factor,
+            hysteresis_j,
+        };
     }
     PatchMemory {
         flags,
@@ -204,6 +226,7 @@ pub(crate) fn collect(
         taken_j: laws.may_give_j,
         sheared_j: laws.may_shear_j,
         damped_m2,
+        tops_j: unloaded.map_or([0.0; PLAYS], |unloaded| unloaded.tops_j),
         ..PatchMemory::of(patch, touch.point_in_a_m, touch.normal_in_a)
     }
 }
@@ -218,6 +241,33 @@ fn answered(old: Option<&PatchMemory>, placed: bool, behind_s: f64) -> Answered 
         Some(_) if behind_s < 0.0 => Answered::AllThereIs,
         Some(memory) => Answered::Area(memory.damped_m2),
     }
+}
+
+/// γ v_ref of a fender with an unloading law: its reaction falls by that alone, never because of a speed [m/s].
+const UNBOUNDED_MPS: f64 = 1e12;
+
+/// What the unloading law of a fender left of its loss, and of the tops of its plays.
+#[derive(Clone, Copy)]
+struct ByUnloading {
+    tops_j: [f64; PLAYS],
+    lost_j: f64,
+}
+
+/// Takes a touch's forces and stored energy from those of loading to those of the fender's unloading law.
+#[inline(never)]
+fn by_unloading(
+    model: &Model,
+    face: &RankedFender,
+    touch: &mut Touch,
+    old: Option<&PatchMemory>,
+) -> Option<ByUnloading> {
+    let fender = &model.fenders()[face.id.0 as usize];
+    let unloading = fender.unloading.as_ref()?;
+    let unloaded = unload(unloading, &fender.law, touch, old.map(|memory| &memory.tops_j));
+    touch.spring_n *= unloaded.share;
+    touch.stop_n *= unloaded.share;
+    touch.stored_j = unloaded.recoverable_j;
+    Some(ByUnloading { tops_j: unloaded.tops_j, lost_j: unloaded.lost_j })
 }
 
 /// What a contact stores beyond what its last force holds [J]. Between outlines at least a third of

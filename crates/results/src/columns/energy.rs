@@ -28,6 +28,9 @@ pub(crate) fn energy_columns() -> Vec<Column<EnergyRow>> {
         float("shear_stored_j", "J", "stored now in shear springs of contacts", |r| {
             r.energy.shear_stored_j
         }),
+        float("hysteresis_j", "J", "lost in the rubber of fenders since the start", |r| {
+            r.energy.hysteresis_j
+        }),
         float("damping_j", "J", "lost to damping since the start", |r| r.energy.damping_j),
         float("restitution_j", "J", "lost to restitution since the start", |r| {
             r.energy.restitution_j

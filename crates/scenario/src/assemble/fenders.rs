@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use fenderline_contact::{FenderLaw, ReactionFactors, Stop};
+use fenderline_contact::{FenderLaw, ReactionFactors, Stop, Unloading};
 use fenderline_sim::berthing::{BerthingSetup, Configuration, Softness};
 use fenderline_sim::hydro::vessels::Standing;
 use fenderline_sim::{BodySetup, FenderSetup, FenderSource, HullPressure, Rated};
@@ -11,7 +11,7 @@ use super::vessel::Kind;
 use super::{Assembly, Checked, FenderParts, Names};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
-use crate::library::{CatalogueFender, FenderLibrary, LookUpError};
+use crate::library::{CatalogueFender, FenderLibrary, LookUpError, unloading_curve};
 use crate::sources::quoted;
 use crate::vessels::Belting;
 
@@ -25,6 +25,8 @@ const STATIC_TIME_S: f64 = 1000.0;
 /// What a law brings with it.
 struct Performance {
     law: FenderLaw,
+    /// That of its type.
+    unloading: Option<Unloading>,
     rated: Option<Rated>,
     /// Where its stop begins if nobody says otherwise [m], and how stiff it is [N/m].
     end_m: f64,
@@ -75,6 +77,7 @@ impl Assembly<'_, '_> {
                 Stop { from_m: performance.end_m, stiffness_npm: performance.stop_stiffness_npm }
             }
         };
+        let unloading = self.unloading(table, &performance)?;
         Ok(FenderSetup {
             name: name.to_owned(),
             body,
@@ -85,6 +88,7 @@ impl Assembly<'_, '_> {
             above_water_m: face.above_water_m,
             projection_m,
             law: performance.law,
+            unloading,
             material,
             rated: performance.rated,
             stop: Some(stop),
@@ -128,7 +132,7 @@ impl Assembly<'_, '_> {
 
     /// Keys that say the same thing twice, or that have nothing to say it of.
     fn refuse_what_does_not_go_together(&self, table: &Table) -> Checked<()> {
-        const TWICE: [[&str; 2]; 7] = [
+        const TWICE: [[&str; 2]; 10] = [
             ["type", "stiffness"],
             ["type", "curve"],
             ["stiffness", "curve"],
@@ -136,6 +140,9 @@ impl Assembly<'_, '_> {
             ["size", "rated_reaction"],
             ["type", "rated_deflection"],
             ["hull", "hull_pressure_limit"],
+            ["type", "unloading"],
+            ["returned_energy", "unloading"],
+            ["returned_energy", "unloading_law"],
         ];
         for [one, two] in TWICE {
             if let (Some(_), Some(item)) = (table.item(one), table.item(two)) {
@@ -148,7 +155,7 @@ impl Assembly<'_, '_> {
         if table.item("type").is_some() {
             return Ok(());
         }
-        const OF_A_TYPE: [&str; 7] = [
+        const OF_A_TYPE: [&str; 8] = [
             "size",
             "height",
             "rated_reaction",
@@ -156,6 +163,7 @@ impl Assembly<'_, '_> {
             "temperature",
             "velocity_factor",
             "angle_factor",
+            "unloading_law",
         ];
         for name in OF_A_TYPE {
             if let Some(item) = table.item(name) {
@@ -203,6 +211,7 @@ impl Assembly<'_, '_> {
                     source: "the scenario".to_owned(),
                     standing: "given".to_owned(),
                 }),
+                unloading: None,
                 law,
             }
         };
@@ -231,6 +240,7 @@ impl Assembly<'_, '_> {
         }
         Ok(Performance {
             law: FenderLaw::Area,
+            unloading: None,
             rated: None,
             end_m: projection_m,
             stop_stiffness_npm: STOP_OVER_MEAN * stiffness_npm2 * width_m,
@@ -240,6 +250,22 @@ impl Assembly<'_, '_> {
             hull_pressure: HullPressure::OverFace,
             source: None,
         })
+    }
+
+    /// How its reaction falls when the hull retreats: by its own keys, or as its type has it.
+    fn unloading(&self, table: &Table, performance: &Performance) -> Checked<Option<Unloading>> {
+        if let Some(item) = table.item("returned_energy") {
+            return Ok(Some(Unloading::ReturnedEnergy(*item.number())));
+        }
+        let Some(item) = table.item("unloading") else { return Ok(performance.unloading.clone()) };
+        let path = table.path_of("unloading");
+        let FenderLaw::Curve(points) = &performance.law else {
+            let message = format!("`{path}` is for fenders with a `stiffness` or a `curve`");
+            let error = self.sources.error(&item.key_span, &path, message);
+            return Err(error.with_help("give `returned_energy`, or the fender a `curve`"));
+        };
+        let loading: Vec<(f64, f64)> = points.iter().map(|&[m, n]| (m, n)).collect();
+        Ok(Some(Unloading::Curve(unloading_curve(self.sources, item, &path, &loading)?)))
     }
 
     fn own_curve(&self, table: &Table, item: &Item) -> Checked<Vec<[f64; 2]>> {
@@ -308,9 +334,18 @@ impl Assembly<'_, '_> {
         let curve = points(&fender.curve, count);
         let [end_m, _] = curve[curve.len() - 1];
         let law = FenderLaw::Curve(curve);
+        let unloading = match &fender.unloading {
+            Some(_) if !wanted("unloading_law") => None,
+            Some(Unloading::Curve(points)) => {
+                let of_all = points.iter().map(|&[m, n]| [m, n * count]);
+                Some(Unloading::Curve(of_all.collect()))
+            }
+            other => other.clone(),
+        };
         let pieces = if count == 1.0 { String::new() } else { format!("{count} × ") };
         let given_by_user = table.item("rated_reaction").is_some();
         Ok(Performance {
+            unloading,
             rated: Rated::of(&law, fender.rated_deflection_m),
             end_m,
             stop_stiffness_npm: STOP_OVER_MEAN * count * fender.rated_reaction_n / end_m,

@@ -3,6 +3,7 @@
 use serde_json::json;
 
 use super::POSITION_M;
+use crate::library::RETURNED_ENERGY;
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Choices, CurveSpec, KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
@@ -79,7 +80,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
             name: "material",
             kind: Kind::MaterialName,
             absent: Refused,
-            doc: "Friction, restitution and damping; and stiffness where it has no other law.",
+            doc: "Friction, damping, restitution where it has no unloading law; and stiffness where it has no other law.",
             examples: &["\"facing\""],
         },
         KeySpec {
@@ -131,6 +132,29 @@ pub(super) static FENDER: TableSpec = TableSpec {
             absent: Means("no curve of its own"),
             doc: "Rows of deflection and reaction, the first [0, 0], with straight lines between.",
             examples: &["[[0, 0], [\"0.3 m\", \"600 kN\"], [\"0.8 m\", \"650 kN\"]]"],
+        },
+        KeySpec {
+            name: "returned_energy",
+            kind: Kind::Quantity(RETURNED_ENERGY),
+            absent: Means("that of the type, else the material's restitution"),
+            doc: "Share of the energy taken that its rubber gives back: the reaction falls to a lower curve when the \
+                  hull retreats, and restitution does nothing. By the coupled method.",
+            examples: &["\"55 %\""],
+        },
+        KeySpec {
+            name: "unloading",
+            kind: Kind::Curve(&CURVE),
+            absent: Means("`returned_energy` says it"),
+            doc: "Rows of deflection and reaction, the first [0, 0], that a retreat comes down to, with straight \
+                  lines between; nowhere above its `curve` or `stiffness`. By the coupled method.",
+            examples: &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
+        },
+        KeySpec {
+            name: "unloading_law",
+            kind: Kind::Flag,
+            absent: Means("true"),
+            doc: "Whether the type's unloading law is used, where it has one; else its material's restitution.",
+            examples: &["false"],
         },
         KeySpec {
             name: "rated_deflection",
@@ -203,6 +227,12 @@ pub(super) static FENDER: TableSpec = TableSpec {
                 both("type", "stiffness"), both("type", "curve"), both("stiffness", "curve"),
                 both("size", "height"), both("size", "rated_reaction"),
                 both("type", "rated_deflection"), both("hull", "hull_pressure_limit"),
+                both("type", "unloading"), both("returned_energy", "unloading"),
+                both("returned_energy", "unloading_law"),
+                {
+                    "if": { "required": ["unloading"] },
+                    "then": { "anyOf": [{ "required": ["stiffness"] }, { "required": ["curve"] }] }
+                },
                 {
                     "if": { "required": ["belting"] },
                     "then": { "properties": {
@@ -222,7 +252,8 @@ pub(super) static FENDER: TableSpec = TableSpec {
                 "required": ["projection"],
                 "properties": {
                     "size": false, "height": false, "rated_reaction": false, "temperature": false,
-                    "count": false, "velocity_factor": false, "angle_factor": false
+                    "count": false, "velocity_factor": false, "angle_factor": false,
+                    "unloading_law": false
                 }
             }
         })

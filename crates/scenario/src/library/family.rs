@@ -1,5 +1,6 @@
 //! What a fender file says, in SI units. A fender stands as its weakest part does.
 
+use fenderline_contact::Unloading;
 use fenderline_sim::hydro::vessels::Standing;
 
 /// Fenders of one shape.
@@ -19,6 +20,8 @@ pub struct Family {
     pub source: String,
     /// How well that is known.
     pub standing: Standing,
+    /// How the reaction falls when the hull retreats.
+    pub unloading: Option<FamilyUnloading>,
     /// Temperature [°C] against factor on the reaction.
     pub temperature: Option<FactorTable>,
     /// Time to rated deflection [s] against factor on the reaction.
@@ -33,6 +36,17 @@ pub struct Family {
     pub reference: Option<usize>,
     /// Sizes, in the order of the file.
     pub sizes: Vec<FenderSize>,
+}
+
+/// How the reaction of a family falls when the hull retreats.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FamilyUnloading {
+    /// The energy given back, or the unloading curve with deflections over height and reactions over rated reaction.
+    pub law: Unloading,
+    /// Where it comes from.
+    pub source: String,
+    /// How well that is known.
+    pub standing: Standing,
 }
 
 /// A table of factors.

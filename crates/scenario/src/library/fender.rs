@@ -1,6 +1,7 @@
 //! One fender of a catalogue, ready to be used.
 
 use super::curve;
+use fenderline_contact::Unloading;
 use fenderline_sim::hydro::vessels::Standing;
 
 use super::family::{FactorTable, Family, FenderSize};
@@ -28,6 +29,8 @@ pub struct CatalogueFender {
     /// Deflection [m] against reaction [N], from (0, 0), deflections rising; straight between. It may
     /// reach beyond the rated deflection.
     pub curve: Vec<(f64, f64)>,
+    /// How the reaction falls when the hull retreats, where the family says it.
+    pub unloading: Option<Unloading>,
     /// Temperature [°C] against factor on the reaction; empty where none is known.
     pub temperature_factors: Vec<(f64, f64)>,
     /// Time to rated deflection [s] against factor on the reaction; empty where none is known.
@@ -48,7 +51,7 @@ pub struct CatalogueFender {
     pub source: String,
     /// The weaker of their standings, and at best `Derived` where the published energy and the
     /// integral differ by more than [`CatalogueFender::TOLERANCE`]: such a curve is not this size's own.
-    /// Factors and tolerance keep their own standings in the family.
+    /// Unloading, factors and tolerance keep their own standings in the family.
     pub standing: Standing,
 }
 
@@ -79,6 +82,10 @@ impl CatalogueFender {
             rated_energy_j: energy * reaction_n * height_m,
             published_energy_j: size.published_energy_j,
             curve: family.curve.iter().map(|(d, r)| (d * height_m, r * reaction_n)).collect(),
+            unloading: family
+                .unloading
+                .as_ref()
+                .map(|own| scaled_law(&own.law, height_m, reaction_n)),
             temperature_factors: rows(&family.temperature),
             velocity_factors: rows(&family.velocity),
             angle_energy_factors: rows(&family.angle_energy),
@@ -90,6 +97,10 @@ impl CatalogueFender {
             source: format!("curve: {}; rating: {}", family.source, size.source),
             standing: family.standing.max(size.standing),
         };
+        if let Some(unloading) = &family.unloading {
+            let (standing, source) = (unloading.standing.word(), &unloading.source);
+            fender.source += &format!("; unloading ({standing}): {source}");
+        }
         if let Some(difference) = fender.energy_difference() {
             let percent = 100.0 * difference.abs();
             let side = if difference < 0.0 { "below" } else { "above" };
@@ -101,6 +112,16 @@ impl CatalogueFender {
             }
         }
         fender
+    }
+}
+
+/// The unloading law of a family for a fender of this height and rated reaction.
+fn scaled_law(law: &Unloading, height_m: f64, reaction_n: f64) -> Unloading {
+    match law {
+        Unloading::ReturnedEnergy(share) => Unloading::ReturnedEnergy(*share),
+        Unloading::Curve(points) => {
+            Unloading::Curve(points.iter().map(|[d, r]| [d * height_m, r * reaction_n]).collect())
+        }
     }
 }
 

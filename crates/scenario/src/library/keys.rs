@@ -2,6 +2,9 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use fenderline_contact::Unloading;
+use serde_json::json;
+
 use crate::spec::Absent::{Is, Means, Refused};
 use crate::spec::{Choices, CurveSpec, KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
@@ -52,6 +55,7 @@ static STANDINGS: Choices = Choices {
         ("found", "read in a public source"),
         ("derived", "computed from others"),
         ("recalled", "to be checked against the document before it is relied on"),
+        ("assumed", "nobody's but ours"),
     ],
 };
 
@@ -79,6 +83,13 @@ static FAMILY: TableSpec = TableSpec {
             kind: Kind::Table(&CURVE),
             absent: Means("the family is known already"),
             doc: "Reaction against deflection, normalised.",
+            examples: &[],
+        },
+        KeySpec {
+            name: "unloading",
+            kind: Kind::Table(&UNLOADING),
+            absent: Means("the reaction falls by the material's restitution"),
+            doc: "How the reaction falls when the hull retreats.",
             examples: &[],
         },
         KeySpec {
@@ -165,6 +176,44 @@ static CURVE: TableSpec = TableSpec {
     ],
     rules: None,
 };
+
+static UNLOADING: TableSpec = TableSpec {
+    what: "an unloading law",
+    doc: "How the reaction falls when the hull retreats: `returned_energy` or `points`.",
+    keys: &[
+        KeySpec {
+            name: "returned_energy",
+            kind: Kind::Quantity(RETURNED_ENERGY),
+            absent: Means("`points` say it"),
+            doc: "Share of the energy taken that compressing to any deflection and letting go gives back.",
+            examples: &["\"55 %\""],
+        },
+        KeySpec {
+            name: "points",
+            kind: Kind::Curve(&CurveSpec {
+                from: ("deflection", OF_HEIGHT),
+                to: ("reaction", OF_RATED),
+                fewest: 2,
+            }),
+            absent: Means("`returned_energy` says it"),
+            doc: "Rows of deflection over height and reaction over rated reaction that a retreat comes down to, \
+                  from [0, 0]; straight between them, nowhere above the curve. Beyond the last row the reaction \
+                  comes down to the same share of the curve as there.",
+            examples: &["[[0, 0], [0.25, 0.4], [0.5, 0.9]]"],
+        },
+        SOURCE,
+        STANDING,
+    ],
+    rules: Some(|| {
+        json!({
+            "oneOf": [{ "required": ["returned_energy"] }, { "required": ["points"] }]
+        })
+    }),
+};
+
+/// Energy given back over energy taken.
+pub(crate) const RETURNED_ENERGY: Quantity =
+    Quantity { measure: &unit::PLAIN_NUMBER, low: Unloading::LEAST_RETURNED, high: 1.0 };
 
 const HOLDS: KeySpec = KeySpec {
     name: "holds",

@@ -12,10 +12,11 @@ use std::sync::OnceLock;
 
 use fenderline_sim::hydro::vessels::Standing;
 
-pub use family::{FactorTable, Family, FenderSize, HullPressureLimit, Tolerance};
+pub use family::{FactorTable, Family, FamilyUnloading, FenderSize, HullPressureLimit, Tolerance};
 pub use fender::CatalogueFender;
-pub(crate) use keys::FENDER_FILE;
+pub(crate) use keys::{FENDER_FILE, RETURNED_ENERGY};
 pub use look_up::LookUpError;
+pub(crate) use read::unloading_curve;
 
 use crate::error::ScenarioError;
 use crate::reader;

@@ -7,7 +7,10 @@ use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
 
 use super::curve;
-use super::family::{FactorTable, Family, FenderSize, HullPressureLimit, Tolerance};
+use super::family::{
+    FactorTable, Family, FamilyUnloading, FenderSize, HullPressureLimit, Tolerance,
+};
+use fenderline_contact::{FenderLaw, Unloading};
 use fenderline_sim::hydro::vessels::Standing;
 
 type Read<T> = Result<T, ScenarioError>;
@@ -108,6 +111,10 @@ fn new_family(sources: &Sources<'_>, name: &str, table: &Table, item: &Item) -> 
         published_energy: inner
             .item("published_energy")
             .map_or_else(Vec::new, |item| item.curve().to_vec()),
+        unloading: match table.item("unloading") {
+            Some(item) => Some(unloading(sources, item.table(), &curve)?),
+            None => None,
+        },
         curve,
         source,
         standing,
@@ -202,6 +209,52 @@ fn factor_table(table: &Table) -> FactorTable {
     }
 }
 
+/// The unloading law of a family with this curve.
+fn unloading(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) -> Read<FamilyUnloading> {
+    let law = match (table.item("returned_energy"), table.item("points")) {
+        (Some(share), None) => Unloading::ReturnedEnergy(*share.number()),
+        (None, Some(points)) => {
+            let path = table.path_of("points");
+            Unloading::Curve(unloading_curve(sources, points, &path, curve)?)
+        }
+        (Some(_), Some(points)) => {
+            let path = table.path_of("points");
+            let message = format!("`{path}` does not go together with `returned_energy`");
+            let error = sources.error(&points.key_span, &path, message);
+            return Err(error.with_help("keep one of the two"));
+        }
+        (None, None) => {
+            let path = table.path_of("returned_energy");
+            let error = sources.error(&table.span, &path, format!("`{path}` is missing"));
+            return Err(error.with_help("give it, or `points` of the unloading curve"));
+        }
+    };
+    let (source, standing) = origin(table);
+    Ok(FamilyUnloading { law, source, standing })
+}
+
+/// The points of an unloading curve, which begins at (0, 0) and is nowhere above this loading curve.
+pub(crate) fn unloading_curve(
+    sources: &Sources<'_>,
+    item: &Item,
+    path: &str,
+    loading: &[(f64, f64)],
+) -> Read<Vec<[f64; 2]>> {
+    let pairs = |points: &[(f64, f64)]| points.iter().map(|&(x, y)| [x, y]).collect();
+    let (points, loading): (Vec<[f64; 2]>, Vec<[f64; 2]>) = (pairs(item.curve()), pairs(loading));
+    if points[0] != [0.0, 0.0] {
+        let message = format!("`{path}` must begin with [0, 0]: without deflection no reaction");
+        return Err(sources.error(&item.span, path, message));
+    }
+    let Some([at, reaction]) = Unloading::above(&points, &loading) else { return Ok(points) };
+    let most = FenderLaw::Curve(loading).reaction_n(at);
+    let message = format!(
+        "`{path}` must not be above the loading curve: at a deflection of {at} its reaction must be between 0 and \
+         {most}, but is {reaction}"
+    );
+    Err(sources.error(&item.span, path, message))
+}
+
 fn tolerance(table: &Table) -> Tolerance {
     let (source, standing) = origin(table);
     Tolerance { value: *table.given("value").number(), source, standing }
@@ -212,6 +265,7 @@ fn origin(table: &Table) -> (String, Standing) {
         0 => Standing::Found,
         1 => Standing::Derived,
         2 => Standing::Recalled,
+        3 => Standing::Assumed,
         other => unreachable!("the key table has no standing {other}"),
     };
     (table.given("source").text().to_owned(), standing)

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use fenderline_contact::{FenderLaw, Material, vec2};
+use fenderline_contact::{FenderLaw, Material, Unloading, vec2};
 use fenderline_sim::{
     FenderSetup, Integrator, MassProperties, Method, PairSetup, Setup, Simulation,
 };
@@ -30,6 +30,8 @@ pub(crate) struct Episode {
     shear_stiffness_npm: f64,
     law: Law,
     pub(crate) step_s: f64,
+    /// Of the fenders, where they have an unloading law.
+    unloading: Option<UnloadsBy>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +39,14 @@ enum Law {
     Cone,
     Linear,
     Area,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum UnloadsBy {
+    /// Share of the energy taken.
+    Returned(f64),
+    /// An unloading curve, this high beside the loading curve; by an area law so much energy.
+    Curve(f64),
 }
 
 /// What became of the energy, in parts of the kinetic energy before.
@@ -63,8 +73,8 @@ impl Outcome {
     }
 }
 
-/// The episode of a seed.
-pub(crate) fn drawn(seed: u64, anisotropic: bool) -> Episode {
+/// The episode of a seed; with unloading laws it is the same hit on such fenders.
+pub(crate) fn drawn(seed: u64, anisotropic: bool, unloads: bool) -> Episode {
     let mut draw = Draw::new(seed);
     let added = [draw.between(0.0, 0.9), draw.between(0.0, 0.9)];
     Episode {
@@ -82,6 +92,10 @@ pub(crate) fn drawn(seed: u64, anisotropic: bool) -> Episode {
         shear_stiffness_npm: libm::exp10(draw.between(5.5, 8.0)),
         law: draw.one_of(&[Law::Cone, Law::Linear, Law::Area]),
         step_s: draw.one_of(&[0.05, 0.1, 0.5, 1.0]),
+        unloading: unloads.then(|| {
+            let share = draw.between(Unloading::LEAST_RETURNED, 0.95);
+            draw.one_of(&[UnloadsBy::Returned(share), UnloadsBy::Curve(share)])
+        }),
     }
 }
 
@@ -142,7 +156,7 @@ fn setup(episode: &Episode) -> Setup {
         materials,
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
         every_other_pair: None,
-        fenders: (0..4).map(|k| fender(k, episode.law)).collect(),
+        fenders: (0..4).map(|k| fender(k, episode)).collect(),
         berthing: None,
         loads: vec![],
         world: fenderline_sim::WorldSetup::default(),
@@ -154,15 +168,32 @@ fn farthest_east_m(vertices: &[fenderline_contact::Vec2], heading_rad: f64) -> f
     vertices.iter().map(|v| v.x * sin + v.y * cos).fold(0.0, f64::max)
 }
 
+fn unloading(unloads_by: UnloadsBy, law: &FenderLaw) -> Unloading {
+    match (unloads_by, law) {
+        (UnloadsBy::Returned(share), _) | (UnloadsBy::Curve(share), FenderLaw::Area) => {
+            Unloading::ReturnedEnergy(share)
+        }
+        // Nothing at first, and at the end of the curve together with it.
+        (UnloadsBy::Curve(share), FenderLaw::Curve(points)) => {
+            let [end_m, _] = points[points.len() - 1];
+            let lower = |&[at_m, reaction_n]: &[f64; 2]| {
+                [at_m, reaction_n * (share * (2.0 * at_m / end_m).min(1.0)).max(at_m / end_m - 0.5)]
+            };
+            Unloading::Curve(points.iter().map(lower).collect())
+        }
+    }
+}
+
 /// Four of them, 4 m wide and half a metre apart.
-fn fender(k: u32, law: Law) -> FenderSetup {
+fn fender(k: u32, episode: &Episode) -> FenderSetup {
     let along_m = 4.5 * (f64::from(k) - 1.5);
     let mut fender = cone_fender(&format!("fender {k}"), along_m, FENDER_HEIGHT_M, 1.2e6);
     fender.width_m = 4.0;
-    match law {
+    match episode.law {
         Law::Cone => {}
         Law::Linear => fender.law = FenderLaw::linear(1.5e6),
         Law::Area => (fender.law, fender.rated) = (FenderLaw::Area, None),
     }
+    fender.unloading = episode.unloading.map(|unloads_by| unloading(unloads_by, &fender.law));
     fender
 }

@@ -97,6 +97,7 @@ fn face() -> Model {
         width_m: 20.0,
         projection_m: 4.0,
         law: FenderLaw::Area,
+        unloading: None,
         material: MaterialId(0),
         rated_deflection_m: 4.0,
         stop: None,

@@ -143,7 +143,7 @@ impl Study {
             self.outcome = Some(self.first_touch(fenders, inertias, step, contact));
         }
         let Some(Ok(outcome)) = self.outcome.as_mut() else { return };
-        let peaks_j: f64 = step.contacts.iter().map(|c| c.peak_stored_j).sum();
+        let peaks_j: f64 = step.contacts.iter().map(|c| c.peak_loaded_j).sum();
         // Peaks of one step need not come together; what is stored at its end does.
         outcome.fender_energy_j = outcome.fender_energy_j.max(step.stored_j.min(peaks_j));
         outcome.eccentricity_measured = outcome.fender_energy_j / outcome.kinetic_j;

@@ -93,6 +93,7 @@ pub(crate) fn cone_fender(
             stiffness_npm: 50.0 * rated_reaction_n / height_m,
         }),
         law,
+        unloading: None,
         material: 1,
         factors: ReactionFactors::default(),
         energy_by_angle: vec![],

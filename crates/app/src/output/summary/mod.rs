@@ -137,6 +137,7 @@ fn energy_json(energy: Energy) -> Value {
         "tangential_work_j": energy.tangential_work_j,
         "stored_j": energy.stored_j,
         "shear_stored_j": energy.shear_stored_j,
+        "hysteresis_j": energy.hysteresis_j,
         "damping_j": energy.damping_j,
         "restitution_j": energy.restitution_j,
         "friction_j": energy.friction_j,

@@ -11,6 +11,7 @@ pub(in crate::report) struct EnergyTrace {
     pub(in crate::report) load_work_j: Decimator,
     /// In springs and stops, and in shear springs.
     pub(in crate::report) stored_j: Decimator,
+    pub(in crate::report) hysteresis_j: Decimator,
     pub(in crate::report) damping_j: Decimator,
     pub(in crate::report) restitution_j: Decimator,
     pub(in crate::report) friction_j: Decimator,
@@ -28,6 +29,7 @@ impl EnergyTrace {
         self.kinetic_j.push(t_s, energy.kinetic_j);
         self.load_work_j.push(t_s, energy.load_work_j);
         self.stored_j.push(t_s, energy.stored_j + energy.shear_stored_j);
+        self.hysteresis_j.push(t_s, energy.hysteresis_j);
         self.damping_j.push(t_s, energy.damping_j);
         self.restitution_j.push(t_s, energy.restitution_j);
         self.friction_j.push(t_s, energy.friction_j);

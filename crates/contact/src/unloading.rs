@@ -1,0 +1,406 @@
+//! How rubber gives back less than it took: the unloading law of a fender.
+//!
+//! A fender's loading curve is the gradient of an energy U of the hull's place (`face.rs`). The force comes down to an
+//! unloading curve, the gradient of another energy U_u, nowhere steeper: ∇U_u = (R_u/R) ∇U. In between
+//!
+//! F = ∇U_u + z ∇D,  D = U − U_u ≥ 0,  0 ≤ z ≤ 1,
+//!
+//! where z follows D alone: z = Σ q_i z_i over a few *plays*, each with a memory, the top T_i of its play:
+//!
+//! z_i = (D − (1 − w_i) T_i)/(w_i T_i), and T_i is moved by D so that 0 ≤ z_i ≤ 1.
+//!
+//! While a hull presses on, D = T_i and z is 1; on a retreat z falls to 0 as D loses the share w_i of the top; when it
+//! presses again z rises the same way. What follows from this form:
+//!
+//! - With T_i held the force is the gradient of the energy that the fender can still give back,
+//!   V = U_u + Σ q_i (D − (1 − w_i)T_i)²/(2 w_i T_i): path and face's tilt do not matter, as for an elastic fender.
+//! - Along a path dW = dV + heat, and there is heat only where a top is pushed up: q_i (1 − w_i/2) dT_i ≥ 0. So it is
+//!   passive, for any path. Within the plays, and where a top is pulled down, nothing is lost.
+//! - Nothing in it has a time: results do not depend on the speed or on Δt.
+//! - It has no scale but the load itself: a loop from nothing to any deflection and back returns
+//!   U_u + c D of the U that it took, c = Σ q_i w_i/2. With R_u = r R that is the same share of U for any deflection and
+//!   any law, and r = (η − c)/(1 − c) makes it η.
+//! - A ship that is pressed on by a steady load rests where she stops: any place between the two curves holds the load,
+//!   and as the plays are springs there, she does not creep.
+//!
+//! Plays in series of this kind are Prandtl's and Ishlinskii's model of hysteresis. Several widths make the turn round,
+//! and let small swings die out that a single play would keep for ever. Widths and shares are ours.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use crate::error::ModelError;
+use crate::fender::{Fender, FenderLaw, check_points, integral, on_line};
+use crate::number::{greater, lesser};
+use crate::touch::Touch;
+
+/// How a fender's reaction falls when the hull retreats. Used by the coupled method; the paper's has restitution.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unloading {
+    /// The share of the energy taken that a loop from no deflection to any other and back returns, for any law:
+    /// between [`Unloading::LEAST_RETURNED`] and 1. An impact on one such fender leaves with its square root of the
+    /// speed.
+    ReturnedEnergy(f64),
+    /// Points (δ [m], R [N]) of the curve that the reaction comes down to, from (0, 0) on, with straight lines between
+    /// them, for a [`FenderLaw::Curve`]; nowhere above it. Beyond the last point, and in the stop, the reaction comes
+    /// down to the same share of the loading curve as there.
+    Curve(Vec<[f64; 2]>),
+}
+
+/// Number of plays.
+pub(crate) const PLAYS: usize = 3;
+
+/// Width of each play over its top, in D.
+const WIDTHS: [f64; PLAYS] = [1.0 / 10.0, 1.0 / 80.0, 1.0 / 640.0];
+
+/// Shares of the plays in z: as the widths, so that each adds as much stiffness.
+const SHARES: [f64; PLAYS] = [
+    WIDTHS[0] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
+    WIDTHS[1] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
+    WIDTHS[2] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
+];
+
+/// c: share of D that plays give back.
+const GIVEN_BACK: f64 =
+    0.5 * (SHARES[0] * WIDTHS[0] + SHARES[1] * WIDTHS[1] + SHARES[2] * WIDTHS[2]);
+
+impl Unloading {
+    /// Less than this cannot be returned, as the force needs a little way to come down.
+    pub const LEAST_RETURNED: f64 = 0.05;
+
+    /// The share of ∫ R dδ up to a deflection that a loop to it and back returns, without the stop. For
+    /// [`Unloading::ReturnedEnergy`] it is the same for all.
+    #[must_use]
+    pub fn returned_share(&self, law: &FenderLaw, deflection_m: f64) -> f64 {
+        match self {
+            Unloading::ReturnedEnergy(share) => *share,
+            Unloading::Curve(points) => {
+                let taken_j = law.energy_j(deflection_m);
+                let (lower_j, _) = lower_of_curve(points, law, deflection_m);
+                if taken_j > 0.0 {
+                    (lower_j + GIVEN_BACK * (taken_j - lower_j)) / taken_j
+                } else {
+                    1.0
+                }
+            }
+        }
+    }
+
+    /// The reaction that a retreat comes down to where loading has `loading_n`, at a deflection; without factors
+    /// and stop [N].
+    #[must_use]
+    pub fn reaction_n(&self, law: &FenderLaw, deflection_m: f64, loading_n: f64) -> f64 {
+        match self {
+            Unloading::ReturnedEnergy(share) => lower_share(*share) * loading_n,
+            Unloading::Curve(points) => lower_of_curve(points, law, deflection_m).1,
+        }
+    }
+
+    /// The first place where an unloading curve is above a loading curve, to rounding: a point of either, as both are
+    /// straight in between.
+    #[must_use]
+    pub fn above(unloading: &[[f64; 2]], loading: &[[f64; 2]]) -> Option<[f64; 2]> {
+        let end_m = unloading.last().map_or(0.0, |p| p[0]);
+        let places = unloading.iter().chain(loading.iter().filter(|p| p[0] <= end_m));
+        places
+            .map(|p| [p[0], on_line(unloading, p[0])])
+            .find(|&[at_m, lower_n]| lower_n > on_line(loading, at_m) * (1.0 + 1e-9) + 1e-9)
+    }
+
+    /// Checks what does not depend on the rest of the model.
+    pub(crate) fn check(&self, fender: &Fender) -> Result<(), ModelError> {
+        let owner = || -> String { fender.name.clone() };
+        match self {
+            Unloading::ReturnedEnergy(share) => {
+                let range = Unloading::LEAST_RETURNED..=1.0;
+                let (field, value, must) = ("returned energy", *share, "between 0.05 and 1");
+                if range.contains(share) {
+                    Ok(())
+                } else {
+                    Err(ModelError::OutOfRange { owner: owner(), field, value, must })
+                }
+            }
+            Unloading::Curve(points) => {
+                let field = "deflection of the unloading curve";
+                let FenderLaw::Curve(loading) = &fender.law else {
+                    let must = "of a fender with a reaction curve";
+                    return Err(ModelError::OutOfRange { owner: owner(), field, value: 0.0, must });
+                };
+                if points.len() < 2 || points[0] != [0.0, 0.0] {
+                    let value = points.first().map_or(f64::NAN, |p| p[0]);
+                    let must = "two points or more, the first (0, 0)";
+                    return Err(ModelError::OutOfRange { owner: owner(), field, value, must });
+                }
+                check_points(fender, field, points, 0.0..=1e15)?;
+                match Unloading::above(points, loading) {
+                    None => Ok(()),
+                    Some([_, value]) => {
+                        let field = "reaction of the unloading curve";
+                        let must = "nowhere above the loading curve";
+                        Err(ModelError::OutOfRange { owner: owner(), field, value, must })
+                    }
+                }
+            }
+        }
+    }
+
+    /// What tells one law from another.
+    pub(crate) fn words(&self) -> impl Iterator<Item = f64> + '_ {
+        let (share, points): (f64, &[[f64; 2]]) = match self {
+            Unloading::ReturnedEnergy(share) => (*share, &[]),
+            Unloading::Curve(points) => (-1.0, points),
+        };
+        core::iter::once(share).chain(points.iter().flatten().copied())
+    }
+}
+
+/// r of R_u = r R where a whole loop returns this share.
+fn lower_share(returned: f64) -> f64 {
+    greater((returned - GIVEN_BACK) / (1.0 - GIVEN_BACK), 0.0)
+}
+
+/// ∫ R_u dδ and R_u at a deflection [J, N].
+fn lower_of_curve(points: &[[f64; 2]], law: &FenderLaw, deflection_m: f64) -> (f64, f64) {
+    let [end_m, end_n] = points[points.len() - 1];
+    let loading_n = law.reaction_n(deflection_m);
+    if deflection_m <= end_m {
+        return (integral(points, deflection_m), lesser(on_line(points, deflection_m), loading_n));
+    }
+    let share = share_beyond(law, [end_m, end_n]);
+    let beyond_j = law.energy_j(deflection_m) - law.energy_j(end_m);
+    (integral(points, end_m) + share * beyond_j, share * loading_n)
+}
+
+/// R_u/R at the end of an unloading curve.
+fn share_beyond(law: &FenderLaw, [end_m, end_n]: [f64; 2]) -> f64 {
+    let loading_n = law.reaction_n(end_m);
+    if loading_n > 0.0 { lesser(end_n / loading_n, 1.0) } else { 1.0 }
+}
+
+/// What became of a touch on a fender that has an unloading law.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Unloaded {
+    /// Force over that of loading.
+    pub(crate) share: f64,
+    /// V, before factors [J].
+    pub(crate) recoverable_j: f64,
+    /// Heat since the tops were as they were given, before factors [J].
+    pub(crate) lost_j: f64,
+    /// T of each play, before factors [J].
+    pub(crate) tops_j: [f64; PLAYS],
+}
+
+/// A touch by the unloading law of its fender, from the tops that its contact remembers; `None` for a new contact,
+/// of which nobody knows how it came there: it has lost nothing yet.
+pub(crate) fn unload(
+    unloading: &Unloading,
+    law: &FenderLaw,
+    touch: &Touch,
+    tops_j: Option<&[f64; PLAYS]>,
+) -> Unloaded {
+    let whole_n = touch.spring_n + touch.stop_n;
+    let (lower_n, lower_j) = match unloading {
+        Unloading::ReturnedEnergy(returned) => {
+            let share = lower_share(*returned);
+            (share * whole_n, share * touch.stored_j)
+        }
+        Unloading::Curve(points) => {
+            let deflection_m = touch.depth_m;
+            let (energy_j, reaction_n) = lower_of_curve(points, law, deflection_m);
+            let loading_n = law.reaction_n(deflection_m);
+            // The force's line is that of loading, which a tilt makes longer than R.
+            let of_spring = if loading_n > 0.0 { reaction_n / loading_n } else { 1.0 };
+            let of_stop = share_beyond(law, points[points.len() - 1]);
+            let stop_j = greater(touch.stored_j - law.energy_j(deflection_m), 0.0);
+            (of_spring * touch.spring_n + of_stop * touch.stop_n, energy_j + of_stop * stop_j)
+        }
+    };
+    let between_j = greater(touch.stored_j - lower_j, 0.0);
+    let plays = Plays::moved(between_j, tops_j);
+    let share =
+        if whole_n > 0.0 { (lower_n + plays.z * (whole_n - lower_n)) / whole_n } else { 1.0 };
+    Unloaded {
+        share,
+        recoverable_j: lower_j + plays.recoverable_j,
+        lost_j: plays.lost_j,
+        tops_j: plays.tops_j,
+    }
+}
+
+/// The plays after D came to a value.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Plays {
+    z: f64,
+    recoverable_j: f64,
+    lost_j: f64,
+    tops_j: [f64; PLAYS],
+}
+
+impl Plays {
+    fn moved(between_j: f64, tops_j: Option<&[f64; PLAYS]>) -> Plays {
+        let mut plays = Plays::default();
+        for index in 0..PLAYS {
+            let (width, weight) = (WIDTHS[index], SHARES[index]);
+            let before_j = tops_j.map_or(between_j, |tops_j| tops_j[index]);
+            let top_j = lesser(greater(before_j, between_j), between_j / (1.0 - width));
+            if between_j > before_j {
+                plays.lost_j += weight * (1.0 - 0.5 * width) * (between_j - before_j);
+            }
+            // 0 to 1; 1 where there is nothing yet.
+            let z = if top_j > 0.0 { 1.0 - (top_j - between_j) / (width * top_j) } else { 1.0 };
+            let z = greater(z, 0.0);
+            plays.z += weight * z;
+            plays.recoverable_j += weight * (0.5 * width * top_j) * (z * z);
+            plays.tops_j[index] = top_j;
+        }
+        plays.z = lesser(plays.z, 1.0);
+        plays
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec;
+
+    /// A curve that buckles, as a cone's.
+    fn cone() -> FenderLaw {
+        FenderLaw::Curve(vec![[0.0, 0.0], [0.3, 9e5], [0.5, 8e5], [0.7, 1e6]])
+    }
+
+    fn at(law: &FenderLaw, deflection_m: f64) -> Touch {
+        Touch {
+            depth_m: deflection_m,
+            spring_n: law.reaction_n(deflection_m),
+            stored_j: law.energy_j(deflection_m),
+            ..Touch::default()
+        }
+    }
+
+    /// Work taken and given, heat, and the last state, along a path of deflections.
+    fn along(unloading: &Unloading, law: &FenderLaw, path: &[f64]) -> (f64, f64, f64, Unloaded) {
+        let mut last: Option<(f64, f64, Unloaded)> = None;
+        let (mut taken_j, mut given_j, mut lost_j) = (0.0, 0.0, 0.0);
+        for &deflection_m in path {
+            let touch = at(law, deflection_m);
+            let tops = last.as_ref().map(|(_, _, unloaded)| unloaded.tops_j);
+            let now = unload(unloading, law, &touch, tops.as_ref());
+            let force_n = now.share * touch.spring_n;
+            if let Some((before_m, before_n, _)) = last {
+                let work_j = 0.5 * (before_n + force_n) * (deflection_m - before_m);
+                if work_j > 0.0 { taken_j += work_j } else { given_j -= work_j }
+            }
+            lost_j += now.lost_j;
+            last = Some((deflection_m, force_n, now));
+        }
+        (taken_j, given_j, lost_j, last.map_or(Unloaded::default(), |(_, _, now)| now))
+    }
+
+    fn loop_to(top_m: f64, steps: i32) -> Vec<f64> {
+        let up = (0..=steps).map(|i| top_m * f64::from(i) / f64::from(steps));
+        let down = (0..steps).rev().map(|i| top_m * f64::from(i) / f64::from(steps));
+        up.chain(down).collect()
+    }
+
+    #[test]
+    fn a_loop_returns_its_share_from_any_deflection_and_by_any_law() {
+        for law in [cone(), FenderLaw::linear(2e6)] {
+            for share in [0.05, 0.3, 0.55, 0.8, 1.0] {
+                for top_m in [1e-4, 0.05, 0.3, 0.62, 1.1] {
+                    let unloading = Unloading::ReturnedEnergy(share);
+                    let (taken_j, given_j, lost_j, _) =
+                        along(&unloading, &law, &loop_to(top_m, 20_000));
+                    let off = given_j / taken_j - share;
+                    assert!(off.abs() < 1e-4, "{share} to {top_m} m: {off}");
+                    let left_j = taken_j - given_j - lost_j;
+                    assert!(left_j.abs() < 1e-4 * taken_j, "{left_j} of {taken_j} J");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_loop_returns_what_lies_under_an_unloading_curve_and_a_little_of_the_loss() {
+        let points = vec![[0.0, 0.0], [0.1, 0.0], [0.4, 4e5], [0.7, 1e6]];
+        let (law, unloading) = (cone(), Unloading::Curve(points.clone()));
+        assert_eq!(
+            Unloading::above(&points, &[[0.0, 0.0], [0.3, 9e5], [0.5, 8e5], [0.7, 1e6]]),
+            None
+        );
+        for top_m in [0.05, 0.3, 0.7, 0.9] {
+            let (taken_j, given_j, ..) = along(&unloading, &law, &loop_to(top_m, 20_000));
+            let share = unloading.returned_share(&law, top_m);
+            assert!((given_j / taken_j - share).abs() < 1e-4, "{top_m}: {given_j} of {taken_j}");
+        }
+        // Where the curves meet at the end of a measured loop they stay together.
+        let far = unloading.reaction_n(&law, 0.9, law.reaction_n(0.9));
+        assert_eq!(far, law.reaction_n(0.9));
+    }
+
+    #[test]
+    fn an_unloading_curve_above_the_loading_curve_is_found_between_its_own_points_too() {
+        let loading = [[0.0, 0.0], [0.3, 9.0], [0.5, 4.0], [0.7, 10.0]];
+        assert_eq!(Unloading::above(&[[0.0, 0.0], [0.7, 10.0]], &loading), Some([0.5, 10.0 / 1.4]));
+        assert_eq!(Unloading::above(&[[0.0, 0.0], [0.2, 7.0]], &loading), Some([0.2, 7.0]));
+        assert_eq!(Unloading::above(&[[0.0, 0.0], [0.7, 5.0]], &loading), None);
+    }
+
+    /// Random walks: never more given than the heat leaves, and every closed loop costs.
+    #[test]
+    fn whatever_the_path_heat_only_grows_and_the_books_balance() {
+        let law = cone();
+        let mut seed = 7_u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for unloading in [
+            Unloading::ReturnedEnergy(0.5),
+            Unloading::Curve(vec![[0.0, 0.0], [0.2, 1e5], [0.7, 6e5]]),
+        ] {
+            let mut place_m = 0.0;
+            let mut tops = [0.0; PLAYS];
+            let (mut work_j, mut heat_j, mut recoverable_j) = (0.0, 0.0, 0.0);
+            for _ in 0..400 {
+                let aim_m = 0.8 * random();
+                let steps = 500;
+                let from_m = place_m;
+                for i in 1..=steps {
+                    let next_m = from_m + (aim_m - from_m) * f64::from(i) / f64::from(steps);
+                    let middle = at(&law, 0.5 * (place_m + next_m));
+                    let half = unload(&unloading, &law, &middle, Some(&tops));
+                    work_j += half.share * middle.spring_n * (next_m - place_m);
+                    let now = unload(&unloading, &law, &at(&law, next_m), Some(&half.tops_j));
+                    assert!(now.lost_j >= 0.0 && half.lost_j >= 0.0);
+                    heat_j += half.lost_j + now.lost_j;
+                    (place_m, tops, recoverable_j) = (next_m, now.tops_j, now.recoverable_j);
+                }
+                let off_j: f64 = work_j - heat_j - recoverable_j;
+                assert!(
+                    off_j.abs() < 1e-4 * (work_j + heat_j),
+                    "{off_j} J of {work_j} and {heat_j}"
+                );
+            }
+        }
+    }
+
+    /// A steady load with gusts: between the curves the same swing comes to the same place, again and again.
+    #[test]
+    fn swings_between_the_curves_do_not_ratchet() {
+        let (law, unloading) = (cone(), Unloading::ReturnedEnergy(0.55));
+        let (.., settled) = along(&unloading, &law, &[0.0, 0.2, 0.19]);
+        let mut tops = settled.tops_j;
+        let mut first = None;
+        for swing in 0..1000 {
+            let forces = [0.1902, 0.1898].map(|deflection_m| {
+                let touch = at(&law, deflection_m);
+                let now = unload(&unloading, &law, &touch, Some(&tops));
+                tops = now.tops_j;
+                (now.share * touch.spring_n).to_bits()
+            });
+            if swing > 0 {
+                assert_eq!(*first.get_or_insert(forces), forces, "swing {swing}");
+            }
+        }
+    }
+}
