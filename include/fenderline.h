@@ -387,6 +387,11 @@ typedef struct {
      * Index of its material: friction, restitution, damping, and stiffness where it has no curve.
      */
     uint32_t material;
+    /**
+     * Share of the energy taken that its rubber gives back, 0.05 to 1: its reaction falls by that law when the
+     * hull retreats. 0: by its material's restitution.
+     */
+    double returned_energy;
 } fl_fender;
 
 /**
@@ -570,11 +575,11 @@ typedef struct {
      */
     double limiter_n;
     /**
-     * Energy in a fender's spring and stop at the step's start [J]; 0 for outline on outline.
+     * Energy in a fender's spring and stop at the step's start that it can give back [J]; 0 for outline on outline.
      */
     double stored_j;
     /**
-     * The largest of it within the step [J].
+     * The largest energy within the step that loads such a fender from nothing to where it is [J].
      */
     double peak_loaded_j;
     /**
@@ -585,6 +590,10 @@ typedef struct {
      * Factor on a fender's reaction.
      */
     double factor;
+    /**
+     * Energy that the rubber of a fender with returned_energy has turned to heat within the step [J].
+     */
+    double hysteresis_j;
 } fl_contact;
 
 /**

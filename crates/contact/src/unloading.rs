@@ -23,7 +23,7 @@
 //! - A ship that is pressed on by a steady load rests where she stops: any place between the two curves holds the load,
 //!   and as the plays are springs there, she does not creep.
 //!
-//! Plays in series of this kind are Prandtl's and Ishlinskii's model of hysteresis. Several widths make the turn round,
+//! Plays side by side are Prandtl's and Ishlinskii's model of hysteresis. Several widths make the turn round,
 //! and let small swings die out that a single play would keep for ever. Widths and shares are ours.
 
 use alloc::string::String;
