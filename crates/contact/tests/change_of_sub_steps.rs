@@ -59,6 +59,7 @@ fn model(behind: Behind, restitution: f64) -> Model {
             width_m: 1.0,
             projection_m: 1.0,
             law: FenderLaw::linear(0.5 * SOFT_NPM),
+            unloading: None,
             material,
             rated_deflection_m: TRAVEL_M,
             stop: (behind == Behind::Stop)

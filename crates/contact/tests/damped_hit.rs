@@ -67,6 +67,7 @@ fn model(buffer: Buffer, ratio: f64) -> Model {
             width_m,
             projection_m: 3.0,
             law: law.clone(),
+            unloading: None,
             material,
             rated_deflection_m: 2.0,
             stop: None,

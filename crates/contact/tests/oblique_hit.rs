@@ -45,6 +45,7 @@ fn model(on_fender: bool, shear_stiffness_npm: f64, friction: [f64; 2]) -> Model
             width_m: 4.0,
             projection_m: 3.0,
             law: FenderLaw::linear(5e6),
+            unloading: None,
             material,
             rated_deflection_m: 2.0,
             stop: None,
