@@ -17,7 +17,7 @@ macro_rules! embedded {
 }
 
 /// Every scenario of a validation.
-const SCENARIOS: [(&str, &str); 10] = embedded![
+const SCENARIOS: [(&str, &str); 13] = embedded![
     "paper/experiment_1_step_0.1s",
     "paper/experiment_1_step_0.5s",
     "paper/experiment_1_step_1s",
@@ -28,6 +28,9 @@ const SCENARIOS: [(&str, &str); 10] = embedded![
     "paper/experiment_2_0.5kn",
     "closed_form/flat_head_on",
     "closed_form/momentum",
+    "closed_form/damped_head_on",
+    "closed_form/grazing_slide",
+    "closed_form/concrete_behind_fender",
 ];
 
 /// The names of all scenarios, in the order of the sources.
@@ -45,6 +48,8 @@ pub(super) struct Played {
     /// One sample a step.
     pub(super) trace: Vec<Sample>,
     pub(super) momentum: MomentumWatch,
+    /// As a share of the kinetic energy at the start.
+    pub(super) energy_lost: f64,
 }
 
 /// Two bodies at the start of a step.
@@ -89,6 +94,7 @@ fn play(name: &str, text: &str) -> Result<Played, Failure> {
     let mut simulation = Simulation::new(scenario.setup).map_err(run::error)?;
     let mut momentum = MomentumWatch::new(simulation.model(), simulation.states());
     let along = line_of_centres(simulation.states());
+    let start_j = simulation.energy().kinetic_j;
     let mut trace = Vec::new();
     run::play(
         &mut simulation,
@@ -108,6 +114,7 @@ fn play(name: &str, text: &str) -> Result<Played, Failure> {
         setup: simulation.setup().clone(),
         trace,
         momentum,
+        energy_lost: 1.0 - simulation.energy().kinetic_j / start_j,
     })
 }
 

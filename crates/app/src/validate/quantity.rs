@@ -11,6 +11,8 @@ pub(super) enum Quantity {
     PeakForce,
     /// Normal force over time.
     Impulse,
+    /// Kinetic energy that is lost in the run, as a share of that at its start.
+    EnergyLost,
     /// Parting speed at the end of the contact.
     FinalSpeed,
     /// From the first to the last step in which the bodies overlap.
@@ -24,10 +26,11 @@ pub(super) enum Quantity {
 }
 
 impl Quantity {
-    const ALL: [(&'static str, Quantity); 8] = [
+    const ALL: [(&'static str, Quantity); 9] = [
         ("peak_depth", Quantity::PeakDepth),
         ("peak_force", Quantity::PeakForce),
         ("impulse", Quantity::Impulse),
+        ("energy_lost", Quantity::EnergyLost),
         ("final_speed", Quantity::FinalSpeed),
         ("contact_duration", Quantity::ContactDuration),
         ("push_duration", Quantity::PushDuration),
@@ -48,7 +51,9 @@ impl Quantity {
             Quantity::Impulse => "MN·s",
             Quantity::FinalSpeed => "m/s",
             Quantity::ContactDuration | Quantity::PushDuration => "s",
-            Quantity::LinearMomentumDrift | Quantity::AngularMomentumDrift => "",
+            Quantity::EnergyLost
+            | Quantity::LinearMomentumDrift
+            | Quantity::AngularMomentumDrift => "",
         }
     }
 
@@ -58,6 +63,7 @@ impl Quantity {
             Quantity::PeakDepth => run.pair.peak_depth_m,
             Quantity::PeakForce => run.pair.peak_normal_force_n * 1e-6,
             Quantity::Impulse => run.pair.impulse_ns * 1e-6,
+            Quantity::EnergyLost => run.energy_lost,
             Quantity::FinalSpeed => run.pair.final_speed_mps,
             Quantity::ContactDuration => run.contact_duration_s(),
             Quantity::PushDuration => run.push_duration_s(),
