@@ -157,8 +157,8 @@ fn validate() -> Result<Done, String> {
     Ok(Done::Good)
 }
 
-/// The second implementation meets its identities, and gives the numbers that git holds: those with
-/// which the engine's test compares.
+/// The second implementations meet their identities, and give the numbers that git holds: those with
+/// which the engine's tests compare.
 fn independent() -> Result<Done, String> {
     const FOLDER: &str = "validation/independent";
     const RESULTS: &str = "validation/independent/oblique_hit";
@@ -173,6 +173,9 @@ fn independent() -> Result<Done, String> {
         command
     };
     run(&mut python("check_paper_method.py"))?;
+    run(&mut python("check_coupled_method.py"))?;
+    // The coarse runs of all scenarios; the fine ones are `coupled_berth.py make`.
+    run(&mut python("coupled_berth.py"))?;
     for script in ["ship_formulas.py", "mmg_standard.py"] {
         run(python(script).arg("--check"))?;
     }
