@@ -77,7 +77,7 @@ pub use error::{ModelError, RestoreError, StepError};
 pub use fender::{Fender, FenderId, FenderLaw, ReactionFactors, Stop};
 pub use geometry::clip::{Clip, PairClip};
 pub use geometry::convex::ConvexPolygon;
-pub use host::{FollowingHost, HostIntegration, HostSettings, HostWorkspace};
+pub use host::{FollowingHost, HostIntegration, HostSettings, HostWorkspace, PresentHost};
 pub use memory::Memory;
 pub use model::{Body, BodyId, Material, MaterialId, Mobility, Model, ModelBuilder, Pair};
 pub use outline::{Outline, OutlineError, OutlineNotice};

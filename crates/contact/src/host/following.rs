@@ -322,12 +322,7 @@ impl FollowingHost {
     /// Wrenches for the host from the way that the engine went, into `work.wrenches`; and how far its motion
     /// is ahead of the host's.
     fn steer(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
-        work.touching.clear();
-        work.touching.resize(work.next.len(), false);
-        for contact in work.engine.contacts() {
-            work.touching[contact.body_1.0 as usize] = true;
-            work.touching[contact.body_2.0 as usize] = true;
-        }
+        work.find_touching(model);
         work.wrenches.clear();
         work.wrenches.extend_from_slice(work.engine.wrenches());
         for (index, next) in work.next.iter_mut().enumerate() {

@@ -15,11 +15,13 @@ mod inertia;
 mod lead;
 mod observer;
 mod predictor;
+mod present;
 mod settings;
 mod snapshot;
 mod steering;
 mod workspace;
 
 pub use following::FollowingHost;
+pub use present::PresentHost;
 pub use settings::{HostIntegration, HostSettings};
 pub use workspace::HostWorkspace;

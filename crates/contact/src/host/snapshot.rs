@@ -1,4 +1,4 @@
-//! A following host as bytes: versioned, little-endian, with a check sum.
+//! Hosts as bytes. A following host: versioned, little-endian, with a check sum.
 //!
 //! | bytes | content |
 //! |---|---|
@@ -19,6 +19,7 @@ use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
 use crate::host::following::{Followed, FollowingHost, Given};
 use crate::host::lead::Lead;
+use crate::host::present::{Beside, PresentHost};
 use crate::host::settings::{HostIntegration, HostSettings};
 use crate::host::steering::{Velocity, Way};
 use crate::memory::Memory;
@@ -27,6 +28,10 @@ use crate::report::Wrench;
 use crate::snapshot::{Reader, SNAPSHOT_VERSION, Writer};
 
 const MAGIC: &[u8; 8] = b"fndrhost";
+const PRESENT_MAGIC: &[u8; 8] = b"fndrpres";
+/// Two states, two wrenches and a lead.
+const BESIDE_BYTES: usize = 2 * 48 + 2 * 24 + LEAD_BYTES;
+const LEAD_BYTES: usize = 88;
 const BODY_BYTES: usize = 164;
 const GIVEN_BYTES: usize = 60;
 
@@ -79,20 +84,7 @@ impl FollowingHost {
 }
 
 fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
-    let mut input = Reader(bytes);
-    if input.take(8)? != MAGIC {
-        return Err(RestoreError::NotASnapshot);
-    }
-    let found = input.word32()?;
-    if found != SNAPSHOT_VERSION {
-        return Err(RestoreError::Version { found });
-    }
-    let (summed, sum) = bytes.split_at(bytes.len().checked_sub(8).ok_or(RestoreError::Length)?);
-    let mut expected = Fnv::default();
-    expected.bytes(summed);
-    if sum != expected.0.to_le_bytes() {
-        return Err(RestoreError::Checksum);
-    }
+    let mut input = admitted(bytes, MAGIC)?;
     let delay_steps = input.word32()?;
     let integration = match input.word32()? {
         0 => HostIntegration::ForwardEuler,
@@ -101,14 +93,8 @@ fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
     };
     let mut host = FollowingHost::new(model, HostSettings { delay_steps, integration });
     let steps = input.word32()?;
-    host.last_step_s = input.number()?;
-    if host.last_step_s != 0.0 && !is_step(host.last_step_s) {
-        return Err(RestoreError::Content);
-    }
-    let memory_bytes = input.word32()? as usize;
-    let mut memory = Memory::new(model);
-    memory.restore(model, input.take(memory_bytes)?)?;
-    host.memory = memory;
+    host.last_step_s = read_step(&mut input)?;
+    host.memory = read_memory(&mut input, model)?;
     let count = model.ranked.len();
     let rest = count as u128 * (BODY_BYTES as u128 + u128::from(steps) * GIVEN_BYTES as u128) + 8;
     if input.0.len() as u128 != rest {
@@ -131,12 +117,113 @@ fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
     Ok(host)
 }
 
+/// | bytes | content |
+/// |---|---|
+/// | 8 | `fndrpres` |
+/// | 4, 8 | version; length of the last step |
+/// | 4 + as many | length and bytes of the contacts' [`Memory::snapshot`] |
+/// | 232 each | bodies, in the order of their keys: state shown, state after, wrench and load, wrench, lead |
+/// | 8 | FNV-1a of all before |
+impl PresentHost {
+    /// All of this host as bytes, of the version [`SNAPSHOT_VERSION`]. `model` is the one that it was
+    /// made for.
+    ///
+    /// # Panics
+    /// If `model` has another number of bodies.
+    #[must_use]
+    pub fn snapshot(&self, model: &Model) -> Vec<u8> {
+        assert_eq!(self.bodies.len(), model.bodies().len(), "the model that the host was made for");
+        let memory = self.memory.snapshot();
+        let mut out =
+            Writer(Vec::with_capacity(memory.len() + self.bodies.len() * BESIDE_BYTES + 32));
+        out.0.extend_from_slice(PRESENT_MAGIC);
+        out.word32(SNAPSHOT_VERSION);
+        out.number(self.last_step_s);
+        out.word32(memory.len() as u32);
+        out.0.extend_from_slice(&memory);
+        for id in &model.id_of {
+            let body = &self.bodies[id.0 as usize];
+            out.state(&body.shown);
+            out.state(&body.after);
+            write_wrench(&mut out, &body.sum);
+            write_wrench(&mut out, &body.wrench);
+            write_lead(&mut out, body.ahead);
+        }
+        let mut sum = Fnv::default();
+        sum.bytes(&out.0);
+        out.word64(sum.0);
+        out.0
+    }
+
+    /// Becomes what [`PresentHost::snapshot`] saved, for the same model.
+    ///
+    /// # Errors
+    /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the host is
+    /// then as it was.
+    pub fn restore(&mut self, model: &Model, bytes: &[u8]) -> Result<(), RestoreError> {
+        let mut input = admitted(bytes, PRESENT_MAGIC)?;
+        let mut host = PresentHost::new(model);
+        host.last_step_s = read_step(&mut input)?;
+        host.memory = read_memory(&mut input, model)?;
+        if input.0.len() as u128 != model.ranked.len() as u128 * BESIDE_BYTES as u128 + 8 {
+            return Err(RestoreError::Length);
+        }
+        for id in &model.id_of {
+            host.bodies[id.0 as usize] = Beside {
+                shown: input.state()?,
+                after: input.state()?,
+                sum: read_wrench(&mut input)?,
+                wrench: read_wrench(&mut input)?,
+                ahead: read_lead(&mut input)?,
+            };
+        }
+        *self = host;
+        Ok(())
+    }
+}
+
+/// What comes after magic, version and check sum.
+fn admitted<'b>(bytes: &'b [u8], magic: &[u8; 8]) -> Result<Reader<'b>, RestoreError> {
+    let mut input = Reader(bytes);
+    if input.take(8)? != magic {
+        return Err(RestoreError::NotASnapshot);
+    }
+    let found = input.word32()?;
+    if found != SNAPSHOT_VERSION {
+        return Err(RestoreError::Version { found });
+    }
+    let (summed, sum) = bytes.split_at(bytes.len().checked_sub(8).ok_or(RestoreError::Length)?);
+    let mut expected = Fnv::default();
+    expected.bytes(summed);
+    if sum != expected.0.to_le_bytes() {
+        return Err(RestoreError::Checksum);
+    }
+    Ok(input)
+}
+
+/// The length of the last step; 0 before the first.
+fn read_step(input: &mut Reader<'_>) -> Result<f64, RestoreError> {
+    let step_s = input.number()?;
+    if step_s == 0.0 || is_step(step_s) { Ok(step_s) } else { Err(RestoreError::Content) }
+}
+
+fn read_memory(input: &mut Reader<'_>, model: &Model) -> Result<Memory, RestoreError> {
+    let length = input.word32()? as usize;
+    let mut memory = Memory::new(model);
+    memory.restore(model, input.take(length)?)?;
+    Ok(memory)
+}
+
 fn write_body(out: &mut Writer, body: &Followed) {
     out.state(&body.shown);
     write_wrench(out, &body.observed);
     out.word32(u32::from(body.placed));
-    let lead = body.ahead.unwrap_or_default();
-    out.word32(u32::from(body.ahead.is_some()));
+    write_lead(out, body.ahead);
+}
+
+fn write_lead(out: &mut Writer, ahead: Option<Lead>) {
+    let lead = ahead.unwrap_or_default();
+    out.word32(u32::from(ahead.is_some()));
     write_velocity(out, lead.velocity);
     write_velocity(out, lead.half_kick);
     out.vector(lead.way.linear_m);
@@ -166,6 +253,10 @@ fn read_body(input: &mut Reader<'_>) -> Result<Followed, RestoreError> {
     let shown = input.state()?;
     let observed = read_wrench(input)?;
     let placed = read_flag(input)?;
+    Ok(Followed { shown, observed, placed, ahead: read_lead(input)? })
+}
+
+fn read_lead(input: &mut Reader<'_>) -> Result<Option<Lead>, RestoreError> {
     let is_ahead = read_flag(input)?;
     let lead = Lead {
         velocity: read_velocity(input)?,
@@ -174,7 +265,7 @@ fn read_body(input: &mut Reader<'_>) -> Result<Followed, RestoreError> {
         exact: read_flag(input)?,
         due_s: input.number()?,
     };
-    Ok(Followed { shown, observed, placed, ahead: is_ahead.then_some(lead) })
+    Ok(is_ahead.then_some(lead))
 }
 
 fn read_velocity(input: &mut Reader<'_>) -> Result<Velocity, RestoreError> {

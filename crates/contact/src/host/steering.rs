@@ -45,6 +45,11 @@ impl Velocity {
         }
     }
 
+    /// How fast a point so far from the centre of gravity may go by it, as a measure of both its parts [m/s].
+    pub(super) fn at(self, radius_m: f64) -> f64 {
+        self.linear_mps.length() + self.yaw_radps.abs() * radius_m
+    }
+
     /// How far it leads in a time.
     pub(super) fn way(self, step_s: f64) -> Way {
         Way { linear_m: self.linear_mps * step_s, turn_rad: self.yaw_radps * step_s }

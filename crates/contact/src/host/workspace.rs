@@ -9,7 +9,7 @@ use crate::report::{Contact, Event, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
-/// Buffers and results of [`crate::FollowingHost::step`]; nothing in it matters to the next step.
+/// Buffers and results of [`crate::FollowingHost::step`] and [`crate::PresentHost::step`]; nothing in it matters to the next step.
 #[derive(Clone, Debug)]
 pub struct HostWorkspace {
     pub(super) engine: Workspace,
@@ -47,6 +47,16 @@ impl HostWorkspace {
         }
     }
 
+    /// Which bodies touched in the engine's last step.
+    pub(super) fn find_touching(&mut self, model: &Model) {
+        self.touching.clear();
+        self.touching.resize(model.bodies().len(), false);
+        for contact in self.engine.contacts() {
+            self.touching[contact.body_1.0 as usize] = true;
+            self.touching[contact.body_2.0 as usize] = true;
+        }
+    }
+
     /// The wrenches of the last step, one a body.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
@@ -64,6 +74,12 @@ impl HostWorkspace {
     #[must_use]
     pub fn loads(&self) -> &[Wrench] {
         &self.loads
+    }
+
+    /// States at the end of the last step of a [`crate::PresentHost`], as [`Workspace::states_after`].
+    #[must_use]
+    pub fn states_after(&self) -> &[BodyState] {
+        self.engine.states_after()
     }
 
     /// Contacts of the engine's motion in the last step, as [`Workspace::contacts`].

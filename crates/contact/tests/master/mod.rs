@@ -2,8 +2,9 @@
 //! states that are some steps old, and keeps its loads to itself.
 
 use fenderline_contact::{
-    Body, BodyId, BodyState, FollowingHost, HostIntegration, HostSettings, HostWorkspace, Material,
-    Memory, Mobility, Model, Outline, Pair, StepError, Vec2, Workspace, Wrench, advance, vec2,
+    Body, BodyId, BodyState, Event, FollowingHost, HostIntegration, HostSettings, HostWorkspace,
+    Material, Memory, Mobility, Model, Outline, Pair, PresentHost, StepError, Vec2, Workspace,
+    Wrench, advance, vec2,
 };
 
 /// Bodies that may touch, their first states, and the loads that only the master knows.
@@ -76,6 +77,8 @@ pub(crate) enum Service {
     Plain,
     /// By `advance` alone, told the loads.
     PlainTold,
+    /// By a [`PresentHost`].
+    Present,
 }
 
 /// The master.
@@ -89,6 +92,7 @@ pub(crate) struct Master {
     pub(crate) past: Vec<Vec<BodyState>>,
     pub(crate) host: FollowingHost,
     pub(crate) work: HostWorkspace,
+    pub(crate) present: PresentHost,
     memory: Memory,
     plain: Workspace,
     service: Service,
@@ -105,11 +109,12 @@ impl Master {
             Service::Following(settings)
             | Service::Told(settings)
             | Service::ToldNothing(settings) => settings,
-            Service::Plain | Service::PlainTold => HostSettings::default(),
+            Service::Plain | Service::PlainTold | Service::Present => HostSettings::default(),
         };
         Master {
             host: FollowingHost::new(&story.model, settings),
             work: HostWorkspace::new(&story.model),
+            present: PresentHost::new(&story.model),
             memory: Memory::new(&story.model),
             plain: Workspace::new(&story.model),
             past: vec![story.states.clone()],
@@ -125,6 +130,20 @@ impl Master {
     pub(crate) fn known(story: Story, integration: HostIntegration, delay_steps: u32) -> Master {
         let settings = HostSettings { delay_steps, integration };
         Master::new(story, integration, delay_steps, Service::Following(settings))
+    }
+
+    pub(crate) fn given(&self) -> &[Wrench] {
+        match self.service {
+            Service::Plain | Service::PlainTold => self.plain.wrenches(),
+            _ => self.work.wrenches(),
+        }
+    }
+
+    pub(crate) fn events(&self) -> &[Event] {
+        match self.service {
+            Service::Plain | Service::PlainTold => self.plain.events(),
+            _ => self.work.events(),
+        }
     }
 
     pub(crate) fn states(&self) -> &[BodyState] {
@@ -143,12 +162,18 @@ impl Master {
         let nothing = vec![Wrench::default(); loads.len()];
         let told = match self.service {
             Service::Following(_) => None,
-            Service::Told(_) | Service::PlainTold => Some(loads.as_slice()),
+            Service::Told(_) | Service::PlainTold | Service::Present => Some(loads.as_slice()),
             Service::ToldNothing(_) | Service::Plain => Some(nothing.as_slice()),
         };
         if let (Service::Plain | Service::PlainTold, Some(told)) = (self.service, told) {
             advance(model, &mut self.memory, &mut self.plain, &shown, told, step_s)?;
             return Ok(self.plain.wrenches().to_vec());
+        }
+        if let (Service::Present, Some(told)) = (self.service, told) {
+            return self
+                .present
+                .step(model, &mut self.work, &shown, told, step_s)
+                .map(<[_]>::to_vec);
         }
         self.host.step(model, &mut self.work, &shown, told, step_s).map(<[_]>::to_vec)
     }
