@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use fenderline_contact::{
     self as contact, BodyId, BodyState, FollowingHost, HostWorkspace, Memory, Mobility, Model,
-    StepError, Workspace, Wrench,
+    PresentHost, StepError, Workspace, Wrench,
 };
 use fenderline_scenario::Scenario;
 use fenderline_sim::{Integrator, Method, Setup};
 
 use crate::error::EngineError;
-use crate::results::{Results, Saved, of_following, of_present};
+use crate::results::{Results, Saved, of_following, of_paper, of_present};
 use crate::settings::{Host, MOST_DELAY_STEPS, Settings, Turning};
 
 /// The contact engine with its model, its memory and what the host has shown and told. Cloning it branches
@@ -47,8 +47,19 @@ pub(crate) struct Plan {
 /// when it is good.
 #[derive(Clone, Debug)]
 pub(crate) enum Core {
-    Present { memory: Memory, work: Box<Workspace> },
-    Following { host: FollowingHost, work: Box<HostWorkspace> },
+    /// By the paper's method.
+    Paper {
+        memory: Memory,
+        work: Box<Workspace>,
+    },
+    Present {
+        host: PresentHost,
+        work: Box<HostWorkspace>,
+    },
+    Following {
+        host: FollowingHost,
+        work: Box<HostWorkspace>,
+    },
 }
 
 /// Where the latest results are.
@@ -115,9 +126,13 @@ impl Engine {
         let model = &plan.model;
         let count = plan.initial.len();
         let core = match plan.host {
-            Host::Present { .. } => {
-                Core::Present { memory: Memory::new(model), work: Box::new(Workspace::new(model)) }
+            Host::Present { .. } if plan.method == Method::Paper => {
+                Core::Paper { memory: Memory::new(model), work: Box::new(Workspace::new(model)) }
             }
+            Host::Present { .. } => Core::Present {
+                host: PresentHost::new(model),
+                work: Box::new(HostWorkspace::new(model)),
+            },
             Host::Following(settings) => Core::Following {
                 host: FollowingHost::new(model, settings),
                 work: Box::new(HostWorkspace::new(model)),
@@ -246,7 +261,8 @@ impl Engine {
         }
         let (model, id) = (&self.plan.model, BodyId(body as u32));
         match &mut self.core {
-            Core::Present { memory, .. } => memory.place(model, id),
+            Core::Paper { memory, .. } => memory.place(model, id),
+            Core::Present { host, .. } => host.place(model, id),
             Core::Following { host, .. } => host.place(model, id),
         }
         Ok(())
@@ -334,7 +350,7 @@ impl Engine {
         match &self.latest {
             Latest::Nowhere => Err(EngineError::NoStepYet),
             Latest::Saved(saved) => Ok(saved.view()),
-            Latest::InWorkspace => Ok(self.core.results(&self.plan)),
+            Latest::InWorkspace => Ok(self.core.results()),
         }
     }
 
@@ -384,15 +400,13 @@ impl Core {
             self.clone_from(before);
         }
         match (&mut *self, before) {
-            (Core::Present { memory, work }, Core::Present { memory: now, .. }) => {
+            (Core::Paper { memory, work }, Core::Paper { memory: now, .. }) => {
                 memory.copy_from(now);
-                match plan.method {
-                    Method::Paper => contact::step(model, memory, work, states, step_s)?,
-                    Method::Coupled => {
-                        let loads = told.unwrap_or(no_loads);
-                        contact::advance(model, memory, work, states, loads, step_s)?;
-                    }
-                }
+                contact::step(model, memory, work, states, step_s)?;
+            }
+            (Core::Present { host, work }, Core::Present { host: now, .. }) => {
+                host.copy_from(now);
+                host.step(model, work, states, told.unwrap_or(no_loads), step_s)?;
             }
             (Core::Following { host, work }, Core::Following { host: now, .. }) => {
                 host.copy_from(now);
@@ -400,13 +414,14 @@ impl Core {
             }
             _ => unreachable!("both are of the engine's kind of host"),
         }
-        if self.results(plan).are_finite() { Ok(()) } else { Err(EngineError::NotFinite) }
+        if self.results().are_finite() { Ok(()) } else { Err(EngineError::NotFinite) }
     }
 
     /// What the step found.
-    fn results(&self, plan: &Plan) -> Results<'_> {
+    fn results(&self) -> Results<'_> {
         match self {
-            Core::Present { work, .. } => of_present(work, plan.method == Method::Coupled),
+            Core::Paper { work, .. } => of_paper(work),
+            Core::Present { work, .. } => of_present(work),
             Core::Following { work, .. } => of_following(work),
         }
     }

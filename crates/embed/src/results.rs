@@ -9,8 +9,8 @@ use fenderline_contact::{
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Results<'a> {
     /// What the host is to add to its forces for the step: earth-fixed, about the centre of gravity. For a
-    /// host of the present the mean contact wrench over the step; for a following host the wrench that
-    /// takes it where the engine went.
+    /// host of the present the mean contact wrench over the step, and where the host moves the body by itself what
+    /// keeps it beside the engine; for a following host the wrench that takes it where the engine went.
     pub wrenches: &'a [Wrench],
     /// The touching patches, in a fixed order.
     pub contacts: &'a [Contact],
@@ -124,13 +124,24 @@ impl Saved {
     }
 }
 
-/// Of a host of the present; `moved` by the coupled method.
-pub(crate) fn of_present(work: &Workspace, moved: bool) -> Results<'_> {
+/// By the paper's method.
+pub(crate) fn of_paper(work: &Workspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
         contacts: work.contacts(),
         events: work.events(),
-        states_after: if moved { work.states_after() } else { &[] },
+        states_after: &[],
+        reckoned: None,
+    }
+}
+
+/// Of a host of the present, by the coupled method.
+pub(crate) fn of_present(work: &HostWorkspace) -> Results<'_> {
+    Results {
+        wrenches: work.wrenches(),
+        contacts: work.contacts(),
+        events: work.events(),
+        states_after: work.states_after(),
         reckoned: None,
     }
 }

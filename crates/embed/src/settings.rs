@@ -19,7 +19,7 @@ pub struct Settings {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Host {
     /// One that shows the states of the step's beginning and tells all its loads (none: zero): each step is
-    /// one of [`fenderline_contact::advance`] or, by the paper's method, of [`fenderline_contact::step`].
+    /// one of [`fenderline_contact::PresentHost`] or, by the paper's method, of [`fenderline_contact::step`].
     Present {
         /// Whose the turning of momentum is; `None`: as `fenderline run` has it with the scenario's
         /// integrator, and the engine's where there is no scenario.

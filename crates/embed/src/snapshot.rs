@@ -34,7 +34,8 @@ impl Engine {
     pub fn save(&self) -> Vec<u8> {
         let plan = &*self.plan;
         let own = match &self.core {
-            Core::Present { memory, .. } => memory.snapshot(),
+            Core::Paper { memory, .. } => memory.snapshot(),
+            Core::Present { host, .. } => host.snapshot(&plan.model),
             Core::Following { host, .. } => host.snapshot(&plan.model),
         };
         let mut out = Writer::default();
@@ -103,7 +104,8 @@ fn read(engine: &mut Engine, bytes: &[u8]) -> Result<(), EngineError> {
     let length = input.word32()? as usize;
     let own = input.take(length)?;
     match &mut engine.core {
-        Core::Present { memory, .. } => *memory = restored_memory(&plan, own)?,
+        Core::Paper { memory, .. } => *memory = restored_memory(&plan, own)?,
+        Core::Present { host, .. } => host.restore(model, own)?,
         Core::Following { host, .. } => *host = restored_host(&plan, host.settings(), own)?,
     }
     for body in 0..input.bodies {
