@@ -4,8 +4,8 @@
 mod master;
 
 use fenderline_contact::{
-    BodyState, FollowingHost, HostIntegration, HostSettings, HostWorkspace, Memory, Mobility,
-    Workspace, Wrench, advance, advance_in_place, vec2,
+    BodyState, EventKind, FollowingHost, HostIntegration, HostSettings, HostWorkspace, Memory,
+    Mobility, Workspace, Wrench, advance, advance_in_place, vec2,
 };
 use master::{Master, Story, model, rectangle, rubber, tug_at_a_wall};
 
@@ -186,6 +186,41 @@ fn a_ship_under_wind_stays_where_she_is_for_an_hour_of_jitter() {
             let moved = last - first;
             let drift_m = (moved.dot(across), moved.dot(along));
             assert!(moved.length() < 0.01, "{integration:?}, {longest_s} s: {drift_m:?} m");
+        }
+    }
+}
+
+/// A mass that is not the model's: the rebound is right, and it is told, once. Nothing is told of one that is.
+#[test]
+fn a_host_that_moves_a_tug_with_another_mass_is_told_so_once() {
+    for (mass_factor, differs) in [(0.5, 1), (0.75, 1), (1.0, 0), (1.1, 0), (1.3, 1), (2.0, 1)] {
+        for push_n in [0.0, 1e5] {
+            every_master(|integration, delay_steps| {
+                let mut story = tug_at_a_wall(1.0, 0.5, 0.5);
+                let mut master = Master::known(story.clone(), integration, delay_steps);
+                master.mass_factor = mass_factor;
+                let mut frames = Frames::new(5, 0.2, 1e9);
+                let (mut told, mut events) = (0, 0);
+                // Against the wall, off it, and pushed to rest by a load that nobody told.
+                while frames.time_s < 120.0 {
+                    story.loads[0].force_n.x = if frames.time_s > 40.0 { push_n } else { 0.0 };
+                    master.story.loads.clone_from(&story.loads);
+                    master.step(frames.next_s());
+                    let kinds = master.work.events().iter().map(|event| event.kind);
+                    told += kinds.filter(|kind| *kind == EventKind::MassDiffers).count();
+                    events += master.work.events().len();
+                }
+                let who = format!("{mass_factor}, {push_n} N, {integration:?}, {delay_steps}");
+                assert_eq!(told, differs, "{who}");
+                assert!(events < 40, "{who}: {events}");
+                if push_n == 0.0 {
+                    let left_mps = -master.states()[0].velocity_mps.x;
+                    // What the mass does differently is taken for a load, which is known a step late, and with a
+                    // delay the present is reckoned with the wrong mass: right to a half.
+                    let off = if delay_steps == 0 { 0.05 } else { 0.5 };
+                    assert!((left_mps / 0.25 - 1.0).abs() < off, "{who}: {left_mps} m/s");
+                }
+            });
         }
     }
 }

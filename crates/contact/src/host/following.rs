@@ -7,6 +7,7 @@ use crate::admit;
 use crate::coupled::advance;
 use crate::error::StepError;
 use crate::host::lead::{self, Lead, Start, is_steady};
+use crate::host::mass_check::Answers;
 use crate::host::settings::{HostIntegration, HostSettings};
 use crate::host::steering::{self, Velocity, Way};
 use crate::host::workspace::HostWorkspace;
@@ -78,6 +79,8 @@ pub(super) struct Followed {
     pub(super) shown: BodyState,
     /// The last load observed.
     pub(super) observed: Wrench,
+    /// Whether it answers wrenches as its mass says.
+    pub(super) answers: Answers,
     /// The host has said that it puts the body where it shows it next.
     pub(super) placed: bool,
     /// What contact did to the engine's motion that the host's has not got yet; nothing where nothing
@@ -161,6 +164,9 @@ impl FollowingHost {
     ///
     /// In a step of 0 s, of a host that is paused, nothing goes on, and the wrenches are those of the last step.
     ///
+    /// A body that answers the wrenches of a hit otherwise than its mass in the model says is told of once
+    /// ([`crate::EventKind::MassDiffers`]): its rebound is right nevertheless, its depth at rest within a tenth.
+    ///
     /// Where a body's shown position is not where its velocity leads, the host has put it elsewhere:
     /// no load is read from that, and its contacts start afresh
     /// ([`crate::EventKind::Teleported`]).
@@ -189,6 +195,7 @@ impl FollowingHost {
         self.set_out(model, work, step_s);
         let (starts, loads) = (&work.starts, &work.loads_now);
         advance(model, &mut self.memory, &mut work.engine, starts, loads, step_s)?;
+        work.tell_of_masses();
         self.steer(model, work, step_s);
         self.remember(work, told_loads, step_s);
         core::mem::swap(&mut work.present_now, &mut work.present);
@@ -204,6 +211,7 @@ impl FollowingHost {
     /// Loads as far as they can be told from the states shown, into `work.next`.
     fn observe(&self, model: &Model, work: &mut HostWorkspace, states_shown: &[BodyState]) {
         work.next.clone_from(&self.bodies);
+        work.differ.clear();
         // The state shown before this one is the initial state as well until the oldest wrench
         // remembered is the one given between the two.
         let two_states = self.steps_given() > self.settings.delay_steps as usize;
@@ -221,10 +229,15 @@ impl FollowingHost {
                     )
                 {
                     next.ahead = None;
+                    next.answers.forget();
                 } else if given.step_s > 0.0
                     && let Some(load) = observer::load(body, &next.shown, &shown, given)
                 {
                     next.observed = load;
+                    let load = given.told.unwrap_or(load);
+                    if next.answers.note(body, (&next.shown, &shown), given, &load) {
+                        work.differ.push(BodyId(index as u32));
+                    }
                 }
             }
             if next.placed {
@@ -243,6 +256,7 @@ impl FollowingHost {
         told_loads: Option<&[Wrench]>,
     ) -> Result<(), StepError> {
         pause(model, &self.memory, &mut work.engine, &work.present_now, None)?;
+        work.tell_of_masses();
         if work.wrenches.len() != self.bodies.len() {
             work.wrenches.clear();
             work.wrenches.resize(self.bodies.len(), Wrench::default());

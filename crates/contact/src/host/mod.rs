@@ -13,6 +13,7 @@
 mod following;
 mod inertia;
 mod lead;
+mod mass_check;
 mod observer;
 mod predictor;
 mod present;

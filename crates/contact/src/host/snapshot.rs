@@ -7,7 +7,7 @@
 //! | 4, 4 | delay in steps; integration: 0 forward Euler, 1 semi-implicit |
 //! | 4, 8 | number of steps given; length of the last step |
 //! | 4 + as many | length and bytes of the contacts' [`Memory::snapshot`] |
-//! | 164 each | bodies: state shown, load observed, 1 or 0: placed, 1 or 0 and lead: velocity, half kick, way, 1 or 0, time |
+//! | 236 each | bodies: state shown, load observed, answers, 1 or 0: placed, 1 or 0 and lead: velocity, half kick, way, 1 or 0, time |
 //! | 60 each | steps given, body by body: Δt, wrench, 1 or 0 and load told |
 //! | 8 | FNV-1a of all before |
 //!
@@ -19,6 +19,7 @@ use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
 use crate::host::following::{Followed, FollowingHost, Given};
 use crate::host::lead::Lead;
+use crate::host::mass_check::Answers;
 use crate::host::present::{Beside, PresentHost};
 use crate::host::settings::{HostIntegration, HostSettings};
 use crate::host::steering::{Velocity, Way};
@@ -32,7 +33,7 @@ const PRESENT_MAGIC: &[u8; 8] = b"fndrpres";
 /// Two states, two wrenches and a lead.
 const BESIDE_BYTES: usize = 2 * 48 + 2 * 24 + LEAD_BYTES;
 const LEAD_BYTES: usize = 88;
-const BODY_BYTES: usize = 164;
+const BODY_BYTES: usize = 236;
 const GIVEN_BYTES: usize = 60;
 
 impl FollowingHost {
@@ -217,8 +218,30 @@ fn read_memory(input: &mut Reader<'_>, model: &Model) -> Result<Memory, RestoreE
 fn write_body(out: &mut Writer, body: &Followed) {
     out.state(&body.shown);
     write_wrench(out, &body.observed);
+    write_answers(out, &body.answers);
     out.word32(u32::from(body.placed));
     write_lead(out, body.ahead);
+}
+
+fn write_answers(out: &mut Writer, answers: &Answers) {
+    let (velocity, load_n) = answers.began.unwrap_or_default();
+    out.word32(u32::from(answers.began.is_some()));
+    write_velocity(out, velocity);
+    out.vector(load_n);
+    out.vector(answers.impulse_ns);
+    out.number(answers.time_s);
+    out.word32(u32::from(answers.told));
+}
+
+fn read_answers(input: &mut Reader<'_>) -> Result<Answers, RestoreError> {
+    let began = read_flag(input)?;
+    let (velocity, load_n) = (read_velocity(input)?, input.vector()?);
+    Ok(Answers {
+        began: began.then_some((velocity, load_n)),
+        impulse_ns: input.vector()?,
+        time_s: input.number()?,
+        told: read_flag(input)?,
+    })
 }
 
 fn write_lead(out: &mut Writer, ahead: Option<Lead>) {
@@ -252,8 +275,9 @@ fn write_wrench(out: &mut Writer, wrench: &Wrench) {
 fn read_body(input: &mut Reader<'_>) -> Result<Followed, RestoreError> {
     let shown = input.state()?;
     let observed = read_wrench(input)?;
+    let answers = read_answers(input)?;
     let placed = read_flag(input)?;
-    Ok(Followed { shown, observed, placed, ahead: read_lead(input)? })
+    Ok(Followed { shown, observed, answers, placed, ahead: read_lead(input)? })
 }
 
 fn read_lead(input: &mut Reader<'_>) -> Result<Option<Lead>, RestoreError> {

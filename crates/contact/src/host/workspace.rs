@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use crate::host::following::Followed;
 use crate::host::lead::Start;
-use crate::model::Model;
-use crate::report::{Contact, Event, Wrench};
+use crate::model::{BodyId, Model};
+use crate::report::{Contact, Event, EventKind, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
@@ -25,6 +25,8 @@ pub struct HostWorkspace {
     pub(super) loads_now: Vec<Wrench>,
     pub(super) loads: Vec<Wrench>,
     pub(super) touching: Vec<bool>,
+    /// Bodies that were found to answer otherwise than their masses say.
+    pub(super) differ: Vec<BodyId>,
     pub(super) wrenches: Vec<Wrench>,
 }
 
@@ -43,7 +45,15 @@ impl HostWorkspace {
             loads_now: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
             touching: Vec::with_capacity(count),
+            differ: Vec::new(),
             wrenches: Vec::with_capacity(count),
+        }
+    }
+
+    /// The events of bodies with other masses.
+    pub(super) fn tell_of_masses(&mut self) {
+        for &body in &self.differ {
+            self.engine.events.push(Event { bodies: [body, body], kind: EventKind::MassDiffers });
         }
     }
 
