@@ -68,13 +68,15 @@
 #define FL_METHOD_PAPER 2
 
 /**
- * fl_settings.host: it shows the states of each step's beginning and tells all its loads.
+ * fl_settings.host: it shows the states of each step's beginning and tells all its loads. It may go on with
+ * fl_engine_states_after(), or move its bodies by itself with the wrenches, in steps of any lengths: by the coupled
+ * method the engine then goes on from where it was itself while bodies touch, and the wrenches keep the host beside it.
  */
 #define FL_HOST_PRESENT 0
 
 /**
  * fl_settings.host: it moves its bodies by itself, may show old states and need not tell its loads, as a
- * co-simulation master. The engine finds the loads in the states, reckons the states that it is not shown yet,
+ * co-simulation master or the loop of a game. Its steps may be of any lengths. The engine finds the loads in the states, reckons the states that it is not shown yet,
  * and gives wrenches that take the host where the engine went. By the coupled method only.
  */
 #define FL_HOST_FOLLOWING 1

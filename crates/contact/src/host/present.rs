@@ -3,13 +3,13 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::coupled::advance;
+use crate::coupled::advance_on;
 use crate::error::StepError;
 use crate::host::inertia;
 use crate::host::lead::{self, Lead, Start};
 use crate::host::steering::{Velocity, Way};
 use crate::host::workspace::HostWorkspace;
-use crate::memory::Memory;
+use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::{BodyId, Model};
 use crate::pause::pause;
 use crate::report::Wrench;
@@ -24,7 +24,7 @@ const UNANSWERED: f64 = 0.5;
 
 /// The coupled method for a host that shows the states of each step's beginning and tells its loads. It may let the
 /// engine move its bodies, showing [`HostWorkspace::states_after`] again to the bit: then this is
-/// [`crate::advance`]. Or it moves them by itself, with the wrenches and whatever integrator, in steps of any
+/// [`crate::advance_on`]. Or it moves them by itself, with the wrenches and whatever integrator, in steps of any
 /// lengths: then the engine goes on from where it was itself while bodies touch, not from where the host's
 /// integration came to, by half the acceleration times Δt² elsewhere. Stiff contacts chatter else.
 ///
@@ -88,10 +88,10 @@ impl PresentHost {
         self.bodies[body.0 as usize].ahead = None;
     }
 
-    /// One step, as [`crate::advance`]; gives the wrench that each body is to be given for it.
+    /// One step, as [`crate::advance_on`]; gives the wrench that each body is to be given for it.
     ///
     /// # Errors
-    /// As [`crate::advance`]; this host is then as it was.
+    /// As [`crate::advance_on`]; this host is then as it was.
     pub fn step<'w>(
         &mut self,
         model: &Model,
@@ -109,10 +109,29 @@ impl PresentHost {
             return Ok(&work.wrenches);
         }
         self.set_out(model, work, states);
-        advance(model, &mut self.memory, &mut work.engine, &work.starts, loads, step_s)?;
+        self.leave_velocities(model, work, states);
+        let (memory, engine) = (&mut self.memory, &mut work.engine);
+        if let Err(error) = advance_on(model, memory, engine, &work.starts, loads, step_s) {
+            memory.behind_s.clone_from(&work.behind_s);
+            return Err(error);
+        }
         self.lead_on(model, work, (states, loads), step_s);
         self.last_step_s = step_s;
         Ok(&work.wrenches)
+    }
+
+    /// Says of which bodies the velocities are those that the engine left, and keeps what the memory said.
+    fn leave_velocities(&mut self, model: &Model, work: &mut HostWorkspace, states: &[BodyState]) {
+        let behind_s = &mut self.memory.behind_s;
+        work.behind_s.clone_from(behind_s);
+        if behind_s.is_empty() {
+            return;
+        }
+        for (index, (beside, state)) in self.bodies.iter().zip(states).enumerate() {
+            if state.apart(&beside.after) != 0 {
+                behind_s[model.rank_of[index] as usize] = NOT_BEHIND;
+            }
+        }
     }
 
     /// Where the engine begins, into `work.starts` and `work.leads`.

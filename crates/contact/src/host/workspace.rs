@@ -25,6 +25,8 @@ pub struct HostWorkspace {
     pub(super) loads_now: Vec<Wrench>,
     pub(super) loads: Vec<Wrench>,
     pub(super) touching: Vec<bool>,
+    /// What a memory said of its bodies' velocities before the step.
+    pub(super) behind_s: Vec<f64>,
     /// Bodies that were found to answer otherwise than their masses say.
     pub(super) differ: Vec<BodyId>,
     pub(super) wrenches: Vec<Wrench>,
@@ -45,6 +47,7 @@ impl HostWorkspace {
             loads_now: Vec::with_capacity(count),
             loads: Vec::with_capacity(count),
             touching: Vec::with_capacity(count),
+            behind_s: Vec::with_capacity(count),
             differ: Vec::new(),
             wrenches: Vec::with_capacity(count),
         }
