@@ -1,7 +1,7 @@
 //! `fenderline validate`: every published case that the project reproduces, ours beside theirs.
 //!
 //! `published` reads what others published (`validation/*.toml`), `play` runs the scenarios,
-//! `quantity` takes values from a run, `computed` has those that no scenario gives, `row` holds one against
+//! `quantity` takes values from a run, `computed` has all others, `row` holds one against
 //! the other; `printed`, `files`, `page`
 //! and `figures` show it. Everything is inside the program, so that an installed one validates
 //! anywhere.
@@ -33,9 +33,10 @@ macro_rules! published {
 }
 
 /// What there is to compare with, in the order of the table.
-const PUBLISHED: [(&str, &str); 13] = published![
+const PUBLISHED: [(&str, &str); 14] = published![
     "moreno2023.toml",
     "closed_form.toml",
+    "coupled_independent.toml",
     "kvlcc2.toml",
     "kcs.toml",
     "low_speed.toml",

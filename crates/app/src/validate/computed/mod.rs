@@ -1,8 +1,9 @@
-//! Values that no scenario gives: pure functions and standard manoeuvres of the simulator, by name.
+//! Values by name: pure functions and standard manoeuvres of the simulator, and scenarios of more than two bodies.
 //!
 //! Each file has one subject and fills a [`Values`]; the inputs of a case stand there, the published
 //! numbers never.
 
+mod berth;
 mod float;
 mod hull;
 mod manoeuvres;
@@ -34,6 +35,7 @@ impl Values {
         wind::compute(&mut values);
         sea::compute(&mut values);
         float::compute(&mut values);
+        berth::compute(&mut values);
         values
     }
 
