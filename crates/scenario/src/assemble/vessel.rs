@@ -62,7 +62,8 @@ impl Kind {
         let drift = DriftHull {
             length_m: particulars.length_m,
             beam_m: particulars.beam_m,
-            bow_length_m: 0.2 * particulars.length_m,
+            draught_m: particulars.draught_m,
+            block_coefficient: particulars.block_coefficient(),
         };
         let setup = VesselSetup {
             body: 0,
