@@ -376,7 +376,8 @@ impl Simulation {
     }
 
     /// What turns the bodies' momentum in this step: of vessels over the whole of it, of other bodies as at its
-    /// start.
+    /// start. Contact is not known yet: that of the last step stands for it, so that who lies against her fenders is
+    /// not expected to be blown away.
     fn turn_momentum(&mut self) {
         let Buffers { loads, turning, .. } = &mut self.buffers;
         for ((wrench, inertia), state) in turning.iter_mut().zip(&self.inertias).zip(&self.states) {
@@ -388,6 +389,7 @@ impl Simulation {
             // Each of its stages has its own.
             Integrator::Rk4 => None,
         };
+        let contact = self.work.wrenches();
         for (vessel, carried) in self.setup.world.vessels.iter().zip(&self.world.carried) {
             let body = vessel.body;
             let (inertia, state) = (&self.inertias[body], &self.states[body]);
@@ -395,7 +397,12 @@ impl Simulation {
             turning[body] = match turns {
                 Some(turns) => {
                     let over = (self.setup.step_s, turns);
-                    turning_wrench(inertia, state, &loads[body], stream_mps, over)
+                    let (load, contact) = (&loads[body], &contact[body]);
+                    let acts = Wrench {
+                        force_n: load.force_n + contact.force_n,
+                        moment_nm: load.moment_nm + contact.moment_nm,
+                    };
+                    turning_wrench(inertia, state, &acts, stream_mps, over)
                 }
                 None => inertia.momentum_wrench(state, stream_mps),
             };

@@ -22,7 +22,7 @@ pub(crate) enum Turns {
     After,
 }
 
-/// The wrench that turns a vessel's momentum over a step in which `load` acts on her and nothing touches her. Velocities
+/// The wrench that turns a vessel's momentum over a step in which `load` acts on her. Velocities
 /// are those through a stream, which carries the frame along. More than a radian a step, and what does not settle, is
 /// taken as at the start.
 pub(crate) fn turning_wrench(
@@ -50,8 +50,8 @@ pub(crate) fn turning_wrench(
                 Turns::Before => before.yaw_radps,
                 Turns::After => after.yaw_radps,
             };
-        // NaN too.
-        if !(turned_rad.abs() <= 1.0) {
+        let is_within = turned_rad.abs() <= 1.0;
+        if !is_within {
             return start;
         }
         let next = turned(inertia, state.heading_rad, (&before, &after), turned_rad, step_s);

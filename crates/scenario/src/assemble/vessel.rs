@@ -59,12 +59,7 @@ impl Kind {
             }),
             None => None,
         };
-        let drift = DriftHull {
-            length_m: particulars.length_m,
-            beam_m: particulars.beam_m,
-            draught_m: particulars.draught_m,
-            block_coefficient: particulars.block_coefficient(),
-        };
+        let drift = DriftHull::of(&particulars);
         let setup = VesselSetup {
             body: 0,
             origin: data.origin.clone(),

@@ -23,6 +23,7 @@ use fenderline_contact::Vec2;
 
 use super::GRAVITY_MPS2;
 use super::sea::Sea;
+use crate::hydro::Particulars;
 use crate::range::{OutOfRange, within};
 use waterline::Waterline;
 
@@ -40,6 +41,17 @@ pub struct DriftHull {
 }
 
 impl DriftHull {
+    /// A ship's.
+    #[must_use]
+    pub fn of(ship: &Particulars) -> DriftHull {
+        DriftHull {
+            length_m: ship.length_m,
+            beam_m: ship.beam_m,
+            draught_m: ship.draught_m,
+            block_coefficient: ship.block_coefficient(),
+        }
+    }
+
     /// Checks every number.
     ///
     /// # Errors
