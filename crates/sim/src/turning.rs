@@ -1,9 +1,8 @@
 //! The momentum of a vessel that turns, over a step.
 //!
 //! Her mass differs between surge and sway, so that her momentum turns with her: Kirchhoff's terms. They do no work,
-//! but held over a step as they are at its start they do, Δ u v r Δt/2 times how far she turns in it, always to one side:
-//! in a steady turn at 1 s some per cent of the energy that her propeller gives. So the wrench is found that stands for
-//! them over the whole step: what takes the momentum M V of the water's and the ship's mass from the heading before to the
+//! but held over a step as they are at its start they do, in a turn always to one side. So the wrench is found that
+//! stands for them over the whole step: what takes the momentum M V of the water's and the ship's mass from the heading before to the
 //! one after, with the moment by which the step's ends have the energy that all other forces gave.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};

@@ -13,8 +13,8 @@ const SHORTEST_END: f64 = 0.05;
 ///
 /// How long the ends are follows from the block coefficient: C_WP = (1 + 2 C_B)/3 (Schneekluth & Bertram, "Ship Design
 /// for Efficiency and Economy", 2nd ed., eq. for normal sections; recalled), and two parabolas of length ℓ leave
-/// C_WP = 1 − ⅔ℓ/L: so ℓ = (1 − C_B)L. Of the general cargo ship of the published example of the SNNM method,
-/// C_B 0.79 and 194 m, that is 40.7 m; hers are 38.5 m and 32.3 m.
+/// C_WP = 1 − ⅔ℓ/L: so ℓ = (1 − C_B)L. Of the general cargo ship that a public program of the SNNM
+/// method has for an example, C_B 0.79 and 194 m, that is 40.7 m; hers are 38.5 m and 32.3 m.
 pub(super) struct Waterline {
     half_length_m: f64,
     half_beam_m: f64,
