@@ -383,9 +383,14 @@ impl Simulation {
         for ((wrench, inertia), state) in turning.iter_mut().zip(&self.inertias).zip(&self.states) {
             *wrench = inertia.momentum_wrench(state, Vec2::ZERO);
         }
-        let turns = match self.setup.integrator {
-            Integrator::Euler => Some(Turns::Before),
-            Integrator::SemiImplicit => Some(Turns::After),
+        let step_s = self.setup.step_s;
+        let over = match self.setup.integrator {
+            Integrator::Euler => Some((step_s, step_s, Turns::Before)),
+            // The engine's leapfrog begins with half a kick.
+            Integrator::SemiImplicit if self.index == 0 => {
+                Some((step_s, 0.5 * step_s, Turns::After))
+            }
+            Integrator::SemiImplicit => Some((step_s, step_s, Turns::After)),
             // Each of its stages has its own.
             Integrator::Rk4 => None,
         };
@@ -394,9 +399,8 @@ impl Simulation {
             let body = vessel.body;
             let (inertia, state) = (&self.inertias[body], &self.states[body]);
             let stream_mps = carried.stream_mps;
-            turning[body] = match turns {
-                Some(turns) => {
-                    let over = (self.setup.step_s, turns);
+            turning[body] = match over {
+                Some(over) => {
                     let (load, contact) = (&loads[body], &contact[body]);
                     let acts = Wrench {
                         force_n: load.force_n + contact.force_n,

@@ -22,14 +22,15 @@ pub(crate) enum Turns {
 }
 
 /// The wrench that turns a vessel's momentum over a step in which `load` acts on her. Velocities
-/// are those through a stream, which carries the frame along. More than a radian a step, and what does not settle, is
+/// are those through a stream, which carries the frame along. Forces act for a time, which for the engine's first step is
+/// half of it: the velocities that it begins with belong to its start, and those that it goes on with to its middle. More than a radian a step, and what does not settle, is
 /// taken as at the start.
 pub(crate) fn turning_wrench(
     inertia: &Inertia,
     state: &BodyState,
     load: &Wrench,
     stream_mps: Vec2,
-    (step_s, turns): (f64, Turns),
+    (step_s, acts_s, turns): (f64, f64, Turns),
 ) -> Wrench {
     let start = inertia.momentum_wrench(state, stream_mps);
     let before = Moment::of(state, stream_mps);
@@ -41,8 +42,8 @@ pub(crate) fn turning_wrench(
         };
         let (along_mps2, around_radps2) = inertia.acceleration(state, &sum);
         let after = Moment {
-            velocity_mps: before.velocity_mps + along_mps2 * step_s,
-            yaw_radps: before.yaw_radps + around_radps2 * step_s,
+            velocity_mps: before.velocity_mps + along_mps2 * acts_s,
+            yaw_radps: before.yaw_radps + around_radps2 * acts_s,
         };
         let turned_rad = step_s
             * match turns {
@@ -53,7 +54,8 @@ pub(crate) fn turning_wrench(
         if !is_within {
             return start;
         }
-        let next = turned(inertia, state.heading_rad, (&before, &after), turned_rad, step_s);
+        let next =
+            turned(inertia, state.heading_rad, (&before, &after), turned_rad, (step_s, acts_s));
         let moved_n = (next.force_n - wrench.force_n).length();
         let is_settled = moved_n <= 1e-14 * next.force_n.length()
             && (next.moment_nm - wrench.moment_nm).abs() <= 1e-14 * next.moment_nm.abs();
@@ -98,8 +100,8 @@ impl Moment {
     }
 }
 
-/// The wrench between two moments. With M₀ and M₁ the mass matrix at the two headings: force −(M₁ − M₀)V₁/Δt, so that
-/// M V is what loads make of it, and Munk's moment half-way, −Δ u v. What is left to −½V₁ᵀ(M₁ − M₀)V₁ of work, which
+/// The wrench between two moments. With M₀ and M₁ the mass matrix at the two headings: force −(M₁ − M₀)V₁ over the time that
+/// it acts, so that M V is what loads make of it, and Munk's moment half-way, −Δ u v. What is left to −½V₁ᵀ(M₁ − M₀)V₁ of work, which
 /// leaves ½VᵀMV to the loads, is of third order in a steady turn and of second where she begins to turn, as integrators
 /// turn her with one of the yaw rates and not with their mean; it is made up by that little of her momentum.
 fn turned(
@@ -107,7 +109,7 @@ fn turned(
     heading_rad: f64,
     (before, after): (&Moment, &Moment),
     turned_rad: f64,
-    step_s: f64,
+    (step_s, acts_s): (f64, f64),
 ) -> Wrench {
     let at = |rad: f64| Rotation::from_angle(heading_rad + rad);
     let (first, half_way, last) = (at(0.0), at(0.5 * turned_rad), at(turned_rad));
@@ -124,7 +126,7 @@ fn turned(
     let twice_j = mean.along((mean_ns, mean_nms));
     let share = if twice_j > 0.0 { missing_j / twice_j } else { 0.0 };
     Wrench {
-        force_n: (impulse.0 + mean_ns * share) * (1.0 / step_s),
-        moment_nm: (impulse.1 + mean_nms * share) / step_s,
+        force_n: (impulse.0 + mean_ns * share) * (1.0 / acts_s),
+        moment_nm: (impulse.1 + mean_nms * share) / acts_s,
     }
 }
