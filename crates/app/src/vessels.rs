@@ -1,9 +1,12 @@
 //! `fenderline vessels`: the vessels of the data, and every number of one of them with its source.
 
+use core::f64::consts::{FRAC_PI_4, PI, TAU};
 use core::fmt::Write as _;
 use std::path::PathBuf;
 
 use fenderline_scenario::{VesselData, VesselLibrary, read_text};
+use fenderline_sim::environment::waves::{DriftHull, wave_number};
+use fenderline_sim::hydro::Water;
 use fenderline_sim::hydro::vessels::{Origin, Source};
 use serde_json::{Map, Value, json};
 
@@ -27,7 +30,12 @@ pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
         return say(&all.iter().map(line).collect::<String>());
     };
     let vessel = found(&library, name)?;
-    say(&if args.json { format!("{:#}\n", vessel_json(vessel)) } else { sheet(vessel) })
+    if !args.json {
+        return say(&sheet(vessel));
+    }
+    let mut json = vessel_json(vessel);
+    json["wave_drift"] = drift_json(&drift(vessel));
+    say(&format!("{json:#}\n"))
 }
 
 /// The vessels that the program carries in itself, with those of files.
@@ -123,7 +131,109 @@ fn sheet(vessel: &VesselData) -> String {
         text.push_str("\nEstimated by formulas, not validated for her:\n");
     }
     estimates.for_each(|source| text.push_str(&source_line(source)));
+    text.push_str(&drift_table(&drift(vessel)));
     text
+}
+
+/// Frequencies of the drift table [rad/s].
+const FREQUENCIES_RADPS: [f64; 12] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0];
+
+/// Depth that waves do not feel [m].
+const DEEP_M: f64 = 10_000.0;
+
+/// Mean drift in one wave.
+struct Drift {
+    frequency_radps: f64,
+    length_m: f64,
+    /// Waves from ahead, on the port bow, from port, on the port quarter, from astern: what they come from, off the
+    /// bow [rad], and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
+    /// N·m/m²].
+    by_heading: [(f64, [f64; 3]); 5],
+}
+
+/// Of a vessel at rest in deep sea water.
+fn drift(vessel: &VesselData) -> Vec<Drift> {
+    let hull = DriftHull::of(&vessel.ship.particulars);
+    let specific_npm3 = Water::SEA.density_kgpm3 * 9.806_65;
+    let row = |&frequency_radps: &f64| {
+        let number = wave_number(frequency_radps, DEEP_M);
+        let at = |heading: u32| {
+            let off_bow_rad = f64::from(heading) * FRAC_PI_4;
+            let coefficients = hull.coefficients(number, PI - off_bow_rad);
+            (off_bow_rad, coefficients.map(|coefficient| specific_npm3 * coefficient))
+        };
+        Drift {
+            frequency_radps,
+            length_m: TAU / number,
+            by_heading: [at(0), at(1), at(2), at(3), at(4)],
+        }
+    };
+    FREQUENCIES_RADPS.iter().map(row).collect()
+}
+
+fn drift_table(rows: &[Drift]) -> String {
+    let mut text = "\nMean wave drift over the square of the wave's amplitude, at rest in deep water, by formula (reflection \
+                    after Faltinsen et al. 1980 and Fujii & Takahashi 1975, motion by the SNNM method of ITTC \
+                    7.5-04-01-01.1), not validated for her:\n"
+        .to_owned();
+    let _ = writeln!(
+        text,
+        "  {:>9}  {:>10}  {:>9}  {:>9}  {:>9}  {:>9}  {:>9}  {:>10}  {:>9}",
+        "frequency",
+        "length",
+        "ahead X",
+        "bow X",
+        "bow Y",
+        "abeam Y",
+        "quarter Y",
+        "quarter X",
+        "astern X"
+    );
+    let _ = writeln!(
+        text,
+        "  {:>9}  {:>10}  {:>9}  {:>9}  {:>9}  {:>9}  {:>9}  {:>10}  {:>9}",
+        "rad/s", "m", "kN/m²", "kN/m²", "kN/m²", "kN/m²", "kN/m²", "kN/m²", "kN/m²"
+    );
+    for row in rows {
+        let at = |heading: usize, way: usize| {
+            let force_kn = 1e-3 * row.by_heading[heading].1[way];
+            // No −0.0 of rounding.
+            fixed(if force_kn.abs() < 0.05 { 0.0 } else { force_kn }, 1)
+        };
+        let _ = writeln!(
+            text,
+            "  {:>9}  {:>10}  {:>9}  {:>9}  {:>9}  {:>9}  {:>9}  {:>10}  {:>9}",
+            fixed(row.frequency_radps, 1),
+            fixed(row.length_m, 1),
+            at(0, 0),
+            at(1, 0),
+            at(1, 1),
+            at(2, 1),
+            at(3, 1),
+            at(3, 0),
+            at(4, 0),
+        );
+    }
+    text
+}
+
+fn drift_json(rows: &[Drift]) -> Value {
+    let of_row = |row: &Drift| {
+        row.by_heading
+            .iter()
+            .map(|(off_bow_rad, [surge, sway, yaw])| {
+                json!({
+                    "frequency_radps": row.frequency_radps,
+                    "length_m": row.length_m,
+                    "from_rad": -off_bow_rad,
+                    "surge_npm2": surge,
+                    "sway_npm2": sway,
+                    "yaw_nmpm2": yaw,
+                })
+            })
+            .collect::<Vec<_>>()
+    };
+    json!(rows.iter().flat_map(of_row).collect::<Vec<_>>())
 }
 
 fn source_line(source: &Source) -> String {

@@ -174,7 +174,7 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
         ("energy.kinetic_j", "kinetic energy, added mass included", Joule, |v, _| {
             v.of_simulation(|s| s.energy().kinetic_j)
         }),
-        ("energy.load_work_j", "work of all that is no contact", Joule, |v, _| {
+        ("energy.load_work_j", "work over the ground of all that is no contact", Joule, |v, _| {
             v.of_simulation(|s| s.energy().load_work_j)
         }),
         ("energy.stored_j", "stored in springs and stops", Joule, |v, _| {

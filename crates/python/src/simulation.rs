@@ -252,6 +252,10 @@ impl Simulation {
         ] {
             dict.set_item(name, value)?;
         }
+        for (name, work_j) in e.loads.parts() {
+            dict.set_item(format!("{name}_work_j"), work_j)?;
+        }
+        dict.set_item("turned_over_j", e.turned_over_j())?;
         Ok(dict)
     }
 

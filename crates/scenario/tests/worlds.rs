@@ -160,8 +160,11 @@ fn ten_hours_moored_in_waves_wind_and_current_stay_bounded_and_replay_to_the_sam
         let early_j: f64 = kinetic_j[1..5].iter().fold(0.0, |most, &j| most.max(j));
         let late_j: f64 = kinetic_j[5..].iter().fold(0.0, |most, &j| most.max(j));
         assert!(kinetic_j[0] < 5e6 && late_j < 1.5 * early_j, "{kinetic_j:?} J");
-        // What she has is what was put into her, over 72,000 steps: no energy drifts in or out.
-        assert!(residual_j < 0.01 * early_j, "{residual_j} J");
+        // What she has is what was put into her, over 72,000 steps: no energy drifts in or out. 0.1 % of what wind,
+        // lines, fenders and all else turned over is the criterion for every vessel.
+        let turned_over_j = simulation.energy().turned_over_j();
+        println!("residual {residual_j:.0} J of {turned_over_j:.0} J, kinetic {early_j:.0} J");
+        assert!(residual_j < 1e-3 * turned_over_j, "{residual_j} J of {turned_over_j} J");
         simulation.states().to_vec()
     };
     assert_eq!(play(), play());

@@ -14,6 +14,11 @@ pub(crate) struct Rate {
 }
 
 impl Rate {
+    /// Velocities that the step moves the body with [m/s, rad/s].
+    pub(crate) fn motion(&self) -> (Vec2, f64) {
+        (self.velocity_mps, self.yaw_rate_radps)
+    }
+
     pub(crate) fn of(inertia: &Inertia, state: &BodyState, wrench: &Wrench) -> Rate {
         let (acceleration_mps2, yaw_acceleration_radps2) = inertia.acceleration(state, wrench);
         Rate {

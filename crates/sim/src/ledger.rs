@@ -2,7 +2,7 @@
 
 use fenderline_contact::{BodyState, Contact, ContactWork, Motion, Vec2, Wrench};
 
-use crate::record::{ContactBook, Energy};
+use crate::record::{ContactBook, Energy, LoadWorks};
 use crate::rigid_body::Inertia;
 
 /// Mean of the velocities before and after a step. A constant force times it is exactly the change
@@ -21,6 +21,11 @@ impl MeanVelocity {
         }
     }
 
+    /// As the integrator moved the body.
+    pub(crate) fn moved((velocity_mps, yaw_rate_radps): (Vec2, f64)) -> MeanVelocity {
+        MeanVelocity { velocity_mps, yaw_rate_radps }
+    }
+
     /// That of the engine's motion, sub-steps included.
     pub(crate) fn over(motion: &Motion, step_s: f64) -> MeanVelocity {
         MeanVelocity {
@@ -29,11 +34,11 @@ impl MeanVelocity {
         }
     }
 
-    fn at(&self, arm_m: Vec2) -> Vec2 {
+    pub(crate) fn at(&self, arm_m: Vec2) -> Vec2 {
         self.velocity_mps + arm_m.spun_by(self.yaw_rate_radps)
     }
 
-    fn power_w(&self, wrench: &Wrench) -> f64 {
+    pub(crate) fn power_w(&self, wrench: &Wrench) -> f64 {
         wrench.force_n.dot(self.velocity_mps) + wrench.moment_nm * self.yaw_rate_radps
     }
 }
@@ -189,18 +194,13 @@ impl Ledger {
         &mut self,
         inertias: &[Inertia],
         after: &[BodyState],
-        loads: &[Wrench],
-        mean: &[MeanVelocity],
+        loads: &LoadWorks,
         books: &[ContactBook],
-        step_s: f64,
     ) {
         let energy = &mut self.energy;
         energy.kinetic_j = kinetic_j(inertias, after);
-        for ((load, mean), inertia) in loads.iter().zip(mean).zip(inertias) {
-            if !inertia.fixed {
-                energy.load_work_j += mean.power_w(load) * step_s;
-            }
-        }
+        energy.loads.add(loads);
+        energy.load_work_j = energy.loads.total_j();
         (energy.stored_j, energy.shear_stored_j) = (0.0, 0.0);
         for book in books {
             energy.normal_work_j += book.normal_j;

@@ -64,6 +64,7 @@ mod fender;
 mod gather;
 mod integrate;
 mod ledger;
+mod load_work;
 pub mod mooring;
 mod order;
 mod random;
@@ -74,12 +75,13 @@ mod setup;
 mod simulation;
 mod summary;
 pub mod tug;
+mod turning;
 mod world;
 
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, HullPressure, Rated};
 pub use range::OutOfRange;
-pub use record::{ContactBook, Energy, StepRecord};
+pub use record::{ContactBook, Energy, LoadWorks, StepRecord};
 pub use setup::{
     BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
     Setup,

@@ -75,10 +75,84 @@ pub struct ContactBook {
     pub residual_j: f64,
 }
 
-/// The energy ledger since the start of the run [J].
+/// Work of the loads on the bodies since the start of the run, by what they come from [J]: force times way over the
+/// ground. What pushes a body on is positive; a hull that a current takes along is pushed by it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LoadWorks {
+    /// Drag and lift of the vessels' hulls in the water, current within. Of the hull force of
+    /// [`crate::VesselForces`] the part that turns the momentum of the added mass is not in it: it does no work.
+    pub hull_j: f64,
+    /// Propellers.
+    pub propeller_j: f64,
+    /// Rudders.
+    pub rudder_j: f64,
+    /// Tunnel thrusters and azimuth units.
+    pub thrusters_j: f64,
+    /// Wind on the vessels.
+    pub wind_j: f64,
+    /// Mean wave drift.
+    pub waves_j: f64,
+    /// Banks.
+    pub banks_j: f64,
+    /// The bottom, where vessels are aground.
+    pub bottom_j: f64,
+    /// What a current does besides its part in the hull's force: water that speeds up takes a vessel along, and the
+    /// water that goes with her (her added mass) is another share of it when she has turned. Nothing in still water.
+    pub current_j: f64,
+    /// Vector tugs.
+    pub tugs_j: f64,
+    /// Mooring and tow lines: what they store, and what winches give or take.
+    pub lines_j: f64,
+    /// Loads of the set-up and of other programs.
+    pub other_j: f64,
+}
+
+impl LoadWorks {
+    /// Each with the name that it has in tables.
+    #[must_use]
+    pub fn parts(&self) -> [(&'static str, f64); 12] {
+        [
+            ("hull", self.hull_j),
+            ("propeller", self.propeller_j),
+            ("rudder", self.rudder_j),
+            ("thrusters", self.thrusters_j),
+            ("wind", self.wind_j),
+            ("waves", self.waves_j),
+            ("banks", self.banks_j),
+            ("bottom", self.bottom_j),
+            ("current", self.current_j),
+            ("tugs", self.tugs_j),
+            ("lines", self.lines_j),
+            ("other", self.other_j),
+        ]
+    }
+
+    /// All together [J].
+    #[must_use]
+    pub fn total_j(&self) -> f64 {
+        self.parts().iter().map(|(_, work_j)| work_j).sum()
+    }
+
+    pub(crate) fn add(&mut self, step: &LoadWorks) {
+        self.hull_j += step.hull_j;
+        self.propeller_j += step.propeller_j;
+        self.rudder_j += step.rudder_j;
+        self.thrusters_j += step.thrusters_j;
+        self.wind_j += step.wind_j;
+        self.waves_j += step.waves_j;
+        self.banks_j += step.banks_j;
+        self.bottom_j += step.bottom_j;
+        self.current_j += step.current_j;
+        self.tugs_j += step.tugs_j;
+        self.lines_j += step.lines_j;
+        self.other_j += step.other_j;
+    }
+}
+
+/// The energy ledger since the start of the run [J], over the ground: the kinetic energy is what a fender on a quay has
+/// to take, and every work is force times way over the ground.
 ///
-/// Work is force times the mean of the velocities before and after the step, so that it accounts
-/// for the change of kinetic energy exactly:
+/// The way of a step is its mean velocity times Δt, so that it accounts for the change of kinetic energy exactly:
 ///
 /// kinetic = kinetic at the start + load_work + normal_work + tangential_work + residual, and
 /// −(normal_work + tangential_work) = stored + shear_stored + hysteresis + damping + restitution + friction +
@@ -90,8 +164,10 @@ pub struct ContactBook {
 pub struct Energy {
     /// Kinetic energy now, added mass included.
     pub kinetic_j: f64,
-    /// Work done by external loads.
+    /// Work done by everything but contact: the sum of [`Energy::loads`].
     pub load_work_j: f64,
+    /// The same by what it comes from.
+    pub loads: LoadWorks,
     /// Work done by normal contact forces on the bodies.
     pub normal_work_j: f64,
     /// Work done by tangential contact forces on the bodies.
@@ -111,7 +187,17 @@ pub struct Energy {
     /// Sum of the contacts' residuals: see [`ContactBook::residual_j`].
     pub contact_residual_j: f64,
     /// Kinetic energy now, less that at the start, less all work. Rounding where a body's mass is the
-    /// same in surge and sway; else also what a step makes of momentum that turns with the body,
-    /// which falls with Δt.
+    /// same in surge and sway, and for a vessel that nothing touches; else also what a step makes of momentum that
+    /// turns with the body, which falls with Δt.
     pub residual_j: f64,
+}
+
+impl Energy {
+    /// How much energy changed hands: the sum of the magnitudes of all works, each since the start [J]. What
+    /// [`Energy::residual_j`] is to be seen beside.
+    #[must_use]
+    pub fn turned_over_j(&self) -> f64 {
+        let loads_j: f64 = self.loads.parts().iter().map(|(_, work_j)| work_j.abs()).sum();
+        loads_j + self.normal_work_j.abs() + self.tangential_work_j.abs()
+    }
 }

@@ -12,8 +12,6 @@ pub(crate) struct Inertia {
     pub(crate) yaw_kgm2: f64,
     /// Coupling of sway and yaw about the centre of gravity [kg·m].
     pub(crate) coupling_kgm: f64,
-    /// The Coriolis and centripetal terms of the added mass are among its loads already.
-    pub(crate) turning_is_loaded: bool,
     /// The engine moves the body and turns its momentum with it.
     pub(crate) engine_turns: bool,
     pub(crate) fixed: bool,
@@ -30,7 +28,6 @@ impl Inertia {
                 sway_kg: 0.0,
                 yaw_kgm2: 0.0,
                 coupling_kgm: 0.0,
-                turning_is_loaded: false,
                 engine_turns: false,
                 fixed: true,
             };
@@ -47,20 +44,18 @@ impl Inertia {
             sway_kg: m.mass_kg + added_sway_kg,
             yaw_kgm2: m.yaw_inertia_kgm2 + m.added_yaw_kgm2,
             coupling_kgm: 0.0,
-            turning_is_loaded: false,
             engine_turns,
             fixed: false,
         }
     }
 
-    /// A vessel's, from her mass matrix about the centre of gravity; her loads hold the turning terms.
+    /// A vessel's, from her mass matrix about the centre of gravity.
     pub(crate) fn of_vessel(matrix: &[[f64; 3]; 3]) -> Inertia {
         Inertia {
             surge_kg: matrix[0][0],
             sway_kg: matrix[1][1],
             yaw_kgm2: matrix[2][2],
             coupling_kgm: matrix[1][2],
-            turning_is_loaded: true,
             engine_turns: false,
             fixed: false,
         }
@@ -87,24 +82,24 @@ impl Inertia {
     }
 
     /// The wrench that turns with the body's momentum: M v̇ = F + this, in earth-fixed axes, for a
-    /// mass that differs between surge and sway. With Δ = sway − surge, in the body's axes:
-    /// Δ (r v, r u, −u v), the Coriolis and centripetal terms of the added mass (Munk's moment among
-    /// them); nothing where the mass is the same in all directions.
-    pub(crate) fn momentum_wrench(&self, state: &BodyState) -> Wrench {
+    /// mass that differs between surge and sway, in a stream [m/s]. With Δ = sway − surge and c the coupling, in
+    /// the body's axes and through the stream: (Δ r v + c r², Δ r u, −Δ u v), the Coriolis and centripetal terms of
+    /// the added mass (Munk's moment among them); nothing where the mass is the same in all directions.
+    pub(crate) fn momentum_wrench(&self, state: &BodyState, stream_mps: Vec2) -> Wrench {
         let difference_kg = self.sway_kg - self.surge_kg;
-        if difference_kg == 0.0 || self.turning_is_loaded || self.engine_turns {
+        if (difference_kg == 0.0 && self.coupling_kgm == 0.0) || self.engine_turns {
             return Wrench::default();
         }
         let rotation = state.pose().rotation;
-        let uv = rotation.apply_inverse(state.velocity_mps);
+        let uv = rotation.apply_inverse(state.velocity_mps - stream_mps);
         let r = state.yaw_rate_radps;
-        Wrench {
-            force_n: rotation.apply(vec2(r * uv.y, r * uv.x) * difference_kg),
-            moment_nm: -difference_kg * uv.x * uv.y,
-        }
+        let outward_n = self.coupling_kgm * r * r;
+        let turned = vec2(r * uv.y * difference_kg + outward_n, r * uv.x * difference_kg);
+        Wrench { force_n: rotation.apply(turned), moment_nm: -difference_kg * uv.x * uv.y }
     }
 
-    /// Earth-fixed acceleration under a wrench about the centre of gravity [m/s², rad/s²].
+    /// Earth-fixed acceleration under a wrench about the centre of gravity, the momentum's own among it
+    /// [m/s², rad/s²].
     pub(crate) fn acceleration(&self, state: &BodyState, wrench: &Wrench) -> (Vec2, f64) {
         if self.fixed {
             return (Vec2::ZERO, 0.0);
@@ -113,10 +108,9 @@ impl Inertia {
             let inverse = 1.0 / self.surge_kg;
             return (wrench.force_n * inverse, wrench.moment_nm / self.yaw_kgm2);
         }
-        let turning = self.momentum_wrench(state);
         let rotation = state.pose().rotation;
-        let own = rotation.apply_inverse(wrench.force_n + turning.force_n);
-        let moment_nm = wrench.moment_nm + turning.moment_nm;
+        let own = rotation.apply_inverse(wrench.force_n);
+        let moment_nm = wrench.moment_nm;
         let c = self.coupling_kgm;
         let determinant = self.sway_kg * self.yaw_kgm2 - c * c;
         let sway = (own.y * self.yaw_kgm2 - moment_nm * c) / determinant;

@@ -2,7 +2,7 @@
 
 use fenderline_contact::{
     self as contact, Body, BodyId, BodyState, Contact, Fender, MaterialId, Memory, Model, Pair,
-    Workspace, Wrench,
+    Vec2, Workspace, Wrench,
 };
 
 use crate::berthing::{BerthingError, BerthingOutcome, Study, StudyStep};
@@ -13,11 +13,13 @@ use crate::fender::{FenderSetup, FenderSummaries, FenderSummary};
 use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{Rate, euler, semi_implicit};
 use crate::ledger::{Books, Ledger, MeanVelocity, WorkBy};
+use crate::load_work::LoadedStep;
 use crate::order::check_order;
 use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
+use crate::turning::{Turns, turning_wrench};
 use crate::world::{Faults, LineEnd, Mooring, Order, TugAtWork, VesselState, World, mass_matrix};
 
 /// Weights of the four stages of classical Runge–Kutta.
@@ -47,6 +49,10 @@ pub struct Simulation {
 #[derive(Clone, Debug)]
 struct Buffers {
     loads: Vec<Wrench>,
+    /// Those of them that are no part of the world.
+    others: Vec<Wrench>,
+    /// What turns each body's momentum over the step, where the engine does not.
+    turning: Vec<Wrench>,
     /// What the host puts on each body in the next step.
     external: Vec<Wrench>,
     sums: Vec<Wrench>,
@@ -54,6 +60,8 @@ struct Buffers {
     trial: Vec<BodyState>,
     before: Vec<BodyState>,
     mean: Vec<MeanVelocity>,
+    /// The stream that each body is in [m/s].
+    streams_mps: Vec<Vec2>,
     /// Contacts of the later stages of Runge–Kutta, and what they need.
     stage_contacts: [Vec<Contact>; 3],
     probe: Memory,
@@ -79,12 +87,15 @@ impl Simulation {
         let memory = Memory::new(&model);
         let buffers = Buffers {
             loads: vec![Wrench::default(); count],
+            others: vec![Wrench::default(); count],
+            turning: vec![Wrench::default(); count],
             external: vec![Wrench::default(); count],
             sums: vec![Wrench::default(); count],
             rates: std::array::from_fn(|_| vec![Rate::default(); count]),
             trial: states.clone(),
             before: states.clone(),
             mean: vec![MeanVelocity::default(); count],
+            streams_mps: vec![Vec2::ZERO; count],
             stage_contacts: Default::default(),
             probe: memory.clone(),
             probe_work: Workspace::new(&model),
@@ -284,8 +295,10 @@ impl Simulation {
         // What acts besides contact, and stages 1–5: the contact engine.
         gather_loads(&self.setup.loads, t_s, step_s, &mut self.buffers.loads);
         add_external(&self.buffers.external, &mut self.buffers.loads);
+        self.buffers.others.clone_from(&self.buffers.loads);
         self.world.step(&self.setup.world, &self.states, t_s, step_s, &mut self.buffers.loads);
         self.buffers.before.clone_from(&self.states);
+        self.turn_momentum();
         if let Err(cause) = self.contact() {
             if let Some(world) = world_before {
                 self.world = world;
@@ -350,12 +363,8 @@ impl Simulation {
                 contact::step(&self.model, memory, work, &self.states, step_s)
             }
             Method::Coupled => {
-                let Buffers { loads, sums, .. } = &mut self.buffers;
-                for (body, sum) in sums.iter_mut().enumerate() {
-                    let turning = self.inertias[body].momentum_wrench(&self.states[body]);
-                    sum.force_n = loads[body].force_n + turning.force_n;
-                    sum.moment_nm = loads[body].moment_nm + turning.moment_nm;
-                }
+                let Buffers { loads, turning, sums, .. } = &mut self.buffers;
+                gather(loads, turning, sums);
                 let (model, memory, work) = (&self.model, &mut self.memory, &mut self.work);
                 if self.setup.integrator == Integrator::SemiImplicit {
                     contact::advance_in_place(model, memory, work, &mut self.states, sums, step_s)
@@ -366,10 +375,52 @@ impl Simulation {
         }
     }
 
+    /// What turns the bodies' momentum in this step: of vessels over the whole of it, of other bodies as at its
+    /// start. Contact is not known yet: that of the last step stands for it, so that who lies against her fenders is
+    /// not expected to be blown away.
+    fn turn_momentum(&mut self) {
+        let Buffers { loads, turning, .. } = &mut self.buffers;
+        for ((wrench, inertia), state) in turning.iter_mut().zip(&self.inertias).zip(&self.states) {
+            *wrench = inertia.momentum_wrench(state, Vec2::ZERO);
+        }
+        let step_s = self.setup.step_s;
+        let over = match self.setup.integrator {
+            Integrator::Euler => Some((step_s, step_s, Turns::Before)),
+            // The engine's leapfrog begins with half a kick.
+            Integrator::SemiImplicit if self.index == 0 => {
+                Some((step_s, 0.5 * step_s, Turns::After))
+            }
+            Integrator::SemiImplicit => Some((step_s, step_s, Turns::After)),
+            // Each of its stages has its own.
+            Integrator::Rk4 => None,
+        };
+        let contact = self.work.wrenches();
+        for (vessel, carried) in self.setup.world.vessels.iter().zip(&self.world.carried) {
+            let body = vessel.body;
+            let (inertia, state) = (&self.inertias[body], &self.states[body]);
+            let stream_mps = carried.stream_mps;
+            turning[body] = match over {
+                Some(over) => {
+                    let (load, contact) = (&loads[body], &contact[body]);
+                    let acts = Wrench {
+                        force_n: load.force_n + contact.force_n,
+                        moment_nm: load.moment_nm + contact.moment_nm,
+                    };
+                    turning_wrench(inertia, state, &acts, stream_mps, over)
+                }
+                None => inertia.momentum_wrench(state, stream_mps),
+            };
+        }
+    }
+
     /// Forward and semi-implicit Euler.
     fn one_stage(&mut self, advance: fn(&BodyState, &Rate, f64) -> BodyState) {
-        let Buffers { loads, sums, .. } = &mut self.buffers;
+        let Buffers { loads, turning, sums, .. } = &mut self.buffers;
         gather(loads, self.work.wrenches(), sums);
+        for (sum, turning) in sums.iter_mut().zip(&*turning) {
+            sum.force_n += turning.force_n;
+            sum.moment_nm += turning.moment_nm;
+        }
         for ((state, inertia), sum) in self.states.iter_mut().zip(&self.inertias).zip(&*sums) {
             *state = advance(state, &Rate::of(inertia, state, sum), self.setup.step_s);
         }
@@ -379,14 +430,15 @@ impl Simulation {
     fn runge_kutta(&mut self) -> Result<(), contact::StepError> {
         let step_s = self.setup.step_s;
         let buffers = &mut self.buffers;
+        for stream_mps in &mut buffers.streams_mps {
+            *stream_mps = Vec2::ZERO;
+        }
+        for (vessel, carried) in self.setup.world.vessels.iter().zip(&self.world.carried) {
+            buffers.streams_mps[vessel.body] = carried.stream_mps;
+        }
+        let moving = (&*self.inertias, &*buffers.streams_mps);
         let first_contact = self.work.wrenches();
-        rates_of(
-            &self.inertias,
-            &self.states,
-            &buffers.loads,
-            first_contact,
-            &mut buffers.rates[0],
-        );
+        rates_of(moving, &self.states, &buffers.loads, first_contact, &mut buffers.rates[0]);
         for (stage, elapsed_s) in [(1, 0.5 * step_s), (2, 0.5 * step_s), (3, step_s)] {
             for (body, state) in self.states.iter().enumerate() {
                 buffers.trial[body] = euler(state, &buffers.rates[stage - 1][body], elapsed_s);
@@ -395,14 +447,14 @@ impl Simulation {
             if self.setup.method == Method::Coupled {
                 // The mean wrench of the whole step, found with the loads of the step.
                 let contact = self.work.wrenches();
-                rates_of(&self.inertias, &buffers.trial, &buffers.loads, contact, rates);
+                rates_of(moving, &buffers.trial, &buffers.loads, contact, rates);
                 continue;
             }
             buffers.probe.copy_from(&self.memory);
             buffers.probe.set_elapsed(elapsed_s);
             let (probe, work) = (&mut buffers.probe, &mut buffers.probe_work);
             contact::step(&self.model, probe, work, &buffers.trial, step_s)?;
-            rates_of(&self.inertias, &buffers.trial, &buffers.loads, work.wrenches(), rates);
+            rates_of(moving, &buffers.trial, &buffers.loads, work.wrenches(), rates);
             buffers.stage_contacts[stage - 1].clear();
             buffers.stage_contacts[stage - 1].extend_from_slice(work.contacts());
         }
@@ -410,6 +462,7 @@ impl Simulation {
         for (body, state) in self.states.iter_mut().enumerate() {
             let mean = one[body].runge_kutta(two[body], three[body], four[body]);
             *state = euler(state, &mean, step_s);
+            buffers.mean[body] = MeanVelocity::moved(mean.motion());
         }
         Ok(())
     }
@@ -422,6 +475,8 @@ impl Simulation {
             for (mean, motion) in buffers.mean.iter_mut().zip(self.work.motions()) {
                 *mean = MeanVelocity::over(motion, step_s);
             }
+        } else if self.setup.method == Method::Coupled && self.setup.integrator == Integrator::Rk4 {
+            // As it went: the forces are held over the step, so that their work is force times way.
         } else {
             let states = buffers.before.iter().zip(&self.states);
             for (mean, (before, after)) in buffers.mean.iter_mut().zip(states) {
@@ -444,14 +499,20 @@ impl Simulation {
             Method::Coupled | Method::Paper => add(contacts, WorkBy::Motion(step_s)),
         }
         self.books.close();
-        self.ledger.book(
-            &self.inertias,
-            &self.states,
-            &buffers.loads,
-            &buffers.mean,
-            &self.books.all,
+        let loaded = LoadedStep {
+            inertias: &self.inertias,
+            before: &buffers.before,
+            after: &self.states,
+            mean: &buffers.mean,
+            others: &buffers.others,
+            world: &self.setup.world,
+            forces: &self.world.forces,
+            carried: &self.world.carried,
+            tugs: &self.world.tugs,
+            lines: &self.world.lines,
             step_s,
-        );
+        };
+        self.ledger.book(&self.inertias, &self.states, &loaded.works(), &self.books.all);
     }
 }
 
@@ -474,17 +535,19 @@ impl Setup {
     }
 }
 
+/// Rates of bodies in their streams under loads and contact.
 fn rates_of(
-    inertias: &[Inertia],
+    (inertias, streams_mps): (&[Inertia], &[Vec2]),
     states: &[BodyState],
     loads: &[Wrench],
     contact: &[Wrench],
     into: &mut [Rate],
 ) {
     for (body, rate) in into.iter_mut().enumerate() {
+        let turning = inertias[body].momentum_wrench(&states[body], streams_mps[body]);
         let sum = Wrench {
-            force_n: loads[body].force_n + contact[body].force_n,
-            moment_nm: loads[body].moment_nm + contact[body].moment_nm,
+            force_n: loads[body].force_n + contact[body].force_n + turning.force_n,
+            moment_nm: loads[body].moment_nm + contact[body].moment_nm + turning.moment_nm,
         };
         *rate = Rate::of(&inertias[body], &states[body], &sum);
     }

@@ -66,7 +66,10 @@ fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
 /// From the start to the end: what there was, what came in, and where it is.
 fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let (start, end) = (recorder.start_energy, outcome.energy);
-    let given_j = start.kinetic_j + end.load_work_j;
+    let works = end.loads.parts();
+    let pushed_j: f64 = works.iter().map(|(_, work_j)| work_j.max(0.0)).sum();
+    let given_j = start.kinetic_j + pushed_j;
+    let taken_j = pushed_j - end.load_work_j;
     let cells = |value_j: f64| {
         html! { (number(&amount(value_j, given_j))) (number(&share(value_j, given_j))) }
     };
@@ -89,9 +92,16 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                 } }
                 tbody {
                     (row("Kinetic at the start", start.kinetic_j))
-                    @if recorder.has_loads() { (row("Work of the external loads", end.load_work_j)) }
+                    @if recorder.has_loads() || pushed_j > 0.0 { (row("Given by loads", pushed_j)) }
+                    @for (name, work_j) in works {
+                        @if work_j > 0.0 { (part(load(name), work_j)) }
+                    }
                     tr class="sum" { td class="name" { "Given" } (cells(given_j)) }
                     (row("Kinetic at the end", end.kinetic_j))
+                    @if taken_j > 0.0 { (row("Taken by loads", taken_j)) }
+                    @for (name, work_j) in works {
+                        @if work_j < 0.0 { (part(load(name), -work_j)) }
+                    }
                     (row("Taken by normal forces", -end.normal_work_j))
                     (part("stored in springs and stops at the end", end.stored_j))
                     (part("lost in rubber, by unloading laws", end.hysteresis_j))
@@ -105,12 +115,37 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                 }
             }
         }
+        @if end.turned_over_j() > 0.0 {
+            p class="note" {
+                "Over the ground, added mass within: kinetic energy is what a fender on a quay has to take, work is force \
+                 times way over the ground. The residual is " (share(end.residual_j.abs(), end.turned_over_j()))
+                " % of all the energy that the loads and contacts turned over."
+            }
+        }
         @if most_j > 0.0 {
             p class="note" {
                 "The springs held most at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s: "
                 (amount(most_j, given_j)) " kJ."
             }
         }
+    }
+}
+
+/// A load as it is called in the table.
+fn load(name: &str) -> &'static str {
+    match name {
+        "hull" => "the water on hulls",
+        "propeller" => "propellers",
+        "rudder" => "rudders",
+        "thrusters" => "thrusters and azimuth units",
+        "wind" => "wind",
+        "waves" => "waves (mean drift)",
+        "banks" => "banks",
+        "bottom" => "the bottom",
+        "current" => "current that speeds up, or past a ship that turns",
+        "tugs" => "vector tugs",
+        "lines" => "lines",
+        _ => "external loads",
     }
 }
 

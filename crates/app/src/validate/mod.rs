@@ -46,6 +46,7 @@ const PUBLISHED: [(&str, &str); 14] = published![
     "propeller.toml",
     "wind.toml",
     "current_and_waves.toml",
+    "wave_drift.toml",
     "lines_and_tugs.toml",
     "heave_and_roll.toml",
 ];

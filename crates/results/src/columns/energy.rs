@@ -16,11 +16,45 @@ pub(crate) fn energy_columns() -> Vec<Column<EnergyRow>> {
         float("t_s", "s", "when the ledger stands so: the start, and the end of each step", |r| {
             r.t_s
         }),
-        float("kinetic_j", "J", "kinetic energy of all bodies, added mass included", |r| {
-            r.energy.kinetic_j
+        float(
+            "kinetic_j",
+            "J",
+            "kinetic energy of all bodies over the ground, added mass included",
+            |r| r.energy.kinetic_j,
+        ),
+        float(
+            "load_work_j",
+            "J",
+            "work over the ground since the start by all that is no contact: the sum of the next twelve",
+            |r| r.energy.load_work_j,
+        ),
+        float(
+            "hull_work_j",
+            "J",
+            "of the water on vessels' hulls, current within: drag and lift",
+            |r| r.energy.loads.hull_j,
+        ),
+        float("propeller_work_j", "J", "of propellers", |r| r.energy.loads.propeller_j),
+        float("rudder_work_j", "J", "of rudders", |r| r.energy.loads.rudder_j),
+        float("thrusters_work_j", "J", "of tunnel thrusters and azimuth units", |r| {
+            r.energy.loads.thrusters_j
         }),
-        float("load_work_j", "J", "work done by the external loads since the start", |r| {
-            r.energy.load_work_j
+        float("wind_work_j", "J", "of wind on vessels", |r| r.energy.loads.wind_j),
+        float("waves_work_j", "J", "of mean wave drift", |r| r.energy.loads.waves_j),
+        float("banks_work_j", "J", "of banks", |r| r.energy.loads.banks_j),
+        float("bottom_work_j", "J", "of the bottom on vessels aground", |r| {
+            r.energy.loads.bottom_j
+        }),
+        float(
+            "current_work_j",
+            "J",
+            "of a current that speeds up, and on the water that goes with a vessel as she turns in it; none in still water",
+            |r| r.energy.loads.current_j,
+        ),
+        float("tugs_work_j", "J", "of vector tugs", |r| r.energy.loads.tugs_j),
+        float("lines_work_j", "J", "of mooring and tow lines", |r| r.energy.loads.lines_j),
+        float("other_work_j", "J", "of the scenario's loads and other programs", |r| {
+            r.energy.loads.other_j
         }),
         float("stored_j", "J", "stored now in springs and stops of contacts", |r| {
             r.energy.stored_j
@@ -46,7 +80,7 @@ pub(crate) fn energy_columns() -> Vec<Column<EnergyRow>> {
         float(
             "residual_j",
             "J",
-            "kinetic energy less that at the start and all works: rounding, and what a step makes of \
+            "kinetic energy less that at the start and all works: rounding, and in contact what a step makes of \
              momentum that turns with the body",
             |r| r.energy.residual_j,
         ),

@@ -59,11 +59,7 @@ impl Kind {
             }),
             None => None,
         };
-        let drift = DriftHull {
-            length_m: particulars.length_m,
-            beam_m: particulars.beam_m,
-            bow_length_m: 0.2 * particulars.length_m,
-        };
+        let drift = DriftHull::of(&particulars);
         let setup = VesselSetup {
             body: 0,
             origin: data.origin.clone(),

@@ -105,20 +105,26 @@ impl Mooring {
             events.push(WorldEvent { who: index, kind: WorldEventKind::LineRenders });
         }
         self.rendering = renders;
-        let put = |loads: &mut [Wrench], body: usize, at_m: Vec2, force_n: [f64; 3]| {
-            let force_n = vec2(force_n[0], force_n[1]);
+        for (body, at_m, force_n) in setup.ends_on(self) {
             let arm_m = states[body].pose().rotation.apply(at_m);
             loads[body].force_n += force_n;
             loads[body].moment_nm += arm_m.cross(force_n);
-        };
-        put(loads, setup.ship, setup.fairlead_m, self.load.on_ship_n);
-        if let LineEnd::OnBody { body, at_m, .. } = setup.end {
-            put(loads, body, at_m, self.load.on_shore_n);
         }
     }
 }
 
 impl MooringSetup {
+    /// The bodies at its ends, with the place in the body's frame [m] and the force on it in the last step [N].
+    pub(crate) fn ends_on(&self, mooring: &Mooring) -> impl Iterator<Item = (usize, Vec2, Vec2)> {
+        let LineLoad { on_ship_n, on_shore_n, .. } = mooring.load;
+        let flat = |force_n: [f64; 3]| vec2(force_n[0], force_n[1]);
+        let far = match self.end {
+            LineEnd::OnBody { body, at_m, .. } => Some((body, at_m, flat(on_shore_n))),
+            LineEnd::Fixed(_) => None,
+        };
+        core::iter::once((self.ship, self.fairlead_m, flat(on_ship_n))).chain(far)
+    }
+
     /// Where the two ends are. Heave and roll do not move a fairlead: lines are long beside them.
     fn ends(&self, states: &[BodyState], shore: Shore<'_>) -> LineEnds {
         let at = |body: usize, at_m: Vec2, above_m: f64| {

@@ -37,6 +37,7 @@ pub use order::{Action, Order, Station};
 pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
 pub use tug::{TugAtWork, TugSetup};
+pub(crate) use vessel::Carried;
 pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, mass_matrix};
 
 /// What changes of a world: plain data, but for what can be found again.
@@ -44,6 +45,7 @@ pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, ma
 pub(crate) struct World {
     pub(crate) vessels: Vec<VesselState>,
     pub(crate) forces: Vec<VesselForces>,
+    pub(crate) carried: Vec<Carried>,
     pub(crate) lines: Vec<Mooring>,
     pub(crate) tugs: Vec<TugAtWork>,
     pub(crate) events: Vec<WorldEvent>,
@@ -66,6 +68,7 @@ impl World {
         World {
             vessels: setup.vessels.iter().map(VesselState::new).collect(),
             forces: vec![VesselForces::default(); setup.vessels.len()],
+            carried: vec![Carried::default(); setup.vessels.len()],
             lines: setup.lines.iter().map(|_| Mooring::new()).collect(),
             tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
             events: Vec::new(),
@@ -128,11 +131,11 @@ impl World {
             }
             own.aground = aground;
             let forces = vessel.forces(own, state, &setup.environment, (t_s, step_s));
-            let times = (t_s, step_s);
-            let wrench = vessel.wrench(&forces, state, &setup.environment, times);
+            let carried = vessel.carried(state, &setup.environment, (t_s, step_s));
+            let wrench = vessel.wrench(&forces, &carried, state);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
-            self.forces[index] = forces;
+            (self.forces[index], self.carried[index]) = (forces, carried);
         }
         for (index, (tug, of)) in self.tugs.iter_mut().zip(&setup.tugs).enumerate() {
             let vessel = &setup.vessels[of.vessel];

@@ -1,6 +1,6 @@
 //! A ship in her water and wind: from her state and controls to the wrench on her body.
 
-use fenderline_contact::{BodyState, Rotation, Wrench, vec2};
+use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::environment::Environment;
@@ -127,13 +127,24 @@ pub struct VesselForces {
     pub bottom: Force,
 }
 
+/// What a vessel's water does besides her forces.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Carried {
+    /// Less what her hull's force has of the momentum that turns with her: about midship, in her axes.
+    pub(crate) ideal: Force,
+    /// The stream that she is in [m/s].
+    pub(crate) stream_mps: Vec2,
+    /// What water that speeds up does to her: about her centre of gravity, earth-fixed.
+    pub(crate) along: Wrench,
+}
+
 impl VesselForces {
     /// What she feels besides what she orders: hull, wind and waves.
     pub(crate) fn felt(&self) -> Force {
         self.hull + self.wind + self.waves
     }
 
-    fn sum(&self) -> Force {
+    pub(crate) fn sum(&self) -> Force {
         self.hull
             + self.propeller
             + self.rudder
@@ -235,7 +246,7 @@ impl VesselSetup {
             rudder: parts.rudder,
             thrusters,
             wind: self.wind(state, environment, t_s),
-            waves: self.drift(state, environment),
+            waves: self.drift(state, environment, t_s),
             banks: self.banks(state, &velocity, environment, t_s),
             bottom: self.bottom(vessel, state, environment, step_s),
         }
@@ -267,12 +278,15 @@ impl VesselSetup {
         Velocity { surge_mps: own.x, sway_mps, yaw_radps }
     }
 
-    fn drift(&self, state: &BodyState, environment: &Environment) -> Force {
+    fn drift(&self, state: &BodyState, environment: &Environment, t_s: f64) -> Force {
         let (Some(sea), Some(hull)) = (&environment.sea, &self.drift) else {
             return Force::default();
         };
         let density = environment.water_density_kgpm3;
-        let [surge_n, sway_n, yaw_nm] = mean_drift(sea, hull, state.heading_rad, density);
+        let draught_m = self.ship.particulars.draught_m;
+        let stream_mps = environment.current(state.position_m, t_s, draught_m);
+        let going = (state.heading_rad, state.velocity_mps - stream_mps);
+        let [surge_n, sway_n, yaw_nm] = mean_drift(sea, hull, going, density);
         Force { surge_n, sway_n, yaw_nm }
     }
 
@@ -398,41 +412,61 @@ impl VesselSetup {
         Force { surge_n, sway_n, yaw_nm }
     }
 
-    /// The earth-fixed wrench about the centre of gravity that makes the engine's M v̇ = W the MMG method's
-    /// equations of motion.
+    /// What the water does to her besides her forces, so that with the momentum that turns with her
+    /// ([`crate::turning`]) they make the MMG method's equations of motion.
     ///
-    /// The forces X, Y, N about midship have the added mass' Coriolis terms in them, and the engine's mass
-    /// matrix is that about the centre of gravity. With v_g the sway of the centre of gravity and
-    /// x_G its place forward of midship, that leaves (X − m_x v_g r, Y + m_y u r, N − x_G (Y + m_y u r)).
+    /// The hull's force about midship has the added mass' Coriolis terms in it, (m_y v r, −m_x u r), and Munk's moment
+    /// (m_x − m_y) u v within N_v. The integrators turn the momentum of ship and added mass by themselves, about the
+    /// centre of gravity, so that these terms are taken off. Together they do no work.
     ///
     /// Water that speeds up takes her along: M (v̇ − DU/Dt) = W, the pressure gradient on the displaced water and
     /// the added mass by the relative acceleration (Auton, Hunt & Prud'homme 1988, recalled, for a body that is
     /// small beside the stream's changes). So M·DU/Dt is added; in a steady uniform current it is zero.
-    pub(crate) fn wrench(
+    pub(crate) fn carried(
         &self,
-        forces: &VesselForces,
         state: &BodyState,
         environment: &Environment,
         (t_s, step_s): (f64, f64),
-    ) -> Wrench {
-        let Force { surge_n, sway_n, yaw_nm } = forces.sum();
-        let velocity = self.velocity(state, environment, t_s);
-        let ahead_m = self.ship.particulars.centre_of_gravity_m;
+    ) -> Carried {
+        let Velocity { surge_mps: u, sway_mps: v, yaw_radps: r } =
+            self.velocity(state, environment, t_s);
         let density = environment.density().density_kgpm3;
-        let r = velocity.yaw_radps;
-        let sway_of_gravity_mps = velocity.sway_mps + ahead_m * r;
-        let surge_n = surge_n - density * self.ship.added_mass.surge_m3 * sway_of_gravity_mps * r;
-        let sway_n = sway_n + density * self.ship.added_mass.sway_m3 * velocity.surge_mps * r;
+        let added = &self.ship.added_mass;
+        let (surge_kg, sway_kg) = (density * added.surge_m3, density * added.sway_m3);
+        let ideal = Force {
+            surge_n: -sway_kg * v * r,
+            sway_n: surge_kg * u * r,
+            yaw_nm: (sway_kg - surge_kg) * u * v,
+        };
         let draught_m = self.ship.particulars.draught_m;
-        let water = environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
+        let speeds_up = environment.water_acceleration(state.position_m, (t_s, step_s), draught_m);
         let attitude = Rotation::from_angle(state.heading_rad);
-        let water = attitude.apply_inverse(water);
+        let own = attitude.apply_inverse(speeds_up);
         let [[surge_kg, ..], [_, sway_kg, _], [_, coupling_kgm, _]] =
             mass_matrix(&self.ship, density);
-        let own = vec2(surge_n + surge_kg * water.x, sway_n + sway_kg * water.y);
+        Carried {
+            ideal,
+            stream_mps: environment.current(state.position_m, t_s, draught_m),
+            along: Wrench {
+                force_n: attitude.apply(vec2(surge_kg * own.x, sway_kg * own.y)),
+                moment_nm: coupling_kgm * own.y,
+            },
+        }
+    }
+
+    /// All of it as an earth-fixed wrench about the centre of gravity, without what turns the momentum.
+    pub(crate) fn wrench(
+        &self,
+        forces: &VesselForces,
+        carried: &Carried,
+        state: &BodyState,
+    ) -> Wrench {
+        let Force { surge_n, sway_n, yaw_nm } = forces.sum() + carried.ideal;
+        let ahead_m = self.ship.particulars.centre_of_gravity_m;
+        let attitude = Rotation::from_angle(state.heading_rad);
         Wrench {
-            force_n: attitude.apply(own),
-            moment_nm: yaw_nm - ahead_m * sway_n + coupling_kgm * water.y,
+            force_n: attitude.apply(vec2(surge_n, sway_n)) + carried.along.force_n,
+            moment_nm: yaw_nm - ahead_m * sway_n + carried.along.moment_nm,
         }
     }
 

@@ -7,7 +7,7 @@ mod world;
 
 use fenderline_contact::{BodyState, Rotation};
 use fenderline_sim::{Energy, Integrator, Method, PairSummary};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::outcome::Outcome;
 use super::{OutputError, SUMMARY, WrittenFile};
@@ -130,9 +130,16 @@ fn pair_json<'a>(pair: &PairSummary, name: &impl Fn(usize) -> &'a str) -> Value 
 }
 
 fn energy_json(energy: Energy) -> Value {
+    let loads: Map<String, Value> = energy
+        .loads
+        .parts()
+        .iter()
+        .map(|(name, work_j)| ((*name).to_owned(), json!(work_j)))
+        .collect();
     json!({
         "kinetic_j": energy.kinetic_j,
         "load_work_j": energy.load_work_j,
+        "load_works_j": loads,
         "normal_work_j": energy.normal_work_j,
         "tangential_work_j": energy.tangential_work_j,
         "stored_j": energy.stored_j,
@@ -143,5 +150,6 @@ fn energy_json(energy: Energy) -> Value {
         "friction_j": energy.friction_j,
         "contact_residual_j": energy.contact_residual_j,
         "residual_j": energy.residual_j,
+        "turned_over_j": energy.turned_over_j(),
     })
 }

@@ -1,8 +1,8 @@
 //! Waves, mooring cable and tug.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use fenderline_sim::environment::waves::Jonswap;
+use fenderline_sim::environment::waves::{DriftHull, Jonswap};
 use fenderline_sim::mooring::{Cable, catenary};
 use fenderline_sim::tug::TugEnvelope;
 
@@ -18,8 +18,35 @@ pub(super) fn compute(values: &mut Values) {
     let m0_m2 = jonswap_m0_m2();
     values.put("jonswap/m0", m0_m2, "m²");
     values.put("jonswap/height", 4.0 * m0_m2.sqrt(), "m");
+    drift(values);
     cable(values);
     tug(values);
+}
+
+/// The two ships of the MSS toolbox: mean drift over ρga² in deep water, from ahead −X, from port Y.
+fn drift(values: &mut Values) {
+    let tanker = DriftHull {
+        length_m: 246.0,
+        beam_m: 46.0,
+        draught_m: 10.0,
+        block_coefficient: 92_309.0 / (246.0 * 46.0 * 10.0),
+    };
+    let fpso = DriftHull {
+        length_m: 200.0,
+        beam_m: 44.0,
+        draught_m: 12.0,
+        block_coefficient: 97_961.0 / (200.0 * 44.0 * 12.0),
+    };
+    for (ship, hull) in [("tanker", tanker), ("fpso", fpso)] {
+        for period_s in [5.95, 7.16, 8.63, 10.44, 15.32] {
+            let frequency_radps = TAU / period_s;
+            let number = frequency_radps * frequency_radps / GRAVITY_MPS2;
+            let [ahead_m, ..] = hull.coefficients(number, PI);
+            let [_, abeam_m, _] = hull.coefficients(number, FRAC_PI_2);
+            values.put(format!("drift/{ship}/ahead/{period_s}"), -ahead_m, "m");
+            values.put(format!("drift/{ship}/abeam/{period_s}"), abeam_m, "m");
+        }
+    }
 }
 
 /// Hs 2 m, Tp 8 s, γ 3.3, from 0.2 to 4 rad/s, in strips of 1e-3 rad/s.

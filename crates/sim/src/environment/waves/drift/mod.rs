@@ -1,0 +1,120 @@
+//! Mean drift force of waves on a ship at rest, by frequency and heading.
+//!
+//! In a regular wave of amplitude a the force is ρga² times a length, and the moment ρga² times an area: the
+//! [`DriftHull::coefficients`]. They have two parts.
+//!
+//! - *Reflection*: waves that the side turns back push it as radiation pressure does. In waves that are short
+//!   beside the draught it is ½ρga²∫sin²θ n dl along the part of the waterline that sees them ([`waterline`];
+//!   Faltinsen, Minsaas, Liapis & Skjørdal, "Prediction of resistance and propulsion of a ship in a seaway", 13th
+//!   Symposium on Naval Hydrodynamics, 1980). In longer waves only what lies within the draught is turned back
+//!   ([`depth`]).
+//! - *Motion*: what heave and pitch radiate, which is greatest where the ship is about as long as the wave
+//!   ([`motion`]).
+//!
+//! A ship that goes with the waves is drifted less, and one that goes against them more: [`encountered`].
+//!
+//! `validation/wave_drift.toml` holds them against mean drift by a panel code for two ships.
+
+mod depth;
+mod motion;
+mod waterline;
+
+use fenderline_contact::Vec2;
+
+use super::GRAVITY_MPS2;
+use super::sea::Sea;
+use crate::hydro::Particulars;
+use crate::range::{OutOfRange, within};
+use waterline::Waterline;
+
+/// A hull that waves drift away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DriftHull {
+    /// Length on the waterline [m].
+    pub length_m: f64,
+    /// Beam [m].
+    pub beam_m: f64,
+    /// Draught [m].
+    pub draught_m: f64,
+    /// Block coefficient.
+    pub block_coefficient: f64,
+}
+
+impl DriftHull {
+    /// A ship's.
+    #[must_use]
+    pub fn of(ship: &Particulars) -> DriftHull {
+        DriftHull {
+            length_m: ship.length_m,
+            beam_m: ship.beam_m,
+            draught_m: ship.draught_m,
+            block_coefficient: ship.block_coefficient(),
+        }
+    }
+
+    /// Checks every number.
+    ///
+    /// # Errors
+    /// The first that no ship has, by its name.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        within("length on the waterline [m]", self.length_m, 0.1, 2000.0)?;
+        within("beam [m]", self.beam_m, 0.05, 500.0)?;
+        within("draught [m]", self.draught_m, 0.01, 100.0)?;
+        within("block coefficient", self.block_coefficient, 0.1, 1.0)?;
+        Ok(())
+    }
+
+    /// Mean force to starboard of and along the bow, and moment about midship, over ρga², in a regular wave of
+    /// amplitude a and wave number k > 0 [rad/m] that runs towards μ from the bow [rad]: [X, Y, N] in
+    /// [m, m, m²].
+    #[must_use]
+    pub fn coefficients(&self, number_radpm: f64, direction_rad: f64) -> [f64; 3] {
+        let reflected = Waterline::of(self).reflection(direction_rad);
+        self.add_up(&reflected, number_radpm, direction_rad)
+    }
+
+    /// Surge has the draught factor and the motion part of one method, sway and yaw have a factor of their own: see
+    /// [`depth`].
+    fn add_up(&self, reflected: &[f64; 3], number_radpm: f64, direction_rad: f64) -> [f64; 3] {
+        let along = depth::along(self, number_radpm);
+        let across = depth::across(self.draught_m, number_radpm);
+        let [surge_m, sway_m, yaw_m2] = *reflected;
+        let motion_m = motion::surge_m(self, number_radpm, direction_rad);
+        [along * surge_m + motion_m, across * sway_m, across * yaw_m2]
+    }
+}
+
+/// The mean drift force of a sea on a hull, [X, Y, N] about midship in [N, N, N·m], by her heading and her velocity
+/// through the water, north and east [m/s]: ρg Σ a²·C(k, μ) over the sea's harmonics, which is the integral of
+/// 2ρg S(ω)·C over the spectrum.
+#[must_use]
+pub fn mean_drift(
+    sea: &Sea,
+    hull: &DriftHull,
+    (heading_rad, velocity_mps): (f64, Vec2),
+    water_density_kgpm3: f64,
+) -> [f64; 3] {
+    let direction_rad = sea.towards_rad() - heading_rad;
+    let reflected = Waterline::of(hull).reflection(direction_rad);
+    let mut sum = [0.0; 3];
+    for wave in &sea.components {
+        let squared_m2 = wave.amplitude_m * wave.amplitude_m;
+        let with_waves = wave.number_radpm.dot(velocity_mps) / wave.frequency_radps;
+        let (number_radpm, share) = encountered(wave.number_radpm.length(), -with_waves);
+        let coefficients = hull.add_up(&reflected, number_radpm, direction_rad);
+        for (sum, coefficient) in sum.iter_mut().zip(coefficients) {
+            *sum += squared_m2 * share * coefficient;
+        }
+    }
+    sum.map(|sum| water_density_kgpm3 * GRAVITY_MPS2 * sum)
+}
+
+/// The wave that drifts a ship who goes against it with a share τ of its own speed, and how much more it does: the
+/// one of the frequency of encounter ω(1 + τ), 1 + 4τ times (Aranha, "A formula for 'wave damping' in the drift of a
+/// floating body", J. Fluid Mech. 275, 1994; recalled, without the change of direction that goes with it). It is of
+/// first order in τ: held beyond a quarter, where a ship that goes with the waves is not drifted any more.
+fn encountered(number_radpm: f64, against: f64) -> (f64, f64) {
+    let against = against.clamp(-0.25, 0.25);
+    let ratio = 1.0 + against;
+    (number_radpm * ratio * ratio, 1.0 + 4.0 * against)
+}

@@ -1,0 +1,56 @@
+//! What heave and pitch make of the mean force along the ship.
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::DriftHull;
+
+/// Ratios of beam and draught that the regression was made for, as far as is known; held beyond.
+const BEAM_OVER_DRAUGHT: [f64; 2] = [2.0, 9.0];
+
+/// Radius of gyration of pitch over length; the method's own where it is not known.
+const PITCH_GYRATION: f64 = 0.25;
+
+/// The part of the SNNM method (ITTC 7.5-04-01-01.1; Liu & Papanikolaou 2020, see [`super::depth`]) that is due to
+/// motions, for a ship at rest on an even keel, over ρga² [m], forward. In its angle α the wave comes from ahead at 0.
+///
+/// 4 B²/L · 241.2 C_B^1.34 k_yy² a₁ a₂ ω̄^b₁ exp(b₁/d₁ (1 − ω̄^d₁)), ω̄ over the frequency at which it is largest.
+pub(super) fn surge_m(hull: &DriftHull, number_radpm: f64, direction_rad: f64) -> f64 {
+    let block = hull.block_coefficient;
+    let [least, most] = BEAM_OVER_DRAUGHT;
+    let flatness = libm::log((hull.beam_m / hull.draught_m).clamp(least, most));
+    let off_head_rad = PI - libm::remainder(direction_rad, TAU).abs();
+    let (cos, slenderness) = (libm::cos(off_head_rad), hull.length_m / hull.beam_m);
+    // (13 + cos 2α)/14, cos 2α = 2cos²α − 1.
+    let heading = 0.618 * (12.0 + 2.0 * cos * cos) / 14.0;
+    let ratio = 2.142
+        * libm::cbrt(PITCH_GYRATION)
+        * (hull.length_m * number_radpm / TAU).sqrt()
+        * libm::pow(block / 0.65, 0.17)
+        * (1.0 - 0.111 / block * (flatness - libm::log(2.75)))
+        * heading;
+    let (exponent, width) = if ratio < 1.0 {
+        (11.0, 566.0 * libm::pow(slenderness * block, -2.66))
+    } else {
+        (-8.5, -4.0 * 566.0 * libm::pow(slenderness, -2.66))
+    };
+    let shape =
+        libm::pow(ratio, exponent) * libm::exp(exponent / width * (1.0 - libm::pow(ratio, width)));
+    let size = 4.0 * hull.beam_m / slenderness
+        * 241.2
+        * libm::pow(block, 1.34)
+        * PITCH_GYRATION
+        * PITCH_GYRATION;
+    -size * amplitude(block, flatness, off_head_rad, cos) * shape
+}
+
+/// a₁a₂: by formula up to waves from abeam, in a straight line each from there to waves from astern, which push
+/// her ahead.
+fn amplitude(block: f64, flatness: f64, off_head_rad: f64, cos: f64) -> f64 {
+    let fullness = 0.87 / block;
+    if off_head_rad <= FRAC_PI_2 {
+        return 0.0072 * libm::pow(fullness, cos) * (1.0 + 2.0 * cos) / (3.0 * flatness);
+    }
+    let share = off_head_rad / FRAC_PI_2 - 1.0;
+    let [abeam, astern] = [1.0 / (3.0 * flatness), fullness / flatness];
+    (abeam + share * (astern - abeam)) * 0.0072 * (1.0 - 2.0 * share)
+}
