@@ -146,8 +146,16 @@ impl Polynomial {
             Polynomial::CrossFlow(p) => {
                 let flow = p.cross_flow;
                 let own = [
-                    p.ahead, p.astern, p.surge_vr, p.sway_v, p.sway_r, p.yaw_v, p.yaw_r,
-                    flow.drag_coefficient, flow.yaw_gain_force, flow.yaw_gain_moment,
+                    p.ahead,
+                    p.astern,
+                    p.surge_vr,
+                    p.sway_v,
+                    p.sway_r,
+                    p.yaw_v,
+                    p.yaw_r,
+                    flow.drag_coefficient,
+                    flow.yaw_gain_force,
+                    flow.yaw_gain_moment,
                 ];
                 let mut all = [0.0; 17];
                 all[..own.len()].copy_from_slice(&own);

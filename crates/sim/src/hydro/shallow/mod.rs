@@ -6,7 +6,7 @@
 //!
 //! | set | linear terms | the rest |
 //! |---|---|---|
-//! | [`CorrectionSet::Combined`], the default | Y_v, Y_r and N_v by the effective aspect ratio ([`aspect_ratio`]); N_r by the geometric mean of this, of Kijima's power ([`taimuri`]) and of Ankudinov ([`ankudinov`]) | nonlinear terms and added mass by Ankudinov; resistance, wake, thrust deduction and flow straightening as [`stern`] |
+//! | [`CorrectionSet::Combined`], the default | Y_v, Y_r and N_v by the effective aspect ratio (`aspect_ratio.rs`); N_r by the geometric mean of this, of Kijima's power (`taimuri.rs`) and of Ankudinov (`ankudinov.rs`) | nonlinear terms and added mass by Ankudinov; resistance, wake, thrust deduction and flow straightening as `stern.rs` |
 //! | [`CorrectionSet::EffectiveAspectRatio`] | by the effective aspect ratio | as the default |
 //! | [`CorrectionSet::Ankudinov`] | by Ankudinov | as the default |
 //! | [`CorrectionSet::Taimuri`] | by Taimuri et al. (2020) | theirs, wake and all |

@@ -60,11 +60,9 @@ fn stern(ship: &Particulars, x: f64) -> SternFactors {
     let long = block * length_m / beam_m;
     let thick = block * beam_m / length_m;
     let thrust = 29.495 + long * (1.6486 * long - 14.089);
-    let shallower = 1.0
-        + (-10.258 + thick * (178.207 - 686.25 * thick))
-            * (-3.854 + x * (13.665 - 10.468 * x));
-    let deeper =
-        1.0 + (-135.25 + thick * (2432.95 - 10_137.7 * thick)) * libm::pow(x, 4.81);
+    let shallower =
+        1.0 + (-10.258 + thick * (178.207 - 686.25 * thick)) * (-3.854 + x * (13.665 - 10.468 * x));
+    let deeper = 1.0 + (-135.25 + thick * (2432.95 - 10_137.7 * thick)) * libm::pow(x, 4.81);
     let is_deeper = x <= 0.581 - 0.332 * draught_m / beam_m;
     SternFactors {
         driving: 1.0 + thrust * (0.004 - 0.035 * x - 0.104 * x * x),
