@@ -212,15 +212,12 @@ fn no_jump_from_deep_water_to_the_bottom() {
         ] {
             let velocity = Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / length_m };
             let controls = Controls { shaft_rps: 0.7, rudder_rad: 0.3 };
-            let parts: [(&str, fn(&Parts) -> Force); 3] = [
-                ("hull", |parts| parts.hull),
-                ("propeller", |parts| parts.propeller),
-                ("rudder", |parts| parts.rudder),
-            ];
-            for (part, of) in parts {
+            for (index, part) in ["hull", "propeller", "rudder"].into_iter().enumerate() {
                 let at = |t: f64| {
                     let there = ship.at_depth(ratio(t) * draught_m);
-                    of(&there.parts(&velocity, &controls, Water::SEA))
+                    let Parts { hull, propeller, rudder } =
+                        there.parts(&velocity, &controls, Water::SEA);
+                    [hull, propeller, rudder][index]
                 };
                 no_jump(&format!("{name}, {part}, {velocity:?}"), scale_n(&ship), length_m, &at);
             }
