@@ -8,7 +8,7 @@ use fenderline_nautical::{ChartOrigin, GeoPoint};
 use fenderline_scenario::{Override, ScenarioError};
 
 use crate::check::SchemaOf;
-use crate::manoeuvre::ManoeuvreName;
+use crate::manoeuvre::{ManoeuvreName, WaterDepth};
 use crate::output::Format;
 
 /// Ship, fender, quay and tug contact: run, check and validate scenarios.
@@ -134,7 +134,11 @@ pub(crate) struct ManoeuvreArgs {
     /// Speed of approach in knots [default: the vessel's own]
     #[arg(long, value_name = "KN", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) speed: Option<f64>,
-    /// Side force of the crabbing in kilonewtons [default: what drag balances at a Froude number of 0.01]
+    /// Depth of water in metres or in draughts, such as 31.2 or "1.5 T": the measures there, beside those in deep
+    /// water [default: deep water alone]
+    #[arg(long, value_name = "DEPTH", allow_hyphen_values = true)]
+    pub(crate) depth: Option<WaterDepth>,
+    /// Side force of the crabbing in kilonewtons [default: what drag balances in deep water at a Froude number of 0.01]
     #[arg(long, value_name = "KILONEWTONS", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) push: Option<f64>,
     /// Print JSON instead of tables

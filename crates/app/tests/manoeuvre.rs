@@ -77,7 +77,8 @@ fn the_table_has_every_measure_limit_and_source() {
     ] {
         assert!(run.stdout.contains(text), "{text} is missing:\n{}", run.stdout);
     }
-    assert!(!run.stdout.contains("NaN") && !run.stdout.contains("inf"));
+    // Whole words: a source may have one with "inf" in it.
+    assert!(!run.stdout.split_whitespace().any(|word| ["NaN", "inf", "-inf"].contains(&word)));
     assert_eq!(place.run(&["manoeuvre", "kcs"]).stdout, run.stdout, "the same again");
 
     // One manoeuvre alone, under other conditions: no limit of IMO's holds there.
@@ -124,6 +125,53 @@ fn tracks_are_written_whole() {
     assert!(!place.exists("tracks/turning_port.csv.part"));
 }
 
+/// What she does in shallow water stands beside what she does in deep water, which is what she does without the option.
+#[test]
+fn a_depth_of_water_is_shown_beside_deep_water() {
+    let place = Workplace::new("manoeuvre_depth");
+    let run = ["kvlcc2", "--speed", "7"];
+    let deep = json(&place, &run);
+    let there = json(&place, &[&run[..], &["--depth", "1.2 T"]].concat());
+    let metres = json(&place, &[&run[..], &["--depth", "24.96 m"]].concat());
+    assert_eq!(there["depth_m"].as_f64().map(|m| (m * 1e6).round()), Some(24_960_000.0));
+    assert_eq!(deep["depth_m"], Value::Null);
+    for (title, key, side) in [
+        ("Turning circle", "tactical_diameter", "starboard"),
+        ("Zig-zag 20°/20°", "first_overshoot", "port"),
+        ("Crabbing", "sway", "starboard"),
+        ("Bollard pull", "pull", "astern"),
+    ] {
+        let beside = measure(&there, title, key, &format!("{side}, deep"));
+        assert_eq!(beside, measure(&deep, title, key, side), "{title} {key}");
+        assert_eq!(measure(&there, title, key, side), measure(&metres, title, key, side));
+    }
+    let ratio = |title: &str, key: &str, side: &str| {
+        measure(&there, title, key, side) / measure(&deep, title, key, side)
+    };
+    let wider = ratio("Turning circle", "tactical_diameter", "starboard");
+    assert!((1.3..1.95).contains(&wider), "{wider}");
+    assert!(ratio("Turning circle", "steady_drift", "port") < 0.5);
+    assert!(ratio("Zig-zag 10°/10°", "first_overshoot", "starboard") < 0.9);
+    // The same push at midship against UFC's drag, three times hers in deep water and more.
+    assert!(ratio("Crabbing", "sway", "starboard") < 0.62);
+    assert_eq!(there["notices"].as_array().map(Vec::len), Some(0));
+
+    let run = place.run(&["manoeuvre", "kcs", "turning", "--depth", "1.15T", "--out", "tracks"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    for said in [
+        "still water 12.42 m deep, 1.15 draughts, beside deep water,",
+        "note: --depth: 1.15 draughts; corrections are made for 1.2 and more; here they go on along their tangent",
+        "Froude number of depth of 1.12",
+        "port, deep",
+        "turning_port_shallow.csv",
+    ] {
+        assert!(run.stdout.contains(said), "{said}: {}", run.stdout);
+    }
+    assert!(!run.stdout.contains("IMO asks"), "IMO's limits are for deep water");
+    let run = place.run(&["manoeuvre", "kvlcc2", "turning", "--depth", "21"]);
+    assert!(run.stdout.contains("held below 1.1"), "{}", run.stdout);
+}
+
 #[test]
 fn what_cannot_be_done_is_refused_by_name() {
     let place = Workplace::new("manoeuvre_refusals");
@@ -139,6 +187,14 @@ fn what_cannot_be_done_is_refused_by_name() {
         (&["kcs", "crabbing", "--speed", "5"], 2, "--speed has no effect"),
         (&["kcs", "turning", "--push", "5"], 2, "--push has no effect"),
         (&["kcs", "crabbing", "--out", "x"], 2, "has a track"),
+        (
+            &["kcs", "turning", "--depth", "10.8"],
+            2,
+            "--depth: 10.8 m of water under a draught of 10.8 m",
+        ),
+        (&["kcs", "turning", "--depth", "0.9 T"], 2, "aground"),
+        (&["kcs", "turning", "--depth", "-3"], 2, "must be positive"),
+        (&["kcs", "turning", "--depth", "12 ft"], 2, "a number of metres or of draughts"),
         (&["kcs", "turning", "--out", "tug.toml"], 1, "cannot write tug.toml"),
     ] {
         let run = place.run(&[&["manoeuvre"], args].concat());

@@ -12,8 +12,8 @@ use std::f64::consts::{PI, TAU};
 
 use fenderline_sim::hydro::vessels::Vessel;
 use fenderline_sim::hydro::{
-    Controls, Force, Mmg, Particulars, Propeller, Series, Squat, TunnelThruster, Velocity, Water,
-    polynomial_weight, tunnel_effect,
+    Controls, Force, Mmg, Particulars, Parts, Propeller, Series, Squat, TunnelThruster, Velocity,
+    Water, polynomial_weight, tunnel_effect,
 };
 use proptest::prelude::*;
 use ships::{esso_osaka_model, kcs, kvlcc2};
@@ -192,26 +192,38 @@ fn no_jump_through_the_four_quadrants_of_a_propeller() {
     }
 }
 
-/// From three draughts of water to half of one, where she is hard aground: forces at every way of moving, added mass
-/// and squat. The factors are held from 1.1 draughts on, where they turn sharply and do not jump.
+/// From ten draughts of water to half of one, where she is hard aground: hull, propeller and rudder each by itself at
+/// every way of moving, a hard turn among them; added mass and squat. The factors are held from 1.1 draughts on, where
+/// they turn sharply and do not jump.
 #[test]
 fn no_jump_from_deep_water_to_the_bottom() {
+    let ratio = |t: f64| 10.0 - 9.5 * t;
     for (name, ship) in
         [kvlcc2(), kcs(), esso_osaka_model()].map(|vessel| (vessel.origin.title, vessel.ship))
     {
         let Particulars { length_m, draught_m, .. } = ship.particulars;
-        for [surge_mps, sway_mps, tip_mps] in
-            [[4.0, 0.3, 0.0], [0.0, 0.5, 0.3], [-1.0, -0.2, 1.0], [0.0, 0.0, 0.0]]
-        {
+        for [surge_mps, sway_mps, tip_mps] in [
+            [4.0, 0.3, 0.0],
+            [3.0, -0.8, 2.0],
+            [3.0, -2.5, 4.0],
+            [0.0, 0.5, 0.3],
+            [-1.0, -0.2, 1.0],
+            [0.0, 0.0, 0.0],
+        ] {
             let velocity = Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / length_m };
-            let at = |t: f64| {
-                let there = ship.at_depth((3.0 - 2.5 * t) * draught_m);
-                forces(&there, velocity, Controls { shaft_rps: 0.7, rudder_rad: 0.3 })
-            };
-            no_jump(&format!("{name}, depth, {velocity:?}"), scale_n(&ship), length_m, &at);
+            let controls = Controls { shaft_rps: 0.7, rudder_rad: 0.3 };
+            for (index, part) in ["hull", "propeller", "rudder"].into_iter().enumerate() {
+                let at = |t: f64| {
+                    let there = ship.at_depth(ratio(t) * draught_m);
+                    let Parts { hull, propeller, rudder } =
+                        there.parts(&velocity, &controls, Water::SEA);
+                    [hull, propeller, rudder][index]
+                };
+                no_jump(&format!("{name}, {part}, {velocity:?}"), scale_n(&ship), length_m, &at);
+            }
         }
         let at = |t: f64| {
-            let depth_m = (3.0 - 2.5 * t) * draught_m;
+            let depth_m = ratio(t) * draught_m;
             let squats_m = [Squat::Icorels, Squat::Barrass, Squat::Eryuzlu]
                 .map(|squat| squat.sinkage_m(&ship.particulars, depth_m, 4.0));
             let [surge_n, sway_n, yaw_nm] = squats_m;
@@ -219,7 +231,7 @@ fn no_jump_from_deep_water_to_the_bottom() {
         };
         no_jump(&format!("{name}, squat"), 1.0, 1.0, &at);
         let at = |t: f64| {
-            let added = ship.at_depth((3.0 - 2.5 * t) * draught_m).added_mass;
+            let added = ship.at_depth(ratio(t) * draught_m).added_mass;
             Force { surge_n: added.surge_m3, sway_n: added.sway_m3, yaw_nm: added.yaw_m5 }
         };
         no_jump(&format!("{name}, added mass"), 1e6, length_m * length_m, &at);

@@ -6,11 +6,10 @@ mod ships;
 
 use fenderline_sim::hydro::shallow::{
     barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_cross_flow_drag,
-    shallow_sway_derivative, shallow_yaw_derivative,
 };
 use fenderline_sim::hydro::{
     CrossFlow, HydroError, LowSpeedHull, Particulars, Propeller, Series, Velocity, Water,
-    clarke_added_mass, hoerner_drag_coefficient, shallow_sway_factor, zhou_added_mass,
+    clarke_added_mass, hoerner_drag_coefficient, zhou_added_mass,
 };
 use proptest::prelude::*;
 use ships::{esso_osaka_model, kcs, kvlcc2, kvlcc2_model};
@@ -175,45 +174,6 @@ fn masses_of_the_papers_ships() {
     printed(1025.0 * ship.yaw_inertia_m5() / 1e7, 5.95, 1e-2);
     let refused = clarke_added_mass(&tug()).expect_err("a stubby tug");
     assert!(matches!(refused, HydroError::NegativeAddedMass { .. }), "{refused}");
-}
-
-#[test]
-fn shallow_water_raises_the_added_mass() {
-    // The sheet does not say for which B/T; its three numbers fit 3.08 within 0.5 % of Ankudinov's polynomial.
-    let ship = Particulars::from_block(200.0, 30.8, 10.0, 0.8).expect("a ship");
-    for (ratio, factor) in [(2.0, 1.38), (1.5, 2.09), (1.2, 4.37)] {
-        let ours = shallow_sway_factor(&ship, 10.0 * ratio).expect("afloat");
-        assert!((ours / factor - 1.0).abs() < 5e-3, "{ours} at h/T {ratio}");
-    }
-    let deep = shallow_sway_factor(&ship, 10_000.0).expect("afloat");
-    assert!((deep - 1.0).abs() < 1e-3, "{deep}");
-    assert!(matches!(shallow_sway_factor(&ship, 10.0), Err(HydroError::Aground { .. })));
-    assert!(matches!(shallow_sway_factor(&ship, f64::NAN), Err(HydroError::Aground { .. })));
-    assert!(matches!(shallow_sway_factor(&ship, 10.5), Err(HydroError::OutOfRange { .. })));
-}
-
-#[test]
-fn shallow_derivatives_are_one_in_deep_water_and_grow() {
-    let ship = kvlcc2().ship;
-    let p = &ship.particulars;
-    let factors = |depth_m: f64| {
-        [shallow_sway_derivative(p, depth_m), shallow_yaw_derivative(p, depth_m)]
-            .map(|f| f.expect("afloat"))
-    };
-    for deep in factors(1e9) {
-        assert!((deep - 1.0).abs() < 1e-6);
-    }
-    // By hand, h/T = 1.5: −2/3 + 3^(0.4·0.809744·2.788462), −2/3 + 3^(1.5 − 14.28·0.065).
-    let [sway, yaw] = factors(1.5 * p.draught_m);
-    printed(sway, 2.0306, 1e-4);
-    printed(yaw, 1.2075, 1e-4);
-    let shallow = ship.at_depth(1.5 * p.draught_m);
-    assert!(shallow.added_mass.sway_m3 > 1.9 * ship.added_mass.sway_m3);
-    // A ship that slides sideways ahead meets more resistance there.
-    let velocity = Velocity { surge_mps: 3.0, sway_mps: 0.3, yaw_radps: 0.0 };
-    let controls = fenderline_sim::hydro::Controls::default();
-    let sway_n = |s: &fenderline_sim::hydro::Mmg| s.forces(&velocity, &controls, Water::SEA).sway_n;
-    assert!(sway_n(&shallow) < 1.5 * sway_n(&ship) && sway_n(&ship) < 0.0);
 }
 
 #[test]

@@ -249,22 +249,6 @@ fn esso_osaka_turns_as_the_independent_calculation_says() {
     }
 }
 
-/// Shallow water widens the turn. The sheet's numbers are another ship's (Esso, 190 000 dwt: TD 3.15, 3.49 and 5.33 L in
-/// deep water, at h/T 1.5 and at 1.2), so that only the order of things is held.
-#[test]
-fn shallow_water_widens_the_turn() {
-    let deep = kvlcc2();
-    let draught_m = deep.ship.particulars.draught_m;
-    let tactical = |vessel: &Vessel| diameters(vessel, 35.0)[1];
-    let shallow = |ratio: f64| {
-        let ship = deep.ship.at_depth(ratio * draught_m);
-        tactical(&Vessel { ship, ..deep.clone() })
-    };
-    let (deep, half, fifth) = (tactical(&deep), shallow(1.5), shallow(1.2));
-    println!("TD/L {deep:.2} deep, {half:.2} at h/T 1.5, {fifth:.2} at 1.2");
-    assert!(deep < half && half < fifth && fifth < 10.0);
-}
-
 #[test]
 fn a_rudder_amidships_turns_nobody() {
     let (model, approach) = ready(&kvlcc2());

@@ -4,6 +4,7 @@ use fenderline_sim::hydro::Water;
 use fenderline_sim::hydro::vessels::Vessel;
 
 use super::catalogue::ManoeuvreName;
+use super::depth::Shallow;
 use crate::cli::ManoeuvreArgs;
 use crate::failure::Failure;
 
@@ -41,6 +42,8 @@ pub(super) struct Conditions {
     pub(super) rudder_deg: Option<f64>,
     /// Push of the crabbing ordered by the user [N].
     pub(super) push_n: Option<f64>,
+    /// The water that the user asks about, where it is not deep.
+    pub(super) shallow: Option<Shallow>,
 }
 
 impl Conditions {
@@ -70,6 +73,7 @@ impl Conditions {
                 vessel.origin.title
             )));
         }
+        let shallow = args.depth.map(|depth| Shallow::checked(depth, vessel)).transpose()?;
         let ordered_mps = args.speed.map(|speed_kn| speed_kn * KNOT_MPS);
         // Without either nothing that was chosen has an approach.
         let speed_mps = ordered_mps.or(vessel.approach_mps).unwrap_or(0.0);
@@ -84,6 +88,7 @@ impl Conditions {
             is_test_speed: args.speed.is_none(),
             rudder_deg: args.rudder,
             push_n: args.push.map(|push_kn| push_kn * 1e3),
+            shallow,
         })
     }
 }

@@ -39,15 +39,15 @@ pub(super) fn crabbing_section(
     Ok(Section {
         manoeuvre: name.to_owned(),
         title: "Crabbing under a push at midship, engine stopped".to_owned(),
-        columns: vec!["starboard"],
+        columns: vec!["starboard".to_owned()],
         rows,
         notes: vec![],
         tracks: Vec::new(),
     })
 }
 
-/// ½ρLTC_D v² at v = 0.01√(gL) [N].
-fn usual_push_n(model: &Model3) -> f64 {
+/// ½ρLTC_D v² at v = 0.01√(gL) [N]: the push where the user orders none.
+pub(super) fn usual_push_n(model: &Model3) -> f64 {
     let length_m = model.ship().particulars.length_m;
     let speed_squared = FROUDE * FROUDE * GRAVITY_MPS2 * length_m;
     drag_npm2s2(model) * speed_squared

@@ -26,6 +26,8 @@ pub(super) fn text(
         "block_coefficient": particulars.block_coefficient(),
         "water_kgpm3": sea.water.density_kgpm3,
         "approach_kn": conditions.speed_mps / KNOT_MPS,
+        "depth_m": conditions.shallow.map(|shallow| shallow.depth_m),
+        "notices": conditions.shallow.map_or_else(Vec::new, |shallow| shallow.notices(vessel, conditions.speed_mps)),
         "manoeuvres": sections.iter().map(section).collect::<Vec<_>>(),
         "sources": vessel.origin.sources.iter().map(source).collect::<Vec<_>>(),
     });
@@ -46,12 +48,9 @@ fn section(section: &Section) -> Value {
     })
 }
 
-fn measure(row: &Row, columns: &[&str]) -> Value {
-    let values: Map<String, Value> = columns
-        .iter()
-        .zip(&row.values)
-        .map(|(side, value)| ((*side).to_owned(), json!(value)))
-        .collect();
+fn measure(row: &Row, columns: &[String]) -> Value {
+    let values: Map<String, Value> =
+        columns.iter().zip(&row.values).map(|(side, value)| (side.clone(), json!(value))).collect();
     json!({
         "unit": row.unit.text(),
         "values": values,

@@ -1,12 +1,13 @@
 //! `fenderline manoeuvre`: standard manoeuvres of a vessel of the data, with the measures of ITTC and IMO.
 //!
-//! `catalogue` has the manoeuvres, `conditions` what the user ordered, `trials` carries them
+//! `catalogue` has the manoeuvres, `conditions` what the user ordered, `depth` water that is not deep, `trials` carries them
 //! through, `imo` knows what
 //! MSC.137(76) asks, `section` is what comes out; `printed`, `json` and `track` show it.
 
 mod catalogue;
 mod conditions;
 mod crabbing;
+mod depth;
 mod imo;
 mod json;
 mod printed;
@@ -17,6 +18,7 @@ mod trials;
 use std::path::Path;
 
 use fenderline_sim::hydro::Model3;
+use fenderline_sim::hydro::vessels::Vessel;
 
 use crate::cli::ManoeuvreArgs;
 use crate::failure::Failure;
@@ -25,6 +27,7 @@ use crate::vessels::{found, library};
 
 pub(crate) use catalogue::ManoeuvreName;
 use conditions::{Conditions, Sea};
+pub(crate) use depth::WaterDepth;
 use section::Section;
 
 /// Carries out the manoeuvres that `args` asks for and prints their measures.
@@ -38,11 +41,7 @@ pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
     let sea = Sea::of(&vessel);
     let chosen = catalogue::chosen(args.manoeuvre, &vessel, args.speed.is_some())?;
     let conditions = Conditions::checked(args, &vessel, &chosen)?;
-    let model = Model3::new(vessel.ship, sea.water);
-    let mut sections = Vec::new();
-    for manoeuvre in &chosen {
-        sections.extend(trials::carry_out(*manoeuvre, &vessel, &model, &sea, &conditions)?);
-    }
+    let sections = sections(&vessel, &chosen, &sea, &conditions)?;
     let text = if args.json {
         json::text(&args.vessel, &vessel, &sea, &conditions, &sections)
     } else {
@@ -57,6 +56,37 @@ pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Every manoeuvre, in shallow water beside deep water where the user asks about it.
+fn sections(
+    vessel: &Vessel,
+    chosen: &[ManoeuvreName],
+    sea: &Sea,
+    conditions: &Conditions,
+) -> Result<Vec<Section>, Failure> {
+    let deep = Model3::new(vessel.ship, sea.water);
+    let carried_out = |vessel: &Vessel, model: &Model3, conditions: &Conditions| {
+        let mut sections = Vec::new();
+        for manoeuvre in chosen {
+            sections.extend(trials::carry_out(*manoeuvre, vessel, model, sea, conditions)?);
+        }
+        Ok::<_, Failure>(sections)
+    };
+    let Some(shallow) = &conditions.shallow else {
+        return carried_out(vessel, &deep, conditions);
+    };
+    // She is pushed as hard in either water.
+    let push_n = conditions.push_n.unwrap_or_else(|| crabbing::usual_push_n(&deep));
+    let conditions = Conditions { push_n: Some(push_n), ..*conditions };
+    let there = shallow.vessel(vessel);
+    let model = Model3::new(there.ship, sea.water);
+    let both = carried_out(&there, &model, &conditions)?.into_iter().zip(carried_out(
+        vessel,
+        &deep,
+        &conditions,
+    )?);
+    Ok(both.map(|(there, deep)| depth::beside(there, deep)).collect())
 }
 
 fn write(folder: &Path, sections: &[Section]) -> Result<Vec<String>, Failure> {

@@ -13,6 +13,8 @@ use crate::plot::{fixed, plain, significant};
 const NAMES: usize = 38;
 /// Width of a column of values [characters].
 const VALUES: usize = 20;
+/// What stands between two columns at least [characters].
+const GAP: usize = 2;
 
 /// Vessel, measures and sources.
 pub(super) fn text(
@@ -42,6 +44,10 @@ pub(super) fn text(
             "\nIMO: resolution MSC.137(76), annex, 5.3, as reproduced by a third party, for the test speed \
              in deep water; no conformity is claimed.\nA large ship may be allowed a track reach of up to 20 L.\n",
         );
+    } else if conditions.shallow.is_some() {
+        text.push_str(
+            "\nIMO's limits (MSC.137(76)) are for deep water: run without --depth to see them.\n",
+        );
     } else if sea.is_model {
         text.push_str("\nIMO's limits (MSC.137(76)) are for ships, not for models.\n");
     }
@@ -60,12 +66,13 @@ fn heading(
 ) -> String {
     let hull = &vessel.ship.particulars;
     let mut text = format!(
-        "{}: L {} m, B {} m, T {} m, Cb {}\ndeep still water of {} kg/m³",
+        "{}: L {} m, B {} m, T {} m, Cb {}\n{} of {} kg/m³",
         vessel.origin.title,
         plain(hull.length_m, 4),
         plain(hull.beam_m, 4),
         plain(hull.draught_m, 4),
         fixed(hull.block_coefficient(), 3),
+        water(conditions),
         plain(sea.water.density_kgpm3, 4),
     );
     if chosen.iter().any(|manoeuvre| manoeuvre.has_approach()) {
@@ -79,15 +86,34 @@ fn heading(
         );
     }
     text.push('\n');
+    if let Some(shallow) = &conditions.shallow {
+        for notice in shallow.notices(vessel, conditions.speed_mps) {
+            let _ = writeln!(text, "note: {notice}");
+        }
+    }
     text
+}
+
+/// What she sails in, in words.
+fn water(conditions: &Conditions) -> String {
+    match &conditions.shallow {
+        None => "deep still water".to_owned(),
+        Some(shallow) => format!(
+            "still water {} m deep, {} draughts, beside deep water,",
+            plain(shallow.depth_m, 4),
+            plain(shallow.ratio, 4)
+        ),
+    }
 }
 
 fn table(section: &Section, length_m: f64) -> String {
     let has_limits = section.rows.iter().any(|row| row.imo_limit.is_some());
     let mut text = format!("{}\n", section.title);
+    let longest = section.columns.iter().map(|column| column.chars().count() + GAP).max();
+    let width = longest.unwrap_or(0).max(VALUES);
     let mut head = format!("  {:<NAMES$}", "");
     for column in &section.columns {
-        let _ = write!(head, "{column:>VALUES$}");
+        let _ = write!(head, "{column:>width$}");
     }
     if has_limits {
         head.push_str("  IMO asks");
@@ -96,7 +122,7 @@ fn table(section: &Section, length_m: f64) -> String {
     for row in &section.rows {
         let mut line = format!("  {:<NAMES$}", row.label);
         for value in &row.values {
-            let _ = write!(line, "{:>VALUES$}", cell(*value, row.unit, length_m));
+            let _ = write!(line, "{:>width$}", cell(*value, row.unit, length_m));
         }
         line.push_str(&limit(row));
         let _ = writeln!(text, "{}", line.trim_end());

@@ -10,7 +10,7 @@ pub(super) struct Section {
     /// With its conditions.
     pub(super) title: String,
     /// One a run: `starboard`, `port`.
-    pub(super) columns: Vec<&'static str>,
+    pub(super) columns: Vec<String>,
     pub(super) rows: Vec<Row>,
     /// What the reader must know to believe the numbers.
     pub(super) notes: Vec<&'static str>,

@@ -40,7 +40,7 @@ pub(super) fn carry_out(
         model,
         conditions,
         length_m: vessel.ship.particulars.length_m,
-        has_limits: conditions.is_test_speed && !sea.is_model,
+        has_limits: conditions.is_test_speed && !sea.is_model && conditions.shallow.is_none(),
     };
     let one = |section: Result<Section, ManoeuvreError>| section.map(|section| vec![section]);
     let sections = match manoeuvre {
@@ -147,7 +147,7 @@ impl Trial<'_> {
         Ok(Section {
             manoeuvre: self.name.clone(),
             title: format!("Turning circle, rudder {rudder_deg:.3}°").replace(".000", ""),
-            columns: SIDES.map(|(side, _)| side).to_vec(),
+            columns: SIDES.map(|(side, _)| side.to_owned()).to_vec(),
             rows,
             notes: vec!["Track of midship from the start of the rudder; constant revolutions."],
             tracks,
@@ -198,7 +198,7 @@ impl Trial<'_> {
         Ok(Section {
             manoeuvre: self.name.clone(),
             title: format!("Zig-zag {angle_deg}°/{angle_deg}°, by the side of the first execute"),
-            columns: SIDES.map(|(side, _)| side).to_vec(),
+            columns: SIDES.map(|(side, _)| side.to_owned()).to_vec(),
             rows,
             notes: vec!["Executes fall on whole steps; constant revolutions."],
             tracks,
@@ -291,7 +291,7 @@ impl Trial<'_> {
             title: format!(
                 "Crash stop, full astern (70 % of the revolutions) reached within {reversal_s:.1} s"
             ),
-            columns: models.iter().map(|(column, _)| *column).collect(),
+            columns: models.iter().map(|(column, _)| (*column).to_owned()).collect(),
             rows,
             notes,
             tracks,
@@ -311,7 +311,7 @@ impl Trial<'_> {
             manoeuvre: self.name.clone(),
             title: "Bollard pull at the revolutions of the approach, and at 70 % of them astern"
                 .to_owned(),
-            columns: vec!["ahead", "astern"],
+            columns: vec!["ahead".to_owned(), "astern".to_owned()],
             rows: vec![
                 Row::new("revolutions", "revolutions", Unit::PerMinute, revolutions),
                 Row::new("pull", "pull on the line", Unit::Kilonewtons, pulls_kn),

@@ -10,7 +10,7 @@ use fenderline_sim::environment::wind::{
 };
 use fenderline_sim::environment::{Bank, EnvironmentError, Tide, TideConstituent};
 use fenderline_sim::hydro::Squat;
-use fenderline_sim::hydro::shallow::SHALLOWEST_RATIO;
+use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
 use super::vessel::Kind;
 use super::{Assembly, Checked};
@@ -177,6 +177,11 @@ impl Assembly<'_, '_> {
                 say(format!(
                     "{name} in water of {least:.2} draughts: no formula for shallow water is made for less than \
                      {SHALLOWEST_RATIO}; below it added mass, hull forces and squat are held at what they are there"
+                ));
+            } else if least < PUBLISHED_RATIO {
+                say(format!(
+                    "{name} in water of {least:.2} draughts: corrections for shallow water are made for {PUBLISHED_RATIO} \
+                     and more; here they go on along their tangent"
                 ));
             }
             if let Some((squat, [_, high])) =

@@ -17,8 +17,8 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             Kind::Quantity(DEPTH),
             Means("deep water"),
             "Depth of the water below datum, negative where the bottom lies above it: shallow water slows and stiffens a vessel and makes her squat; no deeper \
-             than her draught and her squat, she is aground. What shallow water does is held below 1.1 draughts, \
-             for which no formula is made.",
+             than her draught and her squat, she is aground. Corrections are made for 1.2 draughts and more, and what \
+             shallow water does is held below 1.1.",
             &["\"14 m\""],
         ),
         key(

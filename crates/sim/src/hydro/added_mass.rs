@@ -6,9 +6,8 @@
 
 use std::f64::consts::PI;
 
-use super::error::{HydroError, within};
+use super::error::HydroError;
 use super::particulars::Particulars;
-use super::shallow::SHALLOWEST_RATIO;
 
 /// Added mass over the density of the water, about midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -89,29 +88,6 @@ pub fn clarke_added_mass(ship: &Particulars) -> Result<(f64, f64), HydroError> {
     positive("Clarke's formula", "yaw added inertia", yaw)?;
     let cube_m3 = length_m * length_m * length_m;
     Ok((0.5 * cube_m3 * sway, 0.5 * cube_m3 * length_m * length_m * yaw))
-}
-
-/// By how much shallow water multiplies the added mass in sway: Ankudinov's polynomial in the clearance
-/// ratio F = h/T − 1, recalled. The design sheet's 1.38, 2.09 and 4.37 at h/T 2, 1.5 and 1.2 come out
-/// (to 0.5 %) at B/T 3.08. The true factor depends strongly on frequency.
-///
-/// # Errors
-/// [`HydroError::Aground`] without water under the keel; [`HydroError::OutOfRange`] below h/T 1.1, where
-/// the polynomial is not to be used.
-pub fn shallow_sway_factor(ship: &Particulars, depth_m: f64) -> Result<f64, HydroError> {
-    if depth_m.is_nan() || depth_m <= ship.draught_m {
-        return Err(HydroError::Aground { depth_m, draught_m: ship.draught_m });
-    }
-    // 1.1 draughts over the draught may round to less than 1.1.
-    let least = SHALLOWEST_RATIO - 1e-9;
-    let ratio = within("depth over draught", depth_m / ship.draught_m, least, f64::INFINITY)?;
-    let g = 1.0 / (ratio - 1.0);
-    let (g2, g3, g5) = (g * g, g * g * g, g * g * g * g * g);
-    let constant = 1.0 + 0.0775 * g2 - 0.0110 * g3 + 0.000068 * g5;
-    let linear = -0.0643 * g + 0.0724 * g2 - 0.0113 * g3 + 0.0000767 * g5;
-    let square = 0.0342 * g;
-    let wide = ship.beam_m / ship.draught_m;
-    Ok(constant + linear * wide + square * wide * wide)
 }
 
 fn positive(

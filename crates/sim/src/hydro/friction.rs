@@ -49,6 +49,10 @@ impl Mmg {
         match &mut changed.hull.under_way {
             Some(Polynomial::Sway(polynomial)) => polynomial.resistance -= less,
             Some(Polynomial::Drift(polynomial)) => polynomial.x_0 += less,
+            Some(Polynomial::CrossFlow(hull)) => {
+                hull.ahead += less;
+                hull.astern += less;
+            }
             None => {}
         }
         Ok(changed)

@@ -6,7 +6,7 @@
 //! | what | where |
 //! |---|---|
 //! | main particulars, checked | [`Particulars`] |
-//! | added mass from particulars, shallow-water factor | [`zhou_added_mass`], [`clarke_added_mass`], [`shallow_sway_factor`] |
+//! | added mass from particulars | [`zhou_added_mass`], [`clarke_added_mass`] |
 //! | hull under way: MMG polynomials in v', r' or in β, r' | [`Polynomial`] |
 //! | hull at low speed, astern, crabbing: cross-flow drag | [`LowSpeedHull`], [`CrossFlow`] |
 //! | one hull force without a jump | [`Hull`] |
@@ -15,7 +15,7 @@
 //! | tunnel and azimuth thrusters | [`TunnelThruster`], [`AzimuthThruster`] |
 //! | rudder machine, shaft, lag, telegraph | [`actuator`] |
 //! | all of it on one ship | [`Mmg`], [`Mmg::forces`] |
-//! | shallow water: derivatives, squat, current | [`shallow`], [`Squat`] |
+//! | shallow water: corrections of hull, propeller, rudder and added mass; squat, current | [`shallow`], [`Squat`] |
 //! | equations of motion, two integrators | [`Model3`] |
 //! | where a ship's numbers come from | [`vessels`] |
 //! | what is not known of a ship, from her main particulars | [`estimated`] |
@@ -58,7 +58,7 @@ mod quantities;
 mod rudder;
 mod thruster;
 
-pub use added_mass::{AddedMass, clarke_added_mass, shallow_sway_factor, zhou_added_mass};
+pub use added_mass::{AddedMass, clarke_added_mass, zhou_added_mass};
 pub use blend::{Hull, polynomial_weight};
 pub use error::HydroError;
 pub use estimate::{Known, SternCoefficients, SternGear, estimated};

@@ -256,7 +256,7 @@ impl VesselSetup {
     fn ship_now(&self, environment: &Environment, t_s: f64) -> Mmg {
         match (&environment.tide, environment.depth_at_m(t_s)) {
             (Tide::Level(_), _) | (_, None) => self.ship,
-            (_, Some(depth_m)) => self.deep.hull_at_depth(depth_m, self.ship.added_mass),
+            (_, Some(depth_m)) => self.deep.at_depth_moving(depth_m, self.ship.added_mass),
         }
     }
 

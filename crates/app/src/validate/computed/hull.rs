@@ -1,12 +1,10 @@
-//! Hull forces at low speed, added masses, shallow water.
+//! Hull forces at low speed, added masses, current and squat in shallow water.
 
 use fenderline_sim::hydro::shallow::{
     barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_cross_flow_drag,
-    shallow_sway_derivative, shallow_yaw_derivative,
 };
 use fenderline_sim::hydro::{
-    CrossFlow, Particulars, Velocity, Water, clarke_added_mass, hoerner_drag_coefficient,
-    shallow_sway_factor, zhou_added_mass,
+    CrossFlow, Velocity, Water, clarke_added_mass, hoerner_drag_coefficient, zhou_added_mass,
 };
 
 use super::Values;
@@ -19,7 +17,6 @@ pub(super) fn compute(values: &mut Values) {
     cross_flow(values);
     esso_osaka(values);
     added_masses(values);
-    shallow_factors(values);
     current(values);
     squat(values);
 }
@@ -74,21 +71,6 @@ fn added_masses(values: &mut Values) {
     let (sway_m3, yaw_m5) = clarke_added_mass(&ship).expect("the ship is slender");
     values.put("container/clarke/sway", sway_m3 / ship.volume_m3, "");
     values.put("container/clarke/yaw", yaw_m5 / ship.yaw_inertia_m5(), "");
-}
-
-fn shallow_factors(values: &mut Values) {
-    // The sheet does not say for which B/T: its three numbers are those of 3.08, found by trying.
-    let ship = Particulars::from_block(200.0, 30.8, 10.0, 0.8).expect("the ship can float");
-    for (ratio, name) in [(2.0, "2"), (1.5, "1.5"), (1.2, "1.2")] {
-        let factor = shallow_sway_factor(&ship, ratio * ship.draught_m).expect("afloat");
-        values.put(format!("shallow/sway_added_mass/{name}"), factor, "");
-    }
-    let ship = vessel("kvlcc2").ship.particulars;
-    let depth_m = 1.5 * ship.draught_m;
-    let sway = shallow_sway_derivative(&ship, depth_m).expect("afloat");
-    let yaw = shallow_yaw_derivative(&ship, depth_m).expect("afloat");
-    values.put("shallow/sway_derivative", sway, "");
-    values.put("shallow/yaw_derivative", yaw, "");
 }
 
 /// 0.5 m/s abeam of the container ship.

@@ -9,8 +9,6 @@ use super::ships::vessel;
 
 /// A step over the time in which the ship sails her own length: 0.08 s for KVLCC2.
 const STEP: f64 = 0.002;
-/// Depth over draught of the turns in shallow water, and their names.
-const DEPTHS: [(f64, &str); 2] = [(1.5, "1.5"), (1.2, "1.2")];
 
 pub(super) fn compute(values: &mut Values) {
     for (name, key) in [("kvlcc2", "kvlcc2"), ("kvlcc2_model", "kvlcc2-model"), ("kcs", "kcs")] {
@@ -27,7 +25,6 @@ pub(super) fn compute(values: &mut Values) {
         let rps = self_propulsion_rps(&model, approach_mps(&vessel)).expect("a balance");
         values.put(format!("{name}/self_propulsion"), rps, "1/s");
     }
-    shallow_turns(values);
     // In ratios the density of the water plays no part.
     let esso_osaka = Trial::of(&vessel("esso-osaka"));
     for (side, sign) in [("starboard", 1.0), ("port", -1.0)] {
@@ -75,22 +72,5 @@ impl Trial {
             .expect("she answers her rudder");
         values.put(format!("{name}/first"), run.first_overshoot_rad.to_degrees(), "°");
         values.put(format!("{name}/second"), run.second_overshoot_rad.to_degrees(), "°");
-    }
-}
-
-/// Tactical diameter of KVLCC2 in shallow water over that in deep water, rudder 35°, at the speed of approach that
-/// she has in deep water.
-fn shallow_turns(values: &mut Values) {
-    let deep = vessel("kvlcc2");
-    let diameter_m = |vessel: &Vessel| {
-        let trial = Trial::of(vessel);
-        let turn = turning_circle(&trial.model, &trial.approach, 35_f64.to_radians());
-        turn.expect("she turns").tactical_diameter_m
-    };
-    let deep_m = diameter_m(&deep);
-    for (ratio, name) in DEPTHS {
-        let ship = deep.ship.at_depth(ratio * deep.ship.particulars.draught_m);
-        let shallow_m = diameter_m(&Vessel { ship, ..deep.clone() });
-        values.put(format!("kvlcc2/shallow_turn/{name}"), shallow_m / deep_m, "");
     }
 }

@@ -9,6 +9,7 @@ mod hull;
 mod manoeuvres;
 mod propeller;
 mod sea;
+mod shallow;
 mod ships;
 mod wind;
 
@@ -31,6 +32,7 @@ impl Values {
         let mut values = Values::default();
         manoeuvres::compute(&mut values);
         hull::compute(&mut values);
+        shallow::compute(&mut values);
         propeller::compute(&mut values);
         wind::compute(&mut values);
         sea::compute(&mut values);

@@ -15,16 +15,13 @@ pub use wake::Wake;
 
 pub(crate) use polynomial::coriolis;
 
-use super::added_mass::{AddedMass, shallow_sway_factor};
+use super::added_mass::AddedMass;
 use super::blend::Hull;
-use super::error::HydroError;
 use super::particulars::Particulars;
 use super::propeller::Propeller;
 use super::quantities::{Controls, Force, Velocity, Water};
 use super::rudder::{Race, Rudder};
-use super::shallow::{
-    SHALLOWEST_RATIO, shallow_cross_flow_drag, shallow_sway_derivative, shallow_yaw_derivative,
-};
+use super::shallow::{CorrectionSet, Corrections, MassFactors, SHALLOWEST_RATIO};
 
 /// A ship's manoeuvring model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,46 +90,41 @@ impl Mmg {
         }
     }
 
-    /// The same ship in water of a depth: added mass in sway and yaw by Ankudinov's factor, the hull as
-    /// [`Mmg::hull_at_depth`]. The yaw factor of the added mass is taken equal to the sway factor, for want of
-    /// another. In less than [`SHALLOWEST_RATIO`] draughts of water, on the bottom too, she is the ship at that
+    /// The same ship in water of a depth, by the corrections of [`CorrectionSet::default`]: added mass, hull, propeller
+    /// and rudder. In less than [`SHALLOWEST_RATIO`] draughts of water, on the bottom too, she is the ship at that
     /// depth: every force is continuous from deep water to none.
     ///
     /// # Panics
     /// With a depth that is no number.
+    #[must_use]
     pub fn at_depth(&self, depth_m: f64) -> Mmg {
-        let mass = shallow_sway_factor(&self.particulars, self.held_depth_m(depth_m))
-            .unwrap_or_else(|error| unreachable!("the depth is held: {error}"));
-        self.hull_at_depth(depth_m, self.added_mass.scaled(1.0, mass, mass))
+        self.at_depth_by(CorrectionSet::default(), depth_m)
     }
 
-    /// The same ship with her hull in water of a depth and an added mass that was found for it or for another:
-    /// Y_v and N_r by Taimuri's factors, cross-flow drag by [`shallow_cross_flow_drag`], all held below
-    /// [`SHALLOWEST_RATIO`] draughts.
+    /// The same by a set of corrections.
     ///
     /// # Panics
-    /// With a depth that is no number.
-    pub fn hull_at_depth(&self, depth_m: f64, added_mass: AddedMass) -> Mmg {
-        let (ship, depth_m) = (&self.particulars, self.held_depth_m(depth_m));
-        let held = |factor: Result<f64, HydroError>| {
-            factor.unwrap_or_else(|error| unreachable!("the depth is held: {error}"))
-        };
-        let sway = held(shallow_sway_derivative(ship, depth_m));
-        let yaw = held(shallow_yaw_derivative(ship, depth_m));
-        let mut hull = self.hull;
-        let cross_flow = &mut hull.low_speed.cross_flow;
-        cross_flow.drag_coefficient =
-            held(shallow_cross_flow_drag(ship, cross_flow.drag_coefficient, depth_m));
-        hull.low_speed.sway_v *= sway;
-        hull.low_speed.yaw_r *= yaw;
-        hull.under_way = hull
-            .under_way
-            .map(|p| p.with_linear_scaled(sway, yaw, &self.added_mass, &added_mass, ship));
-        Mmg { added_mass, hull, ..*self }
+    /// As [`Mmg::at_depth`].
+    #[must_use]
+    pub fn at_depth_by(&self, set: CorrectionSet, depth_m: f64) -> Mmg {
+        let corrections = Corrections::of(set, &self.particulars, depth_m);
+        let MassFactors { surge, sway, yaw } = corrections.mass;
+        let added_mass = self.added_mass.scaled(surge, sway, yaw);
+        corrections.on(self, self.held_depth_m(depth_m), added_mass)
+    }
+
+    /// The same ship in water of a depth, moving with an added mass that was found for another depth: where a mass
+    /// matrix is fixed while the tide rises. Every force is that of the depth; only the mass is not.
+    ///
+    /// # Panics
+    /// As [`Mmg::at_depth`].
+    #[must_use]
+    pub fn at_depth_moving(&self, depth_m: f64, added_mass: AddedMass) -> Mmg {
+        let corrections = Corrections::of(CorrectionSet::default(), &self.particulars, depth_m);
+        corrections.on(self, self.held_depth_m(depth_m), added_mass)
     }
 
     fn held_depth_m(&self, depth_m: f64) -> f64 {
-        assert!(!depth_m.is_nan(), "a depth is a number");
         depth_m.max(SHALLOWEST_RATIO * self.particulars.draught_m)
     }
 }

@@ -1,6 +1,7 @@
-//! The two forms in which MMG hull polynomials are published.
+//! The two forms in which MMG hull polynomials are published, and one for a ship that has none.
 
 use crate::hydro::added_mass::AddedMass;
+use crate::hydro::low_speed::LowSpeedHull;
 use crate::hydro::particulars::Particulars;
 use crate::hydro::quantities::{Force, Velocity, Water};
 
@@ -12,6 +13,9 @@ pub enum Polynomial {
     /// In the drift angle β [rad] and r' (the form of Yoshimura & Masumoto). Xβr holds −m'y and Yr holds
     /// −m'x: the added mass' Coriolis terms are within.
     Drift(DriftPolynomial),
+    /// No polynomial: the form for low speed, with the cross-flow drag that a ship under way has in shallow water, where
+    /// it is not that of a ship at her berth. Holds no term of the added mass.
+    CrossFlow(LowSpeedHull),
 }
 
 /// Coefficients over v' and r'.
@@ -95,6 +99,10 @@ impl Polynomial {
         added: &AddedMass,
         water: Water,
     ) -> Force {
+        if let Polynomial::CrossFlow(hull) = self {
+            return hull.force(velocity, ship.length_m, ship.draught_m, water)
+                + coriolis(velocity, added, water);
+        }
         let speed_mps = velocity.speed_mps();
         let yaw = velocity.yaw_radps * ship.length_m / speed_mps;
         let area = 0.5 * water.density_kgpm3 * ship.length_m * ship.draught_m;
@@ -103,6 +111,7 @@ impl Polynomial {
                 (p.shape(velocity.sway_mps / speed_mps, yaw), coriolis(velocity, added, water))
             }
             Polynomial::Drift(p) => (p.shape(velocity.drift_rad(), yaw), Force::default()),
+            Polynomial::CrossFlow(_) => unreachable!("it has returned"),
         };
         let force = Force { surge_n: shape[0], sway_n: shape[1], yaw_nm: shape[2] * ship.length_m };
         force * (area * speed_mps * speed_mps) + coriolis
@@ -134,6 +143,24 @@ impl Polynomial {
                 p.x_0, p.x_bb, p.x_br, p.x_rr, p.x_bbbb, p.y_b, p.y_r, p.y_bbb, p.y_bbr, p.y_brr,
                 p.y_rrr, p.n_b, p.n_r, p.n_bbb, p.n_bbr, p.n_brr, p.n_rrr,
             ],
+            Polynomial::CrossFlow(p) => {
+                let flow = p.cross_flow;
+                let own = [
+                    p.ahead,
+                    p.astern,
+                    p.surge_vr,
+                    p.sway_v,
+                    p.sway_r,
+                    p.yaw_v,
+                    p.yaw_r,
+                    flow.drag_coefficient,
+                    flow.yaw_gain_force,
+                    flow.yaw_gain_moment,
+                ];
+                let mut all = [0.0; 17];
+                all[..own.len()].copy_from_slice(&own);
+                all
+            }
         }
     }
 
@@ -157,30 +184,14 @@ impl Polynomial {
                 yaw_v: -p.n_b,
                 yaw_r: p.n_r,
             },
-        }
-    }
-
-    /// The same with the linear terms of Yv and Nr multiplied: what shallow water does to them.
-    pub(crate) fn with_linear_scaled(
-        &self,
-        sway: f64,
-        yaw: f64,
-        before: &AddedMass,
-        after: &AddedMass,
-        ship: &Particulars,
-    ) -> Polynomial {
-        match *self {
-            Polynomial::Sway(p) => {
-                Polynomial::Sway(SwayPolynomial { y_v: p.y_v * sway, n_r: p.n_r * yaw, ..p })
-            }
-            Polynomial::Drift(p) => Polynomial::Drift(DriftPolynomial {
-                y_b: p.y_b * sway,
-                n_r: p.n_r * yaw,
-                // The added mass within grows too.
-                x_br: p.x_br - (after.sway_m3 - before.sway_m3) / ship.mass_unit_m3(),
-                y_r: p.y_r - (after.surge_m3 - before.surge_m3) / ship.mass_unit_m3(),
-                ..p
-            }),
+            Polynomial::CrossFlow(p) => LinearTerms {
+                ahead: p.ahead,
+                surge_vr: p.surge_vr,
+                sway_v: p.sway_v,
+                sway_r: p.sway_r,
+                yaw_v: p.yaw_v,
+                yaw_r: p.yaw_r,
+            },
         }
     }
 }

@@ -1,0 +1,137 @@
+//! Water that is not deep, and what is to be said of it.
+
+use core::str::FromStr;
+
+use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
+use fenderline_sim::hydro::vessels::Vessel;
+
+use super::conditions::GRAVITY_MPS2;
+use super::section::Section;
+use crate::failure::Failure;
+use crate::plot::{fixed, plain};
+
+/// Froude number of depth from which the waves that a ship makes change what the corrections know of; recalled.
+const SLOW_FROUDE: f64 = 0.6;
+
+/// A depth of water as it is ordered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum WaterDepth {
+    /// In metres.
+    Metres(f64),
+    /// In the vessel's draughts.
+    Draughts(f64),
+}
+
+impl FromStr for WaterDepth {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<WaterDepth, String> {
+        let text = text.trim();
+        let (number, in_draughts) = match text.strip_suffix('T') {
+            Some(number) => (number, true),
+            None => (text.strip_suffix('m').unwrap_or(text), false),
+        };
+        let value: f64 = number.trim().parse().map_err(|_| {
+            "a number of metres or of draughts, such as 31.2 or \"1.5 T\"".to_owned()
+        })?;
+        if !(value > 0.0 && value.is_finite()) {
+            return Err("must be positive".to_owned());
+        }
+        Ok(if in_draughts { WaterDepth::Draughts(value) } else { WaterDepth::Metres(value) })
+    }
+}
+
+/// A depth of water that a vessel floats in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shallow {
+    pub(super) depth_m: f64,
+    /// Over her draught.
+    pub(super) ratio: f64,
+}
+
+impl Shallow {
+    /// Where she floats there.
+    ///
+    /// # Errors
+    /// Water that is no deeper than her draught.
+    pub(super) fn checked(depth: WaterDepth, vessel: &Vessel) -> Result<Shallow, Failure> {
+        let draught_m = vessel.ship.particulars.draught_m;
+        let depth_m = match depth {
+            WaterDepth::Metres(depth_m) => depth_m,
+            WaterDepth::Draughts(ratio) => ratio * draught_m,
+        };
+        if depth_m <= draught_m {
+            return Err(Failure::input(format_args!(
+                "error: --depth: {} m of water under a draught of {} m: {} is aground",
+                plain(depth_m, 4),
+                plain(draught_m, 4),
+                vessel.origin.title
+            )));
+        }
+        Ok(Shallow { depth_m, ratio: depth_m / draught_m })
+    }
+
+    /// The vessel there.
+    pub(super) fn vessel(&self, deep: &Vessel) -> Vessel {
+        Vessel { ship: deep.ship.at_depth(self.depth_m), ..deep.clone() }
+    }
+
+    /// Where the corrections are not made for this.
+    pub(super) fn notices(&self, vessel: &Vessel, speed_mps: f64) -> Vec<String> {
+        let mut all = Vec::new();
+        let ratio = plain(self.ratio, 4);
+        if self.ratio < SHALLOWEST_RATIO {
+            all.push(format!(
+                "--depth: {ratio} draughts; corrections are made for {PUBLISHED_RATIO} and more, and held below \
+                 {SHALLOWEST_RATIO}"
+            ));
+        } else if self.ratio < PUBLISHED_RATIO {
+            all.push(format!(
+                "--depth: {ratio} draughts; corrections are made for {PUBLISHED_RATIO} and more; here they go on along \
+                 their tangent"
+            ));
+        }
+        let froude = speed_mps / (GRAVITY_MPS2 * self.depth_m).sqrt();
+        if froude > SLOW_FROUDE {
+            all.push(format!(
+                "{} approaches at a Froude number of depth of {}; corrections know nothing of her waves, which count \
+                 above {SLOW_FROUDE}: --speed takes a lower one",
+                vessel.origin.title,
+                fixed(froude, 2)
+            ));
+        }
+        all
+    }
+}
+
+/// What a manoeuvre gave there, with what it gives in deep water in further columns.
+pub(super) fn beside(there: Section, deep: Section) -> Section {
+    let mut merged = there;
+    merged.columns.extend(deep.columns.iter().map(|column| format!("{column}, deep")));
+    for (row, deep_row) in merged.rows.iter_mut().zip(deep.rows) {
+        assert_eq!(row.key, deep_row.key, "a manoeuvre has the same measures in any water");
+        row.values.extend(deep_row.values);
+    }
+    for track in &mut merged.tracks {
+        track.name.push_str("_shallow");
+    }
+    merged.tracks.extend(deep.tracks);
+    merged
+}
+
+#[cfg(test)]
+mod tests {
+    use super::WaterDepth;
+
+    #[test]
+    fn depths_are_metres_or_draughts() {
+        let read = |text: &str| text.parse::<WaterDepth>();
+        assert_eq!(read("31.2"), Ok(WaterDepth::Metres(31.2)));
+        assert_eq!(read("31.2 m"), Ok(WaterDepth::Metres(31.2)));
+        assert_eq!(read("1.5T"), Ok(WaterDepth::Draughts(1.5)));
+        assert_eq!(read(" 1.5 T "), Ok(WaterDepth::Draughts(1.5)));
+        for wrong in ["", "T", "deep", "-3", "0", "inf", "NaN T", "3 ft"] {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
+    }
+}

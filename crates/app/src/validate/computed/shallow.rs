@@ -1,0 +1,109 @@
+//! Shallow water: factors of each set of corrections, and what they make of turns and zig-zags.
+
+use fenderline_sim::hydro::manoeuvres::{Approach, turning_circle, zig_zag};
+use fenderline_sim::hydro::shallow::{CorrectionSet, Corrections};
+use fenderline_sim::hydro::vessels::Vessel;
+use fenderline_sim::hydro::{Mmg, Model3, Particulars, Water};
+
+use super::Values;
+use super::ships::vessel;
+
+/// Depth over draught, and their names.
+const DEPTHS: [(f64, &str); 3] = [(2.0, "2"), (1.5, "1.5"), (1.2, "1.2")];
+/// The sets of corrections, and their names.
+const SETS: [(CorrectionSet, &str); 4] = [
+    (CorrectionSet::Combined, "combined"),
+    (CorrectionSet::EffectiveAspectRatio, "aspect_ratio"),
+    (CorrectionSet::Ankudinov, "ankudinov"),
+    (CorrectionSet::Taimuri, "taimuri"),
+];
+/// Ships that have a propeller and a rudder.
+const SHIPS: [&str; 5] = ["kvlcc2", "kcs", "esso-osaka", "bulk-carrier", "container-ship"];
+/// A step over the time in which the ship sails her own length.
+const STEP: f64 = 0.01;
+/// Froude number of the approach of a ship without a speed of her own.
+const FROUDE: f64 = 0.15;
+
+pub(super) fn compute(values: &mut Values) {
+    for (name, ship) in [("tanker", tanker()), ("kvlcc2", vessel("kvlcc2").ship.particulars)] {
+        for (set, set_name) in SETS {
+            for (ratio, depth) in DEPTHS {
+                let all = Corrections::of(set, &ship, ratio * ship.draught_m);
+                let mut put = |term: &str, factor: f64| {
+                    values.put(format!("shallow/{name}/{set_name}/{term}/{depth}"), factor, "");
+                };
+                put("y_v", all.hull.y_v);
+                put("y_r", all.hull.y_r);
+                put("y_vvv", all.hull.y_vvv);
+                put("n_v", all.hull.n_v);
+                put("n_r", all.hull.n_r);
+                put("n_vvr", all.hull.n_vvr);
+                put("x_vr", all.hull.x_vr);
+                put("resistance", all.hull.resistance);
+                put("m_y", all.mass.sway);
+                put("j_z", all.mass.yaw);
+            }
+        }
+    }
+    for name in SHIPS {
+        let vessel = vessel(name);
+        let deep = Measures::of(&vessel, vessel.ship);
+        for (set, set_name) in SETS {
+            for (ratio, depth) in DEPTHS {
+                let ship = vessel.ship.at_depth_by(set, ratio * vessel.ship.particulars.draught_m);
+                let there = Measures::of(&vessel, ship);
+                let mut put = |measure: &str, there: f64, deep: f64| {
+                    let name = format!("shallow/{name}/{set_name}/{measure}/{depth}");
+                    values.put(name, there / deep, "");
+                };
+                put("diameter", there.diameter_m, deep.diameter_m);
+                put("drift", there.drift_rad, deep.drift_rad);
+                put("speed", there.speed_ratio, deep.speed_ratio);
+                put("overshoot_20", there.overshoot_20_rad, deep.overshoot_20_rad);
+            }
+        }
+    }
+}
+
+/// The tanker of 190 000 dwt of van Berlekom & Goddard.
+fn tanker() -> Particulars {
+    Particulars {
+        length_m: 304.8,
+        beam_m: 47.17,
+        draught_m: 18.46,
+        volume_m3: 220_000.0,
+        centre_of_gravity_m: 0.0,
+        yaw_gyradius_ratio: 0.25,
+    }
+}
+
+/// Of a turn with a rudder of 35° to starboard, and of a 20°/20° zig-zag.
+struct Measures {
+    diameter_m: f64,
+    drift_rad: f64,
+    speed_ratio: f64,
+    overshoot_20_rad: f64,
+}
+
+impl Measures {
+    /// At the speed of approach that she has in deep water; a set that leaves her without an answer gives NaN.
+    fn of(vessel: &Vessel, ship: Mmg) -> Measures {
+        // In ratios the density of the water plays no part.
+        let model = Model3::new(ship, Water::SEA);
+        let length_m = ship.particulars.length_m;
+        let speed_mps =
+            vessel.approach_mps.unwrap_or_else(|| FROUDE * (9.806_65 * length_m).sqrt());
+        let approach =
+            Approach::at(&model, speed_mps, vessel.steering, STEP * length_m / speed_mps)
+                .expect("the propeller holds the speed of approach");
+        let turn = turning_circle(&model, &approach, 35_f64.to_radians()).ok();
+        let check_rad = 20_f64.to_radians();
+        let run = zig_zag(&model, &approach, check_rad, check_rad).ok();
+        Measures {
+            diameter_m: turn.map_or(f64::NAN, |turn| turn.tactical_diameter_m),
+            drift_rad: turn.map_or(f64::NAN, |turn| turn.steady.drift_rad),
+            speed_ratio: turn.map_or(f64::NAN, |turn| turn.steady.speed_ratio),
+            overshoot_20_rad: run.map_or(f64::NAN, |run| run.first_overshoot_rad),
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! The drag of a ship that lies in a current or is pushed sideways: at her berth, crabbing, adrift.
+
+use super::draught_over_depth;
+use crate::hydro::error::{HydroError, within};
+use crate::hydro::particulars::Particulars;
+use crate::hydro::quantities::Water;
+
+/// Drag coefficient of a hull abeam where no water passes under her keel, UFC 4-159-03 (recalled).
+const BLOCKED_DRAG: f64 = 3.2;
+
+/// Force [N] of a current abeam on a ship that lies in water of a depth, UFC 4-159-03:
+/// ½ρ V² L T C_y, C_y = C₀ + (3.2 − C₀)(T/h)², C₀ = 0.22 √(L² A_m/(B∇)), of the current's sign.
+///
+/// `midship_coefficient` is A_m/(B T).
+///
+/// # Errors
+/// [`HydroError::Aground`]; [`HydroError::OutOfRange`] for a midship coefficient outside 0.3 to 1.
+pub fn current_abeam_n(
+    ship: &Particulars,
+    midship_coefficient: f64,
+    depth_m: f64,
+    current_mps: f64,
+    water: Water,
+) -> Result<f64, HydroError> {
+    let ratio = draught_over_depth(ship, depth_m)?;
+    within("midship coefficient", midship_coefficient, 0.3, 1.0)?;
+    let section_m2 = midship_coefficient * ship.beam_m * ship.draught_m;
+    let slender = ship.length_m * ship.length_m * section_m2 / (ship.beam_m * ship.volume_m3);
+    let deep = 0.22 * slender.sqrt();
+    let coefficient = deep + (BLOCKED_DRAG - deep) * ratio * ratio;
+    let side_m2 = ship.length_m * ship.draught_m;
+    Ok(0.5 * water.density_kgpm3 * side_m2 * coefficient * current_mps * current_mps.abs())
+}
+
+/// Drag coefficient across a ship in water of a depth from that in deep water, C + (3.2 − C)(T/h)²: the form of
+/// UFC 4-159-03 with the ship's own coefficient for C₀ (ours). The two coefficients of the container ship in deep
+/// water, Hoerner's 0.60 and UFC's 0.67, are near each other.
+///
+/// # Errors
+/// [`HydroError::Aground`].
+pub fn shallow_cross_flow_drag(
+    ship: &Particulars,
+    deep: f64,
+    depth_m: f64,
+) -> Result<f64, HydroError> {
+    let ratio = draught_over_depth(ship, depth_m)?;
+    Ok(deep + (BLOCKED_DRAG - deep) * ratio * ratio)
+}

@@ -1,0 +1,142 @@
+//! A ship with corrections.
+
+use super::{Corrections, HullFactors, SternFactors, shallow_cross_flow_drag};
+use crate::hydro::added_mass::AddedMass;
+use crate::hydro::blend::Hull;
+use crate::hydro::low_speed::{CrossFlow, LowSpeedHull};
+use crate::hydro::mmg::{Mmg, Polynomial, Propulsion, Wake};
+use crate::hydro::particulars::Particulars;
+use crate::hydro::rudder::Rudder;
+
+impl Corrections {
+    /// A ship in deep water, as she is in water of a depth [m], which must be deeper than her draught.
+    ///
+    /// `added_mass` is the one that she moves with, by these corrections or, where a mass matrix is fixed, another: what
+    /// the hull's terms hold of it is kept apart.
+    ///
+    /// The cross-flow drag of a ship which crabs, drifts or lies at her berth grows by [`shallow_cross_flow_drag`]; that
+    /// of a ship under way does not. How she moves decides, as in [`crate::hydro::polynomial_weight`]: a ship without a
+    /// polynomial has her form for low speed twice.
+    pub(crate) fn on(&self, deep: &Mmg, depth_m: f64, added_mass: AddedMass) -> Mmg {
+        let ship = &deep.particulars;
+        let masses = [&deep.added_mass, &added_mass];
+        let deep_hull = &deep.hull;
+        let slow = low_speed(&deep_hull.low_speed, &self.hull, ship, masses);
+        let flow = deep_hull.low_speed.cross_flow;
+        let drag_coefficient = shallow_cross_flow_drag(ship, flow.drag_coefficient, depth_m)
+            .unwrap_or_else(|error| unreachable!("the depth is held: {error}"));
+        let berthed = LowSpeedHull { cross_flow: CrossFlow { drag_coefficient, ..flow }, ..slow };
+        let under_way = match &deep_hull.under_way {
+            Some(polynomial) => polynomial_in(polynomial, &self.hull, ship, masses),
+            None => Polynomial::CrossFlow(slow),
+        };
+        Mmg {
+            particulars: *ship,
+            added_mass,
+            hull: Hull { under_way: Some(under_way), low_speed: berthed },
+            propulsion: deep.propulsion.as_ref().map(|propulsion| stern(propulsion, &self.stern)),
+        }
+    }
+}
+
+/// X_vr and Y_r where the hull's part and the added mass' Coriolis term are apart: of both together, less the new term.
+fn apart(
+    surge_vr: f64,
+    sway_r: f64,
+    factors: &HullFactors,
+    ship: &Particulars,
+    [before, after]: [&AddedMass; 2],
+) -> [f64; 2] {
+    let unit = ship.mass_unit_m3();
+    let surge = (surge_vr + before.sway_m3 / unit) * factors.x_vr - after.sway_m3 / unit;
+    [surge, sway_r * factors.y_r]
+}
+
+fn low_speed(
+    deep: &LowSpeedHull,
+    factors: &HullFactors,
+    ship: &Particulars,
+    masses: [&AddedMass; 2],
+) -> LowSpeedHull {
+    let [surge_vr, sway_r] = apart(deep.surge_vr, deep.sway_r, factors, ship, masses);
+    LowSpeedHull {
+        ahead: deep.ahead * factors.resistance,
+        astern: deep.astern * factors.resistance,
+        surge_vr,
+        sway_v: deep.sway_v * factors.y_v,
+        sway_r,
+        yaw_v: deep.yaw_v * factors.n_v,
+        yaw_r: deep.yaw_r * factors.n_r,
+        cross_flow: deep.cross_flow,
+    }
+}
+
+fn polynomial_in(
+    deep: &Polynomial,
+    factors: &HullFactors,
+    ship: &Particulars,
+    masses: [&AddedMass; 2],
+) -> Polynomial {
+    match *deep {
+        Polynomial::Sway(mut p) => {
+            [p.x_vr, p.y_r] = apart(p.x_vr, p.y_r, factors, ship, masses);
+            p.resistance *= factors.resistance;
+            p.x_vv *= factors.x_vv;
+            p.x_rr *= factors.x_rr;
+            p.x_vvvv *= factors.x_vvvv;
+            p.y_v *= factors.y_v;
+            p.y_vvv *= factors.y_vvv;
+            p.y_vvr *= factors.y_vvr;
+            p.y_vrr *= factors.y_vrr;
+            p.y_rrr *= factors.y_rrr;
+            p.n_v *= factors.n_v;
+            p.n_r *= factors.n_r;
+            p.n_vvv *= factors.n_vvv;
+            p.n_vvr *= factors.n_vvr;
+            p.n_vrr *= factors.n_vrr;
+            p.n_rrr *= factors.n_rrr;
+            Polynomial::Sway(p)
+        }
+        Polynomial::Drift(mut p) => {
+            let [before, after] = masses.map(|mass| mass.surge_m3 / ship.mass_unit_m3());
+            p.x_0 *= factors.resistance;
+            p.x_bb *= factors.x_vv;
+            // Holds −m'y: all of what the factor is on.
+            p.x_br *= factors.x_vr;
+            p.x_rr *= factors.x_rr;
+            p.x_bbbb *= factors.x_vvvv;
+            p.y_b *= factors.y_v;
+            p.y_r = (p.y_r + before) * factors.y_r - after;
+            p.y_bbb *= factors.y_vvv;
+            p.y_bbr *= factors.y_vvr;
+            p.y_brr *= factors.y_vrr;
+            p.y_rrr *= factors.y_rrr;
+            p.n_b *= factors.n_v;
+            p.n_r *= factors.n_r;
+            p.n_bbb *= factors.n_vvv;
+            p.n_bbr *= factors.n_vvr;
+            p.n_brr *= factors.n_vrr;
+            p.n_rrr *= factors.n_rrr;
+            Polynomial::Drift(p)
+        }
+        Polynomial::CrossFlow(hull) => {
+            Polynomial::CrossFlow(low_speed(&hull, factors, ship, masses))
+        }
+    }
+}
+
+fn stern(deep: &Propulsion, factors: &SternFactors) -> Propulsion {
+    let open = |fraction: f64, factor: f64| 1.0 - (1.0 - fraction) * factor;
+    Propulsion {
+        thrust_deduction: open(deep.thrust_deduction, factors.driving),
+        wake: Wake {
+            straight: open(deep.wake.straight * factors.wake, factors.inflow),
+            ..deep.wake
+        },
+        rudder: Rudder {
+            straightening: deep.rudder.straightening.map(|gain| gain * factors.straightening),
+            ..deep.rudder
+        },
+        ..*deep
+    }
+}

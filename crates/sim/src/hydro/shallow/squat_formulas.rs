@@ -1,0 +1,59 @@
+//! Squat by three formulas, all recalled and held against numbers that were calculated apart. Each refuses water that is
+//! no deeper than the draught.
+
+use super::draught_over_depth;
+use crate::hydro::error::HydroError;
+use crate::hydro::particulars::Particulars;
+
+/// Acceleration of gravity [m/s²].
+const GRAVITY_MPS2: f64 = 9.806_65;
+/// Knots in a metre a second.
+const KNOTS: f64 = 3600.0 / 1852.0;
+
+/// Largest squat in open shallow water by Barrass: Cb V²/100 [m], V in knots. For h/T 1.1 to 1.4.
+///
+/// # Errors
+/// [`HydroError::Aground`].
+pub fn barrass_squat_m(
+    ship: &Particulars,
+    depth_m: f64,
+    speed_mps: f64,
+) -> Result<f64, HydroError> {
+    draught_over_depth(ship, depth_m)?;
+    let knots = speed_mps * KNOTS;
+    Ok(ship.block_coefficient() * knots * knots / 100.0)
+}
+
+/// Squat at the bow by ICORELS: 2.4 ∇/L² Fh²/√(1 − Fh²) [m], Fh = V/√(gh).
+///
+/// # Errors
+/// [`HydroError::Aground`]; [`HydroError::Supercritical`] from Fh = 1.
+pub fn icorels_squat_m(
+    ship: &Particulars,
+    depth_m: f64,
+    speed_mps: f64,
+) -> Result<f64, HydroError> {
+    draught_over_depth(ship, depth_m)?;
+    let square = speed_mps * speed_mps / (GRAVITY_MPS2 * depth_m);
+    if square.is_nan() || square >= 1.0 {
+        return Err(HydroError::Supercritical { froude: square.sqrt() });
+    }
+    let slender_m = ship.volume_m3 / (ship.length_m * ship.length_m);
+    Ok(2.4 * slender_m * square / (1.0 - square).sqrt())
+}
+
+/// Squat at the bow in unrestricted shallow water by Eryuzlu et al. (1994):
+/// 0.298 h²/T (V/√(gT))^2.289 (h/T)^−2.972 [m].
+///
+/// # Errors
+/// [`HydroError::Aground`].
+pub fn eryuzlu_squat_m(
+    ship: &Particulars,
+    depth_m: f64,
+    speed_mps: f64,
+) -> Result<f64, HydroError> {
+    let ratio = 1.0 / draught_over_depth(ship, depth_m)?;
+    let draught_m = ship.draught_m;
+    let froude = speed_mps.abs() / (GRAVITY_MPS2 * draught_m).sqrt();
+    Ok(0.298 * depth_m * depth_m / draught_m * libm::pow(froude, 2.289) * libm::pow(ratio, -2.972))
+}

@@ -1,0 +1,190 @@
+//! Shallow water: factors, and what they make of turns and zig-zags.
+//!
+//! What a ship does there is held against what trials of tankers and container ships agree on: turns are a little wider
+//! at h/T 1.5 and half as wide again or more at 1.2; she drifts less in them and loses less speed; she overshoots less.
+//! `validation/shallow_water.toml` has the numbers.
+
+#[path = "support/ships.rs"]
+mod ships;
+
+use fenderline_scenario::VesselLibrary;
+use fenderline_sim::hydro::manoeuvres::{Approach, TurningCircle, turning_circle, zig_zag};
+use fenderline_sim::hydro::shallow::{CorrectionSet, Corrections, HullFactors, MassFactors};
+use fenderline_sim::hydro::vessels::Vessel;
+use fenderline_sim::hydro::{Controls, Mmg, Model3, Parts, Velocity, Water, polynomial_weight};
+use ships::{esso_osaka_model, kcs, kvlcc2};
+
+/// A step over the time in which she sails her own length: half of it moves no ratio by a thousandth.
+const STEP: f64 = 0.01;
+
+/// Every vessel that has a propeller and a rudder, with a speed of approach: where she has none, at Froude 0.15.
+fn steered() -> Vec<(String, Vessel, f64)> {
+    let library = VesselLibrary::built_in();
+    let mut all = Vec::new();
+    for data in library.vessels() {
+        let vessel = data.trial();
+        if vessel.ship.propulsion.is_none() {
+            continue;
+        }
+        let usual_mps = 0.15 * (9.81 * vessel.ship.particulars.length_m).sqrt();
+        let speed_mps = vessel.approach_mps.unwrap_or(usual_mps);
+        all.push((data.name.clone(), vessel, speed_mps));
+    }
+    assert!(all.len() >= 6, "the library has ships");
+    all
+}
+
+struct Done {
+    turn: TurningCircle,
+    /// First overshoots of 10°/10° and 20°/20° [°].
+    overshoots_deg: [f64; 2],
+}
+
+fn carried_out(vessel: &Vessel, ship: Mmg, speed_mps: f64) -> Done {
+    let model = Model3::new(ship, Water::SEA);
+    let step_s = STEP * ship.particulars.length_m / speed_mps;
+    let approach = Approach::at(&model, speed_mps, vessel.steering, step_s).expect("she holds it");
+    let turn = turning_circle(&model, &approach, 35_f64.to_radians()).expect("she turns");
+    let overshoots_deg = [10.0_f64, 20.0].map(|deg| {
+        let angle_rad = deg.to_radians();
+        let run = zig_zag(&model, &approach, angle_rad, angle_rad).expect("she answers");
+        run.first_overshoot_rad.to_degrees()
+    });
+    Done { turn, overshoots_deg }
+}
+
+/// Tactical diameter over that in deep water, rudder 35°: 1.0 to 1.45 at h/T 1.5 and 1.3 to 1.95 at 1.2, for every ship of
+/// the library, estimated ones among them. Drift, speed, rate of turn and overshoots move as in trials.
+#[test]
+fn every_ship_turns_and_answers_in_shallow_water_as_trials_say() {
+    for (name, vessel, speed_mps) in steered() {
+        let draught_m = vessel.ship.particulars.draught_m;
+        let at =
+            |ratio: f64| carried_out(&vessel, vessel.ship.at_depth(ratio * draught_m), speed_mps);
+        let (deep, half, fifth) = (carried_out(&vessel, vessel.ship, speed_mps), at(1.5), at(1.2));
+        let wider = |done: &Done| done.turn.tactical_diameter_m / deep.turn.tactical_diameter_m;
+        let steady = [&deep, &half, &fifth].map(|done| done.turn.steady);
+        let drifts_deg = steady.map(|turn| turn.drift_rad.to_degrees());
+        let speeds = steady.map(|turn| turn.speed_ratio);
+        let overshoots_deg = [&deep, &half, &fifth].map(|done| done.overshoots_deg);
+        println!(
+            "{name}: TD/TD deep {:.2} {:.2}, drift {drifts_deg:.1?}°, U/U0 {speeds:.2?}, overshoots {overshoots_deg:.1?}°",
+            wider(&half),
+            wider(&fifth)
+        );
+        assert!((1.0..=1.45).contains(&wider(&half)), "{name}");
+        assert!((1.3..=1.95).contains(&wider(&fifth)), "{name}");
+        assert!(fifth.turn.advance_m > half.turn.advance_m, "{name}: advance");
+        assert!(drifts_deg[1] < drifts_deg[0] && drifts_deg[2] < 0.6 * drifts_deg[1], "{name}");
+        assert!(speeds[1] > speeds[0] && speeds[2] > speeds[1], "{name}");
+        for angle in 0..2 {
+            let [deep, half, fifth] = overshoots_deg.map(|overshoots_deg| overshoots_deg[angle]);
+            assert!(half < deep && fifth < half, "{name}: overshoots {deep} {half} {fifth}");
+        }
+        let steps = [3.0, 2.5, 2.0, 1.7, 1.5, 1.4, 1.3, 1.25, 1.2, 1.15, 1.1].map(|ratio| {
+            let ship = vessel.ship.at_depth(ratio * draught_m);
+            let model = Model3::new(ship, Water::SEA);
+            let step_s = STEP * ship.particulars.length_m / speed_mps;
+            let approach = Approach::at(&model, speed_mps, vessel.steering, step_s).expect("held");
+            turning_circle(&model, &approach, 35_f64.to_radians())
+                .expect("she turns")
+                .tactical_diameter_m
+        });
+        // Nothing happens between the depths that are looked at.
+        let grows = steps.windows(2).all(|pair| pair[1] > 0.97 * pair[0]);
+        assert!(grows && steps[10] < 3.5 * steps[0], "{name}: {steps:.0?}");
+    }
+}
+
+fn hull_factors(factors: &HullFactors) -> [f64; 17] {
+    let HullFactors { resistance, x_vv, x_vr, x_rr, x_vvvv, y_v, y_r, y_vvv, .. } = *factors;
+    let HullFactors { y_vvr, y_vrr, y_rrr, n_v, n_r, n_vvv, n_vvr, n_vrr, n_rrr, .. } = *factors;
+    [
+        resistance, x_vv, x_vr, x_rr, x_vvvv, y_v, y_r, y_vvv, y_vvr, y_vrr, y_rrr, n_v, n_r,
+        n_vvv, n_vvr, n_vrr, n_rrr,
+    ]
+}
+
+#[test]
+fn deep_water_changes_nothing_and_shoaling_water_takes_nothing_back() {
+    for vessel in [kvlcc2(), kcs(), esso_osaka_model()] {
+        let ship = vessel.ship.particulars;
+        let at =
+            |ratio: f64| Corrections::of(CorrectionSet::Combined, &ship, ratio * ship.draught_m);
+        let deep = at(f64::INFINITY);
+        assert!(hull_factors(&deep.hull).iter().all(|factor| (factor - 1.0).abs() < 1e-12));
+        assert_eq!(deep.mass, MassFactors { surge: 1.0, sway: 1.0, yaw: 1.0 });
+        let stern = deep.stern;
+        assert_eq!([stern.driving, stern.wake, stern.inflow, stern.straightening], [1.0; 4]);
+        for set in
+            [CorrectionSet::EffectiveAspectRatio, CorrectionSet::Ankudinov, CorrectionSet::Taimuri]
+        {
+            let hull = Corrections::of(set, &ship, f64::INFINITY).hull;
+            assert!(hull_factors(&hull).iter().all(|factor| (factor - 1.0).abs() < 1e-12));
+        }
+        // From three draughts on each factor grows, by no more than the clearance shrinks.
+        let mut before = hull_factors(&at(3.0).hull);
+        for hundredths in (110..300).rev() {
+            let ratio = f64::from(hundredths) / 100.0;
+            let now = hull_factors(&at(ratio).hull);
+            for (before, now) in before.iter().zip(&now) {
+                let most = (ratio + 0.01 - 1.0) / (ratio - 1.0);
+                assert!(*now >= 0.999 * before && now / before < most, "{before} {now} at {ratio}");
+            }
+            before = now;
+        }
+        // Below 1.1 draughts, aground too, nothing changes any more.
+        assert_eq!(at(1.0999), at(1.1));
+        assert_eq!(at(-3.0), at(1.1));
+    }
+}
+
+/// UFC's drag of a ship abeam is hers where she crabs, and not in a turn.
+#[test]
+fn the_drag_of_a_berthed_ship_stays_out_of_the_turn() {
+    for vessel in [kvlcc2(), kcs(), esso_osaka_model()] {
+        let deep = vessel.ship;
+        let ship = deep.particulars;
+        let there = deep.at_depth(1.2 * ship.draught_m);
+        let hull = |ship: &Mmg, velocity: &Velocity| {
+            let Parts { hull, .. } = ship.parts(velocity, &Controls::default(), Water::SEA);
+            hull
+        };
+        let across = Velocity { sway_mps: 0.5, ..Velocity::default() };
+        let drag = deep.hull.low_speed.cross_flow.drag_coefficient;
+        let by_hand = (drag + (3.2 - drag) / 1.44) / drag;
+        let grown = hull(&there, &across).sway_n / hull(&deep, &across).sway_n;
+        assert!((grown / by_hand - 1.0).abs() < 1e-9, "{grown} {by_hand}");
+        // β 17°, r' 0.8 of a hard turn: the drag coefficient at her berth is not in it.
+        let turning =
+            Velocity { surge_mps: 3.0, sway_mps: -0.9, yaw_radps: 0.8 * 3.1 / ship.length_m };
+        assert_eq!(polynomial_weight(&turning, ship.length_m), 1.0);
+        let mut other = there;
+        other.hull.low_speed.cross_flow.drag_coefficient *= 2.0;
+        assert_eq!(hull(&other, &turning), hull(&there, &turning));
+    }
+}
+
+/// Under a tide she moves with the mass of the start; the forces are those of the moment, Coriolis terms and all.
+#[test]
+fn forces_are_those_of_the_depth_whatever_mass_she_moves_with() {
+    for vessel in [kvlcc2(), kcs(), esso_osaka_model()] {
+        let deep = vessel.ship;
+        let ship = deep.particulars;
+        let depth_m = 1.3 * ship.draught_m;
+        let (own, moving) =
+            (deep.at_depth(depth_m), deep.at_depth_moving(depth_m, deep.added_mass));
+        assert!(own.added_mass.sway_m3 > 1.5 * moving.added_mass.sway_m3);
+        for [surge_mps, sway_mps, tip_mps] in [[3.0, -0.8, 2.0], [0.2, 0.5, 0.3], [-1.0, 0.3, 1.0]]
+        {
+            let velocity = Velocity { surge_mps, sway_mps, yaw_radps: tip_mps / ship.length_m };
+            let controls = Controls { shaft_rps: 0.7, rudder_rad: 0.3 };
+            let [a, b] = [own, moving].map(|ship| ship.forces(&velocity, &controls, Water::SEA));
+            let scale_n = 1e3 * ship.length_m * ship.draught_m;
+            let off_n = (a.surge_n - b.surge_n).abs()
+                + (a.sway_n - b.sway_n).abs()
+                + (a.yaw_nm - b.yaw_nm).abs() / ship.length_m;
+            assert!(off_n < 1e-9 * scale_n, "{a:?} {b:?}");
+        }
+    }
+}
