@@ -173,7 +173,7 @@ fn independent() -> Result<Done, String> {
         command
     };
     run(&mut python("check_paper_method.py"))?;
-    for script in ["ship_formulas.py", "mmg_standard.py"] {
+    for script in ["ship_formulas.py", "mmg_standard.py", "reference_ships.py"] {
         run(python(script).arg("--check"))?;
     }
     let out = std::env::temp_dir().join(format!("fenderline-oracle-{}", std::process::id()));

@@ -3,6 +3,7 @@
 //! Each file has one subject and fills a [`Values`]; the inputs of a case stand there, the published
 //! numbers never.
 
+pub(in crate::validate) mod estimates;
 mod float;
 mod hull;
 mod manoeuvres;
@@ -12,6 +13,8 @@ mod ships;
 mod wind;
 
 use std::collections::BTreeMap;
+
+use super::estimate_errors;
 
 /// A value with its unit; the unit is empty for a plain number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +32,8 @@ impl Values {
     pub(in crate::validate) fn all() -> Values {
         let mut values = Values::default();
         manoeuvres::compute(&mut values);
+        estimates::compute(&mut values);
+        estimate_errors::put(&mut values);
         hull::compute(&mut values);
         propeller::compute(&mut values);
         wind::compute(&mut values);
@@ -37,7 +42,12 @@ impl Values {
         values
     }
 
-    fn put(&mut self, name: impl Into<String>, value: f64, unit: &'static str) {
+    pub(in crate::validate) fn put(
+        &mut self,
+        name: impl Into<String>,
+        value: f64,
+        unit: &'static str,
+    ) {
         let name = name.into();
         let before = self.0.insert(name.clone(), Value { value, unit });
         assert!(before.is_none(), "two values are called {name}");
