@@ -217,7 +217,20 @@ def all_numbers():
             for angle in (10, 20):
                 for measure, value in ship.zig_zag(angle * sign).items():
                     found[f"{name}/zigzag_{angle}/{side}/{measure}"] = value
+    found.update(estimates_of(found))
     return found
+
+
+def estimates_of(found):
+    """What an estimate of her from main particulars is held against: the mean of both sides."""
+    means = {}
+    for name in ("kvlcc2", "kcs"):
+        for measure, trial in (("advance", "turn_35/{}/advance"), ("diameter", "turn_35/{}/diameter"),
+                               ("overshoot_10", "zigzag_10/{}/first"), ("overshoot_20", "zigzag_20/{}/first")):
+            mean = sum(found[f"{name}/{trial.format(side)}"] for side in ("starboard", "port")) / 2
+            for route in ("yoshimura_masumoto", "clarke"):
+                means[f"estimated/{route}/{name}/{measure}"] = mean
+    return means
 
 
 if __name__ == "__main__":

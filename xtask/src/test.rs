@@ -176,7 +176,7 @@ fn independent() -> Result<Done, String> {
     run(&mut python("check_coupled_method.py"))?;
     // The coarse runs of all scenarios; the fine ones are `coupled_berth.py make`.
     run(&mut python("coupled_berth.py"))?;
-    for script in ["ship_formulas.py", "mmg_standard.py"] {
+    for script in ["ship_formulas.py", "mmg_standard.py", "reference_ships.py"] {
         run(python(script).arg("--check"))?;
     }
     let out = std::env::temp_dir().join(format!("fenderline-oracle-{}", std::process::id()));

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use fenderline_scenario::{VesselData, VesselLibrary, read_text};
 use fenderline_sim::environment::waves::{DriftHull, wave_number};
-use fenderline_sim::hydro::Water;
+use fenderline_sim::hydro::{Route, Water};
 use fenderline_sim::hydro::vessels::{Origin, Source};
 use serde_json::{Map, Value, json};
 
@@ -14,6 +14,7 @@ use crate::cli::VesselsArgs;
 use crate::failure::Failure;
 use crate::plot::{fixed, plain};
 use crate::terminal::say;
+use crate::validate::{EstimateError, estimate_errors};
 
 /// Lists the vessels, or tells one of them.
 ///
@@ -69,7 +70,88 @@ pub(crate) fn estimates(name: &str, origin: &Origin) -> String {
         }
         text.push_str(&source_line(source));
     }
+    text.push_str(&accuracy_text(origin));
     text
+}
+
+/// How far the estimate of a vessel is to be relied on: where she is outside the range of the formulas, and what error
+/// they have on ships with references. Nothing of a vessel whose hull, propeller and rudder are her own.
+pub(crate) fn accuracy(origin: &Origin) -> Vec<String> {
+    let Some(route) = origin.route else { return Vec::new() };
+    let mut lines: Vec<String> = origin.outside.iter().map(ToString::to_string).collect();
+    match route {
+        Route::Clarke => lines.push(
+            "no vessel like her was found to hold the formulas against: their error is not known"
+                .to_owned(),
+        ),
+        Route::YoshimuraMasumoto => lines.extend(estimate_errors(route).iter().map(|error| {
+            let percent = |share: f64| signed_percent(share);
+            let [(low_ship, low), (high_ship, high)] = &error.ends;
+            format!(
+                "{}: off by {} in the mean of {} ships with references, from {} ({low_ship}) to {} ({high_ship}); bias {}",
+                error.name,
+                percent(error.size).trim_start_matches('+'),
+                error.ships,
+                percent(*low),
+                percent(*high),
+                percent(error.bias)
+            )
+        })),
+    }
+    lines
+}
+
+/// The same as lines of text under a heading.
+pub(crate) fn accuracy_text(origin: &Origin) -> String {
+    let lines = accuracy(origin);
+    if lines.is_empty() {
+        return String::new();
+    }
+    let lines: String = lines.iter().map(|line| format!("  {line}\n")).collect();
+    format!("{ACCURACY}:\n{lines}")
+}
+
+/// The heading of [`accuracy`].
+pub(crate) const ACCURACY: &str =
+    "How far these estimates are to be relied on (`fenderline validate`)";
+
+fn signed_percent(share: f64) -> String {
+    let text = format!("{:+.0} %", 100.0 * share).replace('-', "−");
+    if matches!(text.as_str(), "+0 %" | "−0 %") { "0 %".to_owned() } else { text }
+}
+
+/// The same as JSON; null where nothing of hull, propeller and rudder is estimated.
+pub(crate) fn accuracy_json(origin: &Origin) -> Value {
+    let Some(route) = origin.route else { return Value::Null };
+    let outside: Vec<Value> = origin
+        .outside
+        .iter()
+        .map(|outside| {
+            json!({
+                "ratio": outside.ratio.name(),
+                "value": outside.value,
+                "low": outside.range[0],
+                "high": outside.range[1],
+            })
+        })
+        .collect();
+    let (formulas, errors) = match route {
+        Route::Clarke => ("Clarke, Gedling & Hine (1983)", Vec::new()),
+        Route::YoshimuraMasumoto => ("Yoshimura & Masumoto (2012)", {
+            let object = |error: &EstimateError| {
+                json!({
+                    "measure": error.measure,
+                    "mean_size": error.size,
+                    "bias": error.bias,
+                    "lowest": error.ends[0].1,
+                    "highest": error.ends[1].1,
+                    "ships": error.ships,
+                })
+            };
+            estimate_errors(route).iter().map(object).collect()
+        }),
+    };
+    json!({ "formulas": formulas, "outside": outside, "errors": errors })
 }
 
 /// A source as JSON.
@@ -131,6 +213,7 @@ fn sheet(vessel: &VesselData) -> String {
         text.push_str("\nEstimated by formulas, not validated for her:\n");
     }
     estimates.for_each(|source| text.push_str(&source_line(source)));
+    text.push_str(&accuracy_text(&vessel.origin));
     text.push_str(&drift_table(&drift(vessel)));
     text
 }
@@ -254,5 +337,6 @@ fn vessel_json(vessel: &VesselData) -> Value {
         "draught_m": hull.draught_m,
         "block_coefficient": hull.block_coefficient(),
         "sources": vessel.origin.sources.iter().map(source).collect::<Vec<_>>(),
+        "estimate": accuracy_json(&vessel.origin),
     })
 }

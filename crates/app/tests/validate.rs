@@ -22,6 +22,7 @@ fn every_published_number_is_within_its_tolerance_or_known_not_to_be() {
         "HULL AT LOW SPEED",
         "ESSO OSAKA: TURNING AT LOW SPEED",
         "ADDED MASS",
+        "SHIPS FROM MAIN PARTICULARS",
         "SHALLOW WATER",
         "PROPELLERS AND THRUSTERS",
         "WIND",

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use boon::{Compiler, Schemas};
 use fenderline_contact::vec2;
 use fenderline_scenario::{Scenario, Standing, VesselData, VesselLibrary, vessel_schema};
-use fenderline_sim::LineEnd;
-use fenderline_sim::hydro::Polynomial;
+use fenderline_sim::hydro::{HELD_AGAINST_SHIPS, Polynomial};
+use fenderline_sim::{LineEnd, Simulation};
 use serde_json::{Value as Json, json};
 use toml::de::{DeTable, DeValue};
 
@@ -101,7 +101,8 @@ fn every_built_in_vessel_is_there_and_has_a_source_for_every_number() {
             "container-ship",
             "paper-tug",
             "asd-tug",
-            "bulk-carrier"
+            "bulk-carrier",
+            "s175"
         ]
     );
     for vessel in library.vessels() {
@@ -262,14 +263,16 @@ fn a_vessel_from_main_particulars_says_everything_that_is_estimated() {
     let estimates: Vec<_> = vessel.origin.estimates().collect();
     for (group, standing) in [
         ("added mass", Standing::Recalled),
-        ("linear hull derivatives", Standing::Found),
+        ("hull under way", Standing::Found),
         ("resistance ahead", Standing::Recalled),
         ("resistance astern", Standing::Assumed),
         ("cross-flow drag", Standing::Recalled),
         ("wake", Standing::Recalled),
         ("thrust deduction", Standing::Recalled),
         ("lift gradient of the rudder", Standing::Recalled),
-        ("flow straightening", Standing::Recalled),
+        ("wake in a turn", Standing::Derived),
+        ("flow straightening", Standing::Found),
+        ("rudder and hull", Standing::Found),
     ] {
         let found = estimates.iter().find(|source| source.group == group);
         let found = found.unwrap_or_else(|| panic!("{group} is not told"));
@@ -286,6 +289,79 @@ fn a_vessel_from_main_particulars_says_everything_that_is_estimated() {
         estimated,
         ["propeller outside its first quadrant, and its torque", "thrust deduction astern"]
     );
+}
+
+/// The worked examples of the guide are what they say: the library's S175, and a scenario that runs.
+#[test]
+fn the_examples_of_the_guide_to_vessels_are_good() {
+    let guide = include_str!("../../../vessels/README.md");
+    let blocks: Vec<(&str, &str)> = guide
+        .split("```toml")
+        .skip(1)
+        .filter_map(|rest| rest.split("```").next()?.split_once('\n'))
+        .collect();
+    let [("", file), (" scenario", scenario)] = blocks[..] else { panic!("{blocks:?}") };
+    let library = VesselLibrary::built_in().with_file(file, "my_ship.toml").expect("a good file");
+    let (mine, theirs) = (library.vessel("my-ship").expect("there"), built_in("s175"));
+    assert_eq!((mine.ship, mine.approach_mps), (theirs.ship, theirs.approach_mps));
+    assert!(theirs.origin.outside.is_empty(), "she is within the range: {:?}", theirs.origin);
+
+    let scenario = Scenario::parse(scenario, "my_scenario.toml").expect("a good scenario");
+    let about_her =
+        scenario.notices.iter().filter(|notice| notice.key.starts_with("vessel.my-ship"));
+    assert_eq!(about_her.count(), 0, "{:?}", scenario.notices);
+    let mut simulation = Simulation::new(scenario.setup).expect("a good set-up");
+    for _ in 0..20 {
+        simulation.step().expect("a good step");
+    }
+    // The table of the range is the program's.
+    for (ratio, [low, high]) in HELD_AGAINST_SHIPS {
+        let name = ratio.name().replace('_', " ").replace("length bp", "length");
+        let row = format!("| {name} | {low} to {high} |");
+        assert!(guide.contains(&row), "{row}");
+    }
+}
+
+/// A scenario with one vessel of its own and a body of the library's tug.
+fn ship_and_tug(beam: &str, block: &str) -> String {
+    format!(
+        r#"title = "Outside"
+time = {{ step = "0.5 s", duration = "10 s" }}
+[vessel.mine]
+length_bp = "175 m"
+beam = "{beam}"
+draught = "8.5 m"
+block_coefficient = {block}
+[body.mine]
+vessel = "mine"
+outline = [[-87, -8], [87, -8], [87, 8], [-87, 8]]
+position = [0, 0]
+[body.tug]
+vessel = "asd-tug"
+position = [0, 100]
+"#
+    )
+}
+
+/// Outside the range of the formulas she is estimated all the same; the notice names line, key, value and range.
+#[test]
+fn particulars_outside_the_range_of_the_estimate_are_told_of_with_key_and_range() {
+    let told = |beam: &str, block: &str| {
+        let scenario = Scenario::parse(&ship_and_tug(beam, block), "outside.toml");
+        let notices = scenario.expect("a good scenario").notices;
+        let lines = notices.iter().filter(|notice| notice.message.contains("held against"));
+        lines.map(ToString::to_string).collect::<Vec<String>>()
+    };
+    let tug =
+        "outside.toml:13:10: `body.tug.vessel`: length_bp over beam is 2.500, outside 5.3 to 7.3";
+    let [only] = &told("25.4 m", "0.56")[..] else { panic!("within the range") };
+    assert!(only.starts_with(tug), "{only}");
+    let [fine, of_tug] = &told("25.4 m", "0.45")[..] else { panic!("a fine ship and a tug") };
+    let said = "outside.toml:7:21: `vessel.mine.block_coefficient`: block_coefficient is 0.450, outside 0.55 to 0.85";
+    assert!(fine.starts_with(said) && of_tug.starts_with(tug), "{fine} {of_tug}");
+    let [broad, deep, _] = &told("35 m", "0.56")[..] else { panic!("too broad twice") };
+    assert!(broad.contains("`vessel.mine.length_bp`: length_bp over beam is 5.000"), "{broad}");
+    assert!(deep.contains("`vessel.mine.beam`: beam over draught is 4.118, outside 2.2"), "{deep}");
 }
 
 /// A vessel file without a mistake; each case below replaces a part of it.

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 
 use super::conditions::{Conditions, KNOT_MPS, Sea};
 use super::section::{Row, Section};
-use crate::vessels::source;
+use crate::vessels::{accuracy_json, source};
 
 /// The whole, with a line's end.
 pub(super) fn text(
@@ -30,6 +30,7 @@ pub(super) fn text(
         "notices": conditions.shallow.map_or_else(Vec::new, |shallow| shallow.notices(vessel, conditions.speed_mps)),
         "manoeuvres": sections.iter().map(section).collect::<Vec<_>>(),
         "sources": vessel.origin.sources.iter().map(source).collect::<Vec<_>>(),
+        "estimate": accuracy_json(&vessel.origin),
     });
     format!("{document:#}\n")
 }

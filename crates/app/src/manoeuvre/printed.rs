@@ -8,6 +8,7 @@ use super::catalogue::ManoeuvreName;
 use super::conditions::{Conditions, GRAVITY_MPS2, KNOT_MPS, Sea};
 use super::section::{Row, Section, Unit};
 use crate::plot::{fixed, plain, significant};
+use crate::vessels::accuracy_text;
 
 /// Width of the column of names [characters].
 const NAMES: usize = 38;
@@ -55,6 +56,7 @@ pub(super) fn text(
     for source in &vessel.origin.sources {
         let _ = writeln!(text, "  [{}] {}: {}", source.word(), source.group, source.source);
     }
+    text.push_str(&accuracy_text(&vessel.origin));
     text
 }
 

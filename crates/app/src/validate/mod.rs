@@ -2,11 +2,12 @@
 //!
 //! `published` reads what others published (`validation/*.toml`), `play` runs the scenarios,
 //! `quantity` takes values from a run, `computed` has all others, `row` holds one against
-//! the other; `printed`, `files`, `page`
+//! the other; `estimate_errors` tells how far off ships from main particulars are; `printed`, `files`, `page`
 //! and `figures` show it. Everything is inside the program, so that an installed one validates
 //! anywhere.
 
 mod computed;
+mod estimate_errors;
 mod figures;
 mod files;
 mod page;
@@ -21,6 +22,7 @@ use crate::failure::Failure;
 use crate::terminal::say;
 
 use computed::Values;
+pub(crate) use estimate_errors::{EstimateError, estimate_errors};
 use play::play_all;
 use published::Source;
 use row::{Row, evaluate};
@@ -39,6 +41,7 @@ const PUBLISHED: [(&str, &str); 14] = published![
     "coupled_independent.toml",
     "kvlcc2.toml",
     "kcs.toml",
+    "estimated_ships.toml",
     "low_speed.toml",
     "esso_osaka.toml",
     "added_mass.toml",

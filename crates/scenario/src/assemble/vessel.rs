@@ -4,14 +4,14 @@ use std::fmt::Display;
 
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::environment::waves::{DriftHull, MotionResponse};
-use fenderline_sim::hydro::AddedMass;
 use fenderline_sim::hydro::actuator::RateLimited;
+use fenderline_sim::hydro::{AddedMass, Ratio};
 use fenderline_sim::{Environment, Float, MassProperties, VesselSetup};
 
 use super::response::estimate;
 use super::{Assembly, Checked};
 use crate::checked::{Item, Table};
-use crate::error::ScenarioError;
+use crate::error::{Notice, ScenarioError};
 use crate::sources::{Span, quoted};
 use crate::vessels::{Belting, DeckPoint, VesselData, VesselLibrary, hydrostatics, own_vessel};
 
@@ -102,7 +102,29 @@ impl Kind {
     }
 }
 
+/// The key at which a ratio of a vessel is told of.
+fn key_of(ratio: Ratio) -> &'static str {
+    match ratio {
+        Ratio::BlockCoefficient => "block_coefficient",
+        Ratio::LengthOverBeam => "length_bp",
+        Ratio::BeamOverDraught => "beam",
+    }
+}
+
 impl Assembly<'_, '_> {
+    /// Tells of particulars outside the range of the formulas by which a scenario's own vessel is estimated.
+    fn tell_outside(&mut self, table: &Table, data: &VesselData) {
+        for outside in &data.origin.outside {
+            let item = table.item_if_any(key_of(outside.ratio)).or(table.item_if_any("from"));
+            let (span, key) = match item {
+                Some(item) => (&item.span, table.path_of(item.name)),
+                None => (&table.span, table.path.clone()),
+            };
+            let place = self.sources.place(span);
+            self.notices.push(Notice { place, key, message: outside.to_string() });
+        }
+    }
+
     /// Every kind of vessel: the scenario's own, in the order of the file, then those of the library that bodies
     /// name.
     pub(super) fn kinds(
@@ -121,6 +143,7 @@ impl Assembly<'_, '_> {
                 )));
             }
             let data = own_vessel(self.sources, name, table, library)?;
+            self.tell_outside(table, &data);
             let said_at = (table.span.clone(), table.path.clone());
             let mut kind =
                 Kind::new(data, environment, said_at).map_err(|error| self.wrong(table, &error))?;
@@ -140,6 +163,13 @@ impl Assembly<'_, '_> {
                 let known = own.chain(library.vessels().iter().map(|known| known.name.as_str()));
                 return Err(self.unknown("vessel", body, item, name, known));
             };
+            for outside in &data.origin.outside {
+                self.notices.push(Notice {
+                    place: self.sources.place(&item.span),
+                    key: body.path_of(item.name),
+                    message: outside.to_string(),
+                });
+            }
             let said_at = (item.span.clone(), body.path_of(item.name));
             let kind = Kind::new(data.clone(), environment, said_at)
                 .map_err(|error| self.refused(body, item, &error))?;

@@ -397,7 +397,7 @@ static PROPELLER: TableSpec = TableSpec {
         key(
             "wake_change",
             Kind::Table(&WAKE_CHANGE),
-            Means("none, and said so"),
+            Means("estimated where `wake` is, else none; said so"),
             "How the wake changes in a turn.",
             &[],
         ),

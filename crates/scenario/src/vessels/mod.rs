@@ -27,13 +27,14 @@ macro_rules! built_in {
 }
 
 /// The files that the program carries in itself: name and text.
-static BUILT_IN: [(&str, &str); 6] = built_in![
+static BUILT_IN: [(&str, &str); 7] = built_in![
     "kvlcc2.toml",
     "kcs.toml",
     "esso_osaka.toml",
     "moreno2023.toml",
     "asd_tug.toml",
     "bulk_carrier.toml",
+    "s175.toml",
 ];
 
 /// Vessels by name.

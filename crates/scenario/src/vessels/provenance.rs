@@ -163,7 +163,7 @@ pub(super) fn replaced(base: &Origin, table: &Table) -> Origin {
     }
     sources.retain(|source| source.is_estimate || !source.figures.is_empty());
     sources.extend(of_leaves(own));
-    Origin { title: base.title.clone(), sources }
+    Origin { sources, ..base.clone() }
 }
 
 fn standing(index: usize) -> Standing {

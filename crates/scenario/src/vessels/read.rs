@@ -127,7 +127,7 @@ impl Reading<'_, '_> {
         let coefficients = self.coefficients(base, &particulars)?;
         let added_mass = coefficients.added_mass.map(|form| form.of(&particulars));
         let gear = self.stern_gear(&particulars, &coefficients.stern)?;
-        let (ship, estimates) = estimated(&Known {
+        let estimate = estimated(&Known {
             particulars,
             added_mass,
             polynomial: coefficients.polynomial,
@@ -161,7 +161,7 @@ impl Reading<'_, '_> {
                 .item_if_any("resistance_of_model")
                 .map(|item| *item.number()),
             length_overall_m: overall.map(|item| *item.number()),
-            ship,
+            ship: estimate.model,
             approach_mps,
             rudder,
             shaft,
@@ -185,9 +185,10 @@ impl Reading<'_, '_> {
             Some(defaults) => defaults.figures.append(&mut assumed),
             None => all.extend(provenance::defaults_of(assumed)),
         }
-        all.extend(estimates);
+        all.extend(estimate.sources);
         all.extend(oscillators(vessel.stability.as_ref(), &particulars));
-        vessel.origin = Origin { title, sources: all };
+        vessel.origin =
+            Origin { title, sources: all, route: estimate.route, outside: estimate.outside };
         Ok(vessel)
     }
 

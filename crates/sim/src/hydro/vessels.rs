@@ -2,6 +2,7 @@
 //! `vessels/` at the root of the repository.
 
 use super::actuator::RateLimited;
+use super::estimate::{Outside, Route};
 use super::mmg::Mmg;
 
 /// How well the source of a number or of a formula is known, the surest first.
@@ -84,12 +85,16 @@ impl Source {
 }
 
 /// What a vessel is, and where her numbers come from.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Origin {
     /// Her name, with her scale.
     pub title: String,
     /// Every number of hers.
     pub sources: Vec<Source>,
+    /// The formulas by which her hull, propeller or rudder are estimated; `None` where they are her own.
+    pub route: Option<Route>,
+    /// Where she is outside the range in which those formulas were held against ships.
+    pub outside: Vec<Outside>,
 }
 
 impl Origin {

@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 
 use crate::output::Outcome;
 use crate::provider::provider_event_key;
-use crate::vessels::source;
+use crate::vessels::{accuracy_json, source};
 use crate::world::{LineTotals, TugTotals, VesselTotals, Who};
 
 /// Adds the sections of what the set-up has.
@@ -19,6 +19,7 @@ pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
             let mut object = vessel_json(&setup.bodies[vessel.body].name, totals);
             object["vessel"] = json!(vessel.origin.title);
             object["estimated"] = vessel.origin.estimates().map(source).collect();
+            object["estimate"] = accuracy_json(&vessel.origin);
             object
         });
         whole["vessels"] = vessels.collect();

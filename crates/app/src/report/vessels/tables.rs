@@ -10,6 +10,7 @@ use super::headline::class;
 use crate::output::Outcome;
 use crate::plot::{fixed, plain, significant};
 use crate::report::tables::{KNOT_MPS, ROWS, heading, more, number};
+use crate::vessels::{ACCURACY, accuracy};
 use crate::world::{LineTotals, TugTotals, VesselTotals};
 
 /// Particulars and what they did.
@@ -95,6 +96,11 @@ fn source(name: &str, vessel: &VesselSetup, environment: &Environment) -> Markup
                 "ship; do not take them for her own manoeuvring data."
             }
             (estimates(origin))
+            @let accuracy = accuracy(origin);
+            @if !accuracy.is_empty() {
+                p { (ACCURACY) ":" }
+                ul class="plain" { @for line in &accuracy { li { (line) } } }
+            }
         }
         @if let (Some(windage), true) = (&vessel.windage, environment.wind.is_some()) {
             @let (method, standing) = windage.method.standing();

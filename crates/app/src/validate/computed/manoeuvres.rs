@@ -37,18 +37,24 @@ fn approach_mps(vessel: &Vessel) -> f64 {
     vessel.approach_mps.expect("published ships have a speed of approach")
 }
 
-struct Trial {
-    model: Model3,
-    approach: Approach,
-    length_m: f64,
+/// A ship at her speed of approach.
+pub(super) struct Trial {
+    pub(super) model: Model3,
+    pub(super) approach: Approach,
+    pub(super) length_m: f64,
 }
 
 impl Trial {
     fn of(vessel: &Vessel) -> Trial {
+        Trial::stepped(vessel, STEP)
+    }
+
+    /// With a step over the time in which she sails her own length.
+    pub(super) fn stepped(vessel: &Vessel, step: f64) -> Trial {
         let model = Model3::new(vessel.ship, Water::SEA);
         let length_m = vessel.ship.particulars.length_m;
         let approach_mps = approach_mps(vessel);
-        let step_s = STEP * length_m / approach_mps;
+        let step_s = step * length_m / approach_mps;
         let approach = Approach::at(&model, approach_mps, vessel.steering, step_s)
             .expect("the propeller holds the speed of approach");
         Trial { model, approach, length_m }

@@ -4,6 +4,7 @@
 //! numbers never.
 
 mod berth;
+pub(in crate::validate) mod estimates;
 mod float;
 mod hull;
 mod manoeuvres;
@@ -14,6 +15,8 @@ mod ships;
 mod wind;
 
 use std::collections::BTreeMap;
+
+use super::estimate_errors;
 
 /// A value with its unit; the unit is empty for a plain number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +34,8 @@ impl Values {
     pub(in crate::validate) fn all() -> Values {
         let mut values = Values::default();
         manoeuvres::compute(&mut values);
+        estimates::compute(&mut values);
+        estimate_errors::put(&mut values);
         hull::compute(&mut values);
         shallow::compute(&mut values);
         propeller::compute(&mut values);
@@ -41,7 +46,12 @@ impl Values {
         values
     }
 
-    fn put(&mut self, name: impl Into<String>, value: f64, unit: &'static str) {
+    pub(in crate::validate) fn put(
+        &mut self,
+        name: impl Into<String>,
+        value: f64,
+        unit: &'static str,
+    ) {
         let name = name.into();
         let before = self.0.insert(name.clone(), Value { value, unit });
         assert!(before.is_none(), "two values are called {name}");

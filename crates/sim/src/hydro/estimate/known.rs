@@ -1,0 +1,100 @@
+//! What may be known of a ship, as her estimate takes it.
+
+use crate::hydro::added_mass::AddedMass;
+use crate::hydro::low_speed::LowSpeedHull;
+use crate::hydro::mmg::Polynomial;
+use crate::hydro::particulars::Particulars;
+use crate::hydro::propeller::Series;
+
+/// What is known of a ship.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// Main particulars.
+    pub particulars: Particulars,
+    /// Added mass.
+    pub added_mass: Option<AddedMass>,
+    /// Hull polynomial under way.
+    pub polynomial: Option<Polynomial>,
+    /// Hull at low speed.
+    pub low_speed: Option<LowSpeedHull>,
+    /// Propeller and rudder; without them she has none.
+    pub gear: Option<SternGear>,
+}
+
+/// What must be known of a propeller and its rudder, and what may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SternGear {
+    /// Diameter of the propeller [m].
+    pub propeller_m: f64,
+    /// Movable area of the rudder [m²].
+    pub rudder_m2: f64,
+    /// Diameter of the propeller over span of the rudder; at most 1 counts.
+    pub propeller_to_span: f64,
+    /// Span² over area of the rudder; needed where [`SternCoefficients::lift_gradient`] is not known.
+    pub aspect_ratio: f64,
+    /// What was measured.
+    pub own: SternCoefficients,
+}
+
+/// What may be known of a propeller and its rudder behind the hull; named as in [`Propulsion`], [`Wake`] and
+/// [`Rudder`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SternCoefficients {
+    /// K_T = k₀ + k₁J + k₂J².
+    pub thrust_polynomial: Option<[f64; 3]>,
+    /// The series for what the polynomial does not cover.
+    pub series: Option<Series>,
+    /// t_P.
+    pub thrust_deduction: Option<f64>,
+    /// t_P of thrust astern.
+    pub thrust_deduction_astern: Option<f64>,
+    /// w₀.
+    pub wake: Option<f64>,
+    /// C₁, and C₂ for β_P below and above 0.
+    pub wake_change: Option<(f64, [f64; 2])>,
+    /// x'_P.
+    pub propeller_place: Option<f64>,
+    /// f_α.
+    pub lift_gradient: Option<f64>,
+    /// ε.
+    pub wake_ratio: Option<f64>,
+    /// κ.
+    pub race_gain: Option<f64>,
+    /// γ_R for β_R below and above 0.
+    pub straightening: Option<[f64; 2]>,
+    /// l'_R.
+    pub straightening_place: Option<f64>,
+    /// t_R.
+    pub resistance_deduction: Option<f64>,
+    /// a_H.
+    pub hull_gain: Option<f64>,
+    /// x'_H.
+    pub hull_place: Option<f64>,
+    /// x'_R.
+    pub rudder_place: Option<f64>,
+}
+
+impl SternCoefficients {
+    /// These, and the other's where these say nothing.
+    #[must_use]
+    pub fn or(self, other: SternCoefficients) -> SternCoefficients {
+        SternCoefficients {
+            thrust_polynomial: self.thrust_polynomial.or(other.thrust_polynomial),
+            series: self.series.or(other.series),
+            thrust_deduction: self.thrust_deduction.or(other.thrust_deduction),
+            thrust_deduction_astern: self.thrust_deduction_astern.or(other.thrust_deduction_astern),
+            wake: self.wake.or(other.wake),
+            wake_change: self.wake_change.or(other.wake_change),
+            propeller_place: self.propeller_place.or(other.propeller_place),
+            lift_gradient: self.lift_gradient.or(other.lift_gradient),
+            wake_ratio: self.wake_ratio.or(other.wake_ratio),
+            race_gain: self.race_gain.or(other.race_gain),
+            straightening: self.straightening.or(other.straightening),
+            straightening_place: self.straightening_place.or(other.straightening_place),
+            resistance_deduction: self.resistance_deduction.or(other.resistance_deduction),
+            hull_gain: self.hull_gain.or(other.hull_gain),
+            hull_place: self.hull_place.or(other.hull_place),
+            rudder_place: self.rudder_place.or(other.rudder_place),
+        }
+    }
+}

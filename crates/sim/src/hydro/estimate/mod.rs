@@ -1,0 +1,242 @@
+//! What a manoeuvring model lacks, estimated from main particulars: for ships without tests of their own, or
+//! with tests of a part. Every estimate is told with its formula, to be shown as such; what is outside the range in which the
+//! formulas were held against ships is told too.
+//!
+//! | what | by | standing |
+//! |---|---|---|
+//! | added mass | Zhou's regression | *recalled* |
+//! | hull under way, rudder and hull | [`Route`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, signs by KCS and KVLCC2 |
+//! | hull of any other vessel | [`Route`]: Clarke, Gedling & Hine (1983) with cross-flow drag | found in a public toolbox |
+//! | cross-flow drag | Hoerner's midship section | *recalled* |
+//! | resistance | C_T = 0.004 on Mumford's wetted surface; astern as Esso Osaka | *recalled* |
+//! | wake, thrust deduction | w = 0.5 Cb − 0.05 (Taylor), t = 0.6 w | *recalled* |
+//! | propeller | Wageningen B4-70 | as [`super::Propeller`] |
+//! | rudder | f_α = 6.13Λ/(2.25 + Λ) | *recalled* |
+//!
+//! `fenderline validate` holds both routes against six ships, measure by measure (`validation/estimated_ships.toml`).
+
+mod clarke;
+mod known;
+mod route;
+mod stern;
+mod yoshimura_masumoto;
+
+use super::added_mass::{AddedMass, zhou_added_mass};
+use super::blend::Hull;
+use super::error::HydroError;
+use super::low_speed::{CrossFlow, LowSpeedHull, hoerner_drag_coefficient};
+use super::mmg::{Mmg, Polynomial};
+use super::particulars::Particulars;
+use super::vessels::{Figure, Source, Standing};
+
+pub use known::{Known, SternCoefficients, SternGear};
+pub use route::{HELD_AGAINST_SHIPS, Outside, Ratio, Route};
+
+/// Total resistance coefficient on the wetted surface.
+const TOTAL_RESISTANCE: f64 = 0.004;
+/// Resistance astern over ahead: Esso Osaka's.
+const ASTERN_OVER_AHEAD: f64 = 0.0319 / 0.0214;
+
+/// A ship of which something was estimated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimated {
+    /// Her model.
+    pub model: Mmg,
+    /// What had to be estimated, and by what.
+    pub sources: Vec<Source>,
+    /// By which formulas her hull, propeller or rudder were estimated; `None` where they are her own.
+    pub route: Option<Route>,
+    /// Where that was outside the range in which the formulas were held against ships.
+    pub outside: Vec<Outside>,
+}
+
+/// The model of a ship from what is known of her, by the route for her particulars.
+///
+/// # Errors
+/// Numbers that no ship has, or particulars for which the regression of added mass does not hold.
+pub fn estimated(known: &Known) -> Result<Estimated, HydroError> {
+    estimated_by(Route::of(&known.particulars), known)
+}
+
+/// The same by a route that is asked for.
+///
+/// # Errors
+/// As [`estimated`].
+pub fn estimated_by(route: Route, known: &Known) -> Result<Estimated, HydroError> {
+    let ship = known.particulars.check()?;
+    let mut sources = Vec::new();
+    let added_mass = match known.added_mass {
+        Some(added_mass) => added_mass,
+        None => added_mass(&ship, &mut sources)?,
+    };
+    let hull = hull(route, known, &ship, &added_mass, &mut sources);
+    let propulsion = match &known.gear {
+        Some(gear) => Some(stern::propulsion(route, &ship, gear, &mut sources)?),
+        None => None,
+    };
+    let model = Mmg { particulars: ship, added_mass, hull, propulsion }.check()?;
+    let hull_is_hers = known.polynomial.is_some() || known.low_speed.is_some();
+    let stern_is_hers = known.gear.as_ref().is_none_or(|gear| stern::is_hers(&gear.own));
+    let used = (!(hull_is_hers && stern_is_hers)).then_some(route);
+    let outside = used.map_or_else(Vec::new, |route| route.outside(&ship));
+    Ok(Estimated { model, sources, route: used, outside })
+}
+
+fn told(group: &str, figures: Vec<Figure>, source: &str, standing: Standing) -> Source {
+    Source {
+        group: group.to_owned(),
+        figures,
+        source: source.to_owned(),
+        standing,
+        is_estimate: true,
+    }
+}
+
+fn added_mass(ship: &Particulars, all: &mut Vec<Source>) -> Result<AddedMass, HydroError> {
+    let added = zhou_added_mass(ship)?;
+    all.push(told(
+        "added mass",
+        vec![
+            Figure::of("m_x/m", added.surge_m3 / ship.volume_m3, ""),
+            Figure::of("m_y/m", added.sway_m3 / ship.volume_m3, ""),
+            Figure::of("J_z/I_z", added.yaw_m5 / ship.yaw_inertia_m5(), ""),
+        ],
+        "regression of Zhou, Sheng & Feng on Motora's charts",
+        Standing::Recalled,
+    ));
+    Ok(added)
+}
+
+fn hull(
+    route: Route,
+    known: &Known,
+    ship: &Particulars,
+    added: &AddedMass,
+    all: &mut Vec<Source>,
+) -> Hull {
+    let hull = match (known.polynomial, known.low_speed) {
+        (under_way, Some(low_speed)) => return Hull { under_way, low_speed },
+        (Some(polynomial), None) => Hull::from_polynomial(polynomial, ship, added),
+        (None, None) => estimated_hull(route, ship, added, all),
+    };
+    if hull.under_way.is_some() {
+        all.push(told(
+            "hull at low speed",
+            linear_figures(&hull.low_speed),
+            "linear terms of her polynomial",
+            Standing::Derived,
+        ));
+    }
+    if known.polynomial.is_none() {
+        all.push(told(
+            "resistance astern",
+            vec![Figure::of("X'₀ astern", hull.low_speed.astern, "")],
+            "astern over ahead as of Esso Osaka, Miyauchi et al. (2022)",
+            Standing::Assumed,
+        ));
+        all.push(told(
+            "cross-flow drag",
+            vec![Figure::of("C_D", hull.low_speed.cross_flow.drag_coefficient, "")],
+            "Hoerner's drag of the midship section as in Fossen's MSS toolbox; the yaw rate counts as it is",
+            Standing::Recalled,
+        ));
+    }
+    hull
+}
+
+/// A hull of which only particulars are known.
+fn estimated_hull(
+    route: Route,
+    ship: &Particulars,
+    added: &AddedMass,
+    all: &mut Vec<Source>,
+) -> Hull {
+    let ahead = resistance_ahead(ship);
+    let hull = match route {
+        Route::YoshimuraMasumoto => {
+            let polynomial = Polynomial::Drift(yoshimura_masumoto::polynomial(ship, added, ahead));
+            all.push(told(
+                "hull under way",
+                polynomial_figures(&polynomial),
+                "Yoshimura & Masumoto (2012), as in public programs, its signs by the sets of KCS and KVLCC2",
+                Standing::Found,
+            ));
+            Hull::from_polynomial(polynomial, ship, added)
+        }
+        Route::Clarke => {
+            let low_speed = clarke_hull(ship, ahead);
+            all.push(told(
+                "linear hull derivatives",
+                linear_figures(&low_speed),
+                "Clarke, Gedling & Hine (1983), as in public implementations",
+                Standing::Found,
+            ));
+            Hull { under_way: None, low_speed }
+        }
+    };
+    all.push(told(
+        "resistance ahead",
+        vec![Figure::of("X'₀ ahead", ahead, "")],
+        "C_T = 0.004 on Mumford's wetted surface",
+        Standing::Recalled,
+    ));
+    hull
+}
+
+/// X'₀ ahead.
+fn resistance_ahead(ship: &Particulars) -> f64 {
+    let wetted_m2 = 1.7 * ship.length_m * ship.draught_m + ship.volume_m3 / ship.draught_m;
+    -TOTAL_RESISTANCE * wetted_m2 / (ship.length_m * ship.draught_m)
+}
+
+fn clarke_hull(ship: &Particulars, ahead: f64) -> LowSpeedHull {
+    let linear = clarke::linear(ship, ahead);
+    LowSpeedHull {
+        ahead,
+        astern: ahead * ASTERN_OVER_AHEAD,
+        surge_vr: linear.surge_vr,
+        sway_v: linear.sway_v,
+        sway_r: linear.sway_r,
+        yaw_v: linear.yaw_v,
+        yaw_r: linear.yaw_r,
+        cross_flow: CrossFlow {
+            drag_coefficient: hoerner_drag_coefficient(ship.beam_m, ship.draught_m),
+            yaw_gain_force: 1.0,
+            yaw_gain_moment: 1.0,
+        },
+    }
+}
+
+fn linear_figures(hull: &LowSpeedHull) -> Vec<Figure> {
+    vec![
+        Figure::of("X'vr", hull.surge_vr, ""),
+        Figure::of("Y'v", hull.sway_v, ""),
+        Figure::of("Y'r", hull.sway_r, ""),
+        Figure::of("N'v", hull.yaw_v, ""),
+        Figure::of("N'r", hull.yaw_r, ""),
+    ]
+}
+
+/// Every term of an estimated polynomial but the resistance.
+fn polynomial_figures(polynomial: &Polynomial) -> Vec<Figure> {
+    const NAMES: [&str; 16] = [
+        "X'ββ",
+        "X'βr",
+        "X'rr",
+        "X'ββββ",
+        "Y'β",
+        "Y'r",
+        "Y'βββ",
+        "Y'ββr",
+        "Y'βrr",
+        "Y'rrr",
+        "N'β",
+        "N'r",
+        "N'βββ",
+        "N'ββr",
+        "N'βrr",
+        "N'rrr",
+    ];
+    let terms = polynomial.coefficients();
+    NAMES.iter().zip(&terms[1..]).map(|(name, term)| Figure::of(name, *term, "")).collect()
+}

@@ -1,0 +1,266 @@
+//! Propeller and rudder behind the hull: what is known of them, and the route's formulas for the rest.
+
+use super::known::{SternCoefficients, SternGear};
+use super::route::Route;
+use super::{told, yoshimura_masumoto};
+use crate::hydro::error::{HydroError, within};
+use crate::hydro::mmg::{Propulsion, Wake};
+use crate::hydro::particulars::Particulars;
+use crate::hydro::propeller::{Propeller, Series};
+use crate::hydro::rudder::Rudder;
+use crate::hydro::vessels::{Figure, Source, Standing};
+
+/// Thrust deduction astern with which the series of pitch 0.8, −0.255 at bollard, gives the −0.175 ρn²D⁴
+/// that Miyauchi et al. (2022) have for Esso Osaka (pitch 0.715).
+const DEDUCTION_ASTERN: f64 = 0.314;
+
+/// x'_P of a ship of which it is not known.
+const PROPELLER_PLACE: f64 = -0.48;
+
+/// What the route says of the wake in a turn.
+struct WakeChange {
+    rate: f64,
+    limit: f64,
+    source: (&'static str, Standing),
+}
+
+impl WakeChange {
+    /// Hard over the propeller leaves the wake: C₂ = 1/(1 − w₀) gives back all of it. Of the two ships whose change is
+    /// known KVLCC2 gets 65 % back (mean of both sides, C₁ 2.0) and Esso Osaka 111 % (C₁ 1.4).
+    /// A set of hers that has a wake and no change of it was made without one.
+    fn by(route: Route, own_wake: Option<f64>, wake: f64) -> WakeChange {
+        match route {
+            Route::YoshimuraMasumoto if own_wake.is_none() => WakeChange {
+                rate: 2.0,
+                limit: 1.0 / (1.0 - wake),
+                source: (
+                    "all of it is left, as by w = w₀ exp(−4 β_P²) in a public program (nikpau/mmgdynamics), with \
+                     KVLCC2's C₁",
+                    Standing::Derived,
+                ),
+            },
+            _ => WakeChange {
+                rate: 0.0,
+                limit: 1.0,
+                source: ("as straight ahead", Standing::Assumed),
+            },
+        }
+    }
+}
+
+/// What the route says of rudder, race and hull.
+struct Interaction {
+    wake_ratio: f64,
+    race_gain: f64,
+    straightening: [f64; 2],
+    straightening_place: f64,
+    resistance_deduction: f64,
+    hull_gain: f64,
+    hull_place: f64,
+    source: (&'static str, Standing),
+}
+
+impl Interaction {
+    fn by(route: Route, ship: &Particulars, wake: f64) -> Interaction {
+        match route {
+            Route::YoshimuraMasumoto => {
+                let wake_ratio = yoshimura_masumoto::wake_ratio(wake);
+                Interaction {
+                    wake_ratio,
+                    race_gain: yoshimura_masumoto::race_gain(wake_ratio),
+                    straightening: [yoshimura_masumoto::straightening(ship); 2],
+                    straightening_place: yoshimura_masumoto::STRAIGHTENING_PLACE,
+                    resistance_deduction: yoshimura_masumoto::RESISTANCE_DEDUCTION,
+                    hull_gain: yoshimura_masumoto::hull_gain(ship),
+                    hull_place: yoshimura_masumoto::HULL_PLACE,
+                    source: ("Yoshimura & Masumoto (2012), as in public programs", Standing::Found),
+                }
+            }
+            Route::Clarke => Interaction {
+                wake_ratio: 1.0,
+                race_gain: 0.5,
+                straightening: [0.4, 0.5],
+                straightening_place: -0.7,
+                resistance_deduction: 0.3,
+                hull_gain: 0.3,
+                hull_place: -0.45,
+                source: ("as usual of full ships", Standing::Recalled),
+            },
+        }
+    }
+}
+
+/// Is everything her own that the route would estimate?
+pub(super) fn is_hers(own: &SternCoefficients) -> bool {
+    let numbers = [
+        own.wake_ratio,
+        own.race_gain,
+        own.straightening_place,
+        own.resistance_deduction,
+        own.hull_gain,
+        own.hull_place,
+    ];
+    own.straightening.is_some() && numbers.iter().all(Option::is_some)
+}
+
+/// Takes what is known, and collects what had to be assumed in its place.
+struct Missing<'a> {
+    all: &'a mut Vec<Source>,
+}
+
+impl Missing<'_> {
+    /// A known number, or the formula's.
+    fn number(
+        &mut self,
+        known: Option<f64>,
+        (group, symbol): (&str, &str),
+        formula: f64,
+        (source, standing): (&str, Standing),
+    ) -> f64 {
+        known.unwrap_or_else(|| {
+            let figures = vec![Figure::of(symbol, formula, "")];
+            self.all.push(told(group, figures, source, standing));
+            formula
+        })
+    }
+}
+
+/// Propeller and rudder, with what of them is estimated added to `all`.
+///
+/// # Errors
+/// A propeller or a rudder that no ship of her size has.
+pub(super) fn propulsion(
+    route: Route,
+    ship: &Particulars,
+    gear: &SternGear,
+    all: &mut Vec<Source>,
+) -> Result<Propulsion, HydroError> {
+    within("diameter of the propeller [m]", gear.propeller_m, 0.01, ship.length_m)?;
+    within("area of the rudder [m²]", gear.rudder_m2, 1e-4, ship.length_m * ship.draught_m)?;
+    let own = &gear.own;
+    if own.thrust_polynomial.is_none() || own.series.is_none() {
+        let pitch = Figure { name: "pitch ratio".to_owned(), text: "0.8".to_owned() };
+        let figures = if own.series.is_none() { vec![pitch] } else { Vec::new() };
+        all.push(told(
+            "propeller, and its torque",
+            figures,
+            "Wageningen B4-70, Roddy et al. (2006), from a transcription",
+            Standing::Recalled,
+        ));
+    } else {
+        all.push(told(
+            "propeller outside its first quadrant, and its torque",
+            Vec::new(),
+            "Wageningen B4-70 of the nearest pitch, Roddy et al. (2006), from a transcription",
+            Standing::Recalled,
+        ));
+    }
+    let mut missing = Missing { all };
+    let taylor = (0.5 * ship.block_coefficient() - 0.05).max(0.05);
+    let wake = missing.number(
+        own.wake,
+        ("wake", "w"),
+        taylor,
+        ("w = 0.5 Cb − 0.05, Taylor", Standing::Recalled),
+    );
+    let usual = Interaction::by(route, ship, wake);
+    let by = usual.source;
+    let astern = match own.thrust_deduction {
+        None => (0.6 * wake, ("as ahead", Standing::Assumed)),
+        Some(_) => (
+            DEDUCTION_ASTERN,
+            ("Esso Osaka's force astern at bollard over the series' thrust", Standing::Derived),
+        ),
+    };
+    let thrust_deduction = missing.number(
+        own.thrust_deduction,
+        ("thrust deduction", "t"),
+        0.6 * wake,
+        ("t = 0.6 w", Standing::Recalled),
+    );
+    let thrust_deduction_astern = missing.number(
+        own.thrust_deduction_astern,
+        ("thrust deduction astern", "t"),
+        astern.0,
+        astern.1,
+    );
+    let (rate, limits) = own.wake_change.unwrap_or_else(|| {
+        let WakeChange { rate, limit, source: (source, standing) } =
+            WakeChange::by(route, own.wake, wake);
+        let figures = vec![Figure::of("C₁", rate, ""), Figure::of("C₂", limit, "")];
+        missing.all.push(told("wake in a turn", figures, source, standing));
+        (rate, [limit; 2])
+    });
+    let fujii = 6.13 * gear.aspect_ratio / (2.25 + gear.aspect_ratio);
+    let rudder = Rudder {
+        area_m2: gear.rudder_m2,
+        lift_gradient: missing.number(
+            own.lift_gradient,
+            ("lift gradient of the rudder", "f_α"),
+            fujii,
+            ("6.13 Λ/(2.25 + Λ), Fujii", Standing::Recalled),
+        ),
+        propeller_to_span: gear.propeller_to_span.min(1.0),
+        wake_ratio: missing.number(
+            own.wake_ratio,
+            ("wake at the rudder", "ε"),
+            usual.wake_ratio,
+            by,
+        ),
+        race_gain: missing.number(own.race_gain, ("race at the rudder", "κ"), usual.race_gain, by),
+        straightening: own.straightening.unwrap_or_else(|| {
+            let [below, above] = usual.straightening;
+            let figures =
+                vec![Figure::of("γ_R", below, ""), Figure::of("γ_R (β_R > 0)", above, "")];
+            missing.all.push(told("flow straightening", figures, by.0, by.1));
+            usual.straightening
+        }),
+        straightening_place: missing.number(
+            own.straightening_place,
+            ("flow straightening", "l'_R"),
+            usual.straightening_place,
+            by,
+        ),
+        resistance_deduction: missing.number(
+            own.resistance_deduction,
+            ("steering resistance", "t_R"),
+            usual.resistance_deduction,
+            by,
+        ),
+        hull_gain: missing.number(own.hull_gain, ("rudder and hull", "a_H"), usual.hull_gain, by),
+        hull_place: missing.number(
+            own.hull_place,
+            ("rudder and hull", "x'_H"),
+            usual.hull_place,
+            by,
+        ),
+        place: missing.number(
+            own.rudder_place,
+            ("place of the rudder", "x'_R"),
+            -0.5,
+            ("at the after perpendicular", Standing::Assumed),
+        ),
+    };
+    // It matters only where the wake changes in a turn.
+    let place = if rate == 0.0 {
+        own.propeller_place.unwrap_or(PROPELLER_PLACE)
+    } else {
+        missing.number(
+            own.propeller_place,
+            ("place of the propeller", "x'_P"),
+            PROPELLER_PLACE,
+            ("as usual of full ships", Standing::Recalled),
+        )
+    };
+    Ok(Propulsion {
+        propeller: Propeller {
+            diameter_m: gear.propeller_m,
+            thrust_polynomial: own.thrust_polynomial,
+            series: own.series.unwrap_or(Series::B4Pitch08),
+        },
+        thrust_deduction,
+        thrust_deduction_astern,
+        wake: Wake { straight: wake, rate, limits, place },
+        rudder,
+    })
+}

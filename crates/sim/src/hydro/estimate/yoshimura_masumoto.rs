@@ -1,0 +1,85 @@
+//! Yoshimura & Masumoto, "Hydrodynamic database and manoeuvring prediction method with medium high-speed merchant ships
+//! and fishing vessels", MARSIM 2012: regressions for merchant ships by k = 2d/L, Cb B/L, Cb and L/B.
+//!
+//! The paper itself could not be read. The formulas stand in several public programs, among them nikpau/mmgdynamics
+//! (up to release 1.0), which do not agree in every sign. They are put here in the form over the drift angle
+//! β = −v', where they agree with the published sets of KCS and KVLCC2 (`tests/hydro_estimates.rs`):
+//!
+//! | term | here | in those programs, over β | KCS | KVLCC2 |
+//! |---|---|---|---|---|
+//! | Y'βββ | 0.185 L/B + 0.48 | 0.185 L/B − 0.48 | half of hers | a third of hers |
+//! | N'βrr | 0.075 (1 − Cb) L/B − 0.098 | 0.075 (1 − Cb) L/B + 0.098 | five times hers | the other sign |
+//! | X'βr − m'y | −1.91 Cb B/L + 0.08 | 1.91 Cb B/L − 0.08 − 2m'y | twice hers | as hers |
+//!
+//! Y'r and X'βr of the form over β hold −m'x and −m'y, which the regressions add: they cancel.
+
+use std::f64::consts::PI;
+
+use crate::hydro::added_mass::AddedMass;
+use crate::hydro::mmg::DriftPolynomial;
+use crate::hydro::particulars::Particulars;
+
+/// The hull under way, with a resistance X'₀ that is known.
+pub(super) fn polynomial(
+    ship: &Particulars,
+    added: &AddedMass,
+    resistance_x_0: f64,
+) -> DriftPolynomial {
+    let aspect = 2.0 * ship.draught_m / ship.length_m;
+    let block = ship.block_coefficient();
+    let full = fullness(ship);
+    let slender = ship.length_m / ship.beam_m;
+    let added_sway = added.sway_m3 / ship.mass_unit_m3();
+    let gravity_place = ship.centre_of_gravity_m / ship.length_m;
+    DriftPolynomial {
+        x_0: resistance_x_0,
+        x_bb: 1.15 * full - 0.18,
+        x_br: -1.91 * full + 0.08,
+        x_rr: -0.085 * full + 0.008 - gravity_place * added_sway,
+        x_bbbb: -6.68 * full + 1.1,
+        y_b: 0.5 * PI * aspect + 1.4 * full,
+        y_r: 0.5 * full,
+        y_bbb: 0.185 * slender + 0.48,
+        y_bbr: -0.75,
+        y_brr: 0.26 * (1.0 - block) * slender + 0.11,
+        y_rrr: -0.051,
+        n_b: aspect,
+        n_r: -0.54 * aspect + aspect * aspect,
+        n_bbb: -0.69 * block + 0.66,
+        n_bbr: 1.55 * full - 0.76,
+        n_brr: 0.075 * (1.0 - block) * slender - 0.098,
+        n_rrr: 0.25 * full - 0.056,
+    }
+}
+
+/// ε, wake at the rudder over wake at the propeller.
+pub(super) fn wake_ratio(wake: f64) -> f64 {
+    2.26 - 1.82 * (1.0 - wake)
+}
+
+/// κ, how much of the race reaches the rudder.
+pub(super) fn race_gain(wake_ratio: f64) -> f64 {
+    0.55 / wake_ratio
+}
+
+/// γ_R, to both sides.
+pub(super) fn straightening(ship: &Particulars) -> f64 {
+    2.06 * fullness(ship) + 0.14
+}
+
+/// a_H.
+pub(super) fn hull_gain(ship: &Particulars) -> f64 {
+    3.6 * fullness(ship)
+}
+
+/// l'_R.
+pub(super) const STRAIGHTENING_PLACE: f64 = -0.9;
+/// t_R.
+pub(super) const RESISTANCE_DEDUCTION: f64 = 0.39;
+/// x'_H.
+pub(super) const HULL_PLACE: f64 = -0.4;
+
+/// Cb B/L.
+fn fullness(ship: &Particulars) -> f64 {
+    ship.block_coefficient() * ship.beam_m / ship.length_m
+}
