@@ -33,7 +33,7 @@ macro_rules! published {
 }
 
 /// What there is to compare with, in the order of the table.
-const PUBLISHED: [(&str, &str); 13] = published![
+const PUBLISHED: [(&str, &str); 14] = published![
     "moreno2023.toml",
     "closed_form.toml",
     "kvlcc2.toml",
@@ -47,6 +47,7 @@ const PUBLISHED: [(&str, &str); 13] = published![
     "current_and_waves.toml",
     "lines_and_tugs.toml",
     "heave_and_roll.toml",
+    "finite_elements.toml",
 ];
 
 fn sources() -> Vec<Source> {

@@ -3,6 +3,7 @@
 //! Each file has one subject and fills a [`Values`]; the inputs of a case stand there, the published
 //! numbers never.
 
+mod finite_elements;
 mod float;
 mod hull;
 mod manoeuvres;
@@ -34,6 +35,7 @@ impl Values {
         wind::compute(&mut values);
         sea::compute(&mut values);
         float::compute(&mut values);
+        finite_elements::compute(&mut values);
         values
     }
 
