@@ -1,4 +1,4 @@
-//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `c`, `hosts`, `live-load`,
+//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `c`, `finite-elements`, `hosts`, `live-load`,
 //! `pages`, `nautical`.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
@@ -8,6 +8,7 @@ mod bench;
 mod c_interface;
 mod command;
 mod compare;
+mod finite_elements;
 mod fuzz;
 mod guide;
 mod hosts;
@@ -29,6 +30,7 @@ usage: cargo xtask test                   everything that a change must pass
                                           times and answers against the peers, instructions a step
                                           (all seven)
        cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (100000)
+       cargo xtask finite-elements        fenders by finite elements: studies, comparison, tables, data files
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
             Ok(sequences) => c_interface::c_command(sequences),
             Err(_) => usage(),
         },
+        ["finite-elements"] => finite_elements::finite_elements_command(),
         ["hosts"] => hosts::hosts_command(),
         ["pages"] => step::run_all(&pages::STEPS),
         ["nautical"] => step::run_all(&[nautical::STEP]),

@@ -6,6 +6,7 @@ use std::process::{Command, ExitCode};
 use crate::c_interface;
 use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
+use crate::finite_elements;
 use crate::fuzz;
 use crate::hosts;
 use crate::live_load;
@@ -29,6 +30,7 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "the same bits from debug, release and a second run", run: same_bits },
         Step { name: "published cases", run: validate },
         Step { name: "independent implementation", run: independent },
+        Step { name: "fenders by finite elements, coarse", run: finite_elements::small },
         nautical::STEP,
         Step { name: "the Python package", run: python_package },
         Step { name: "licences and sources of dependencies", run: licences },

@@ -32,6 +32,9 @@ pub(crate) enum Command {
     Manoeuvre(ManoeuvreArgs),
     /// The vessels of the library; of one of them every number with its source, and what is estimated
     Vessels(VesselsArgs),
+    /// Fender data: make a fender file of measured, calculated or printed curves
+    #[command(subcommand)]
+    Fender(FenderCommand),
     /// Write a functional mock-up unit (FMU) of a scenario, for masters of FMI: FMPy, the Open Simulation
     /// Platform and others
     Fmu(FmuArgs),
@@ -43,6 +46,64 @@ pub(crate) enum Command {
     Serve(ServeArgs),
     /// Play a session that `serve` recorded again: exit code 1 where it does not come to the same bits
     Replay(ReplayArgs),
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum FenderCommand {
+    /// Fit a fender to rows of deflection and reaction, show the fit and write a file for `fender_files`
+    Fit(FitArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct FitArgs {
+    /// Rows under a header: deflection_m or deflection_mm, reaction_n or reaction_kn, and where wanted
+    /// unloading (0 or 1), speed_mps, temperature_c
+    #[arg(value_name = "CURVES.csv")]
+    pub(crate) curves: PathBuf,
+    /// Fender file to write
+    #[arg(short, long, value_name = "FENDER.toml")]
+    pub(crate) out: PathBuf,
+    /// Extent in the direction of compression, uncompressed [m]
+    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    pub(crate) height: f64,
+    /// Length along the berth [m]
+    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    pub(crate) length: Option<f64>,
+    /// Rated deflection [m] [default: where the loading curve ends]
+    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    pub(crate) rated_deflection: Option<f64>,
+    /// Energy that comes back, where the file has no unloading curve [% of that taken]
+    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
+    pub(crate) returned_energy: Option<f64>,
+    /// Largest difference of the fit from the rows [% of the rated reaction]
+    #[arg(long, value_name = "PERCENT", default_value_t = 0.5, allow_hyphen_values = true)]
+    pub(crate) tolerance: f64,
+    /// Name of the family [default: that of the file]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) family: Option<String>,
+    /// Designation of the size [default: the name of the file]
+    #[arg(long, value_name = "NAME")]
+    pub(crate) designation: Option<String>,
+    /// Where the curves come from [default: the name of their file]
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) source: Option<String>,
+    /// How well that is known
+    #[arg(long, value_enum, default_value_t = FitStanding::Derived)]
+    pub(crate) standing: FitStanding,
+    /// Page with the fit and the rows to write
+    #[arg(long, value_name = "PAGE.html")]
+    pub(crate) plot: Option<PathBuf>,
+}
+
+/// How well the source of curves is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FitStanding {
+    /// Measured, or read in a public source
+    Found,
+    /// Computed
+    Derived,
+    /// To be checked against the document
+    Recalled,
 }
 
 #[derive(Debug, Args)]

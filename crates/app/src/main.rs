@@ -1,6 +1,6 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
-//! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre`, `vessels` and `fmu` are the commands;
+//! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre`, `vessels`, `fender` and `fmu` are the commands;
 //! `load` reads a scenario;
 //! `output` writes the result files, `report` the page, with the charts of `plot`; `verdict` is
 //! what both say of a fender, `world` of vessels, tugs and lines; `provider` speaks with other
@@ -9,6 +9,7 @@
 mod check;
 mod cli;
 mod failure;
+mod fender;
 mod fmu;
 mod load;
 mod manoeuvre;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         Command::Validate(args) => validate::validate(args),
         Command::Manoeuvre(args) => manoeuvre::manoeuvre(args),
         Command::Vessels(args) => vessels::vessels(args),
+        Command::Fender(command) => fender::fender(command),
         Command::Fmu(args) => fmu::fmu(args),
         Command::Serve(args) => serve::serve(args),
         Command::Replay(args) => serve::replay(args),

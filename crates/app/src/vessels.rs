@@ -6,8 +6,8 @@ use std::path::PathBuf;
 
 use fenderline_scenario::{VesselData, VesselLibrary, read_text};
 use fenderline_sim::environment::waves::{DriftHull, wave_number};
-use fenderline_sim::hydro::{Route, Water};
 use fenderline_sim::hydro::vessels::{Origin, Source};
+use fenderline_sim::hydro::{Route, Water};
 use serde_json::{Map, Value, json};
 
 use crate::cli::VesselsArgs;

@@ -59,6 +59,7 @@ mod checked;
 mod csv;
 mod error;
 mod files;
+mod fit;
 mod key_path;
 mod keys;
 mod library;
@@ -77,6 +78,7 @@ mod vessels;
 
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;
+pub use fit::{Branch, FenderCurves, FitError, FitOptions, FittedFender, LoadingCurve};
 pub use library::{
     CatalogueFender, FactorTable, Family, FamilyUnloading, FenderLibrary, FenderSize,
     HullPressureLimit, LookUpError, Tolerance,

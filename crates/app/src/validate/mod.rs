@@ -35,7 +35,7 @@ macro_rules! published {
 }
 
 /// What there is to compare with, in the order of the table.
-const PUBLISHED: [(&str, &str); 14] = published![
+const PUBLISHED: [(&str, &str); 17] = published![
     "moreno2023.toml",
     "closed_form.toml",
     "coupled_independent.toml",
@@ -52,6 +52,7 @@ const PUBLISHED: [(&str, &str); 14] = published![
     "wave_drift.toml",
     "lines_and_tugs.toml",
     "heave_and_roll.toml",
+    "finite_elements.toml",
 ];
 
 fn sources() -> Vec<Source> {

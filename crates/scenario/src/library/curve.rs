@@ -1,7 +1,7 @@
 //! Curves of straight pieces.
 
 /// The value at `x`; `None` outside the curve.
-pub(super) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
+pub(crate) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
     let (first, last) = (points.first()?, points.last()?);
     if x < first.0 || x > last.0 {
         return None;
@@ -13,7 +13,7 @@ pub(super) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
 }
 
 /// The integral from the curve's start to `x`, which lies on the curve.
-pub(super) fn integral(points: &[(f64, f64)], x: f64) -> f64 {
+pub(crate) fn integral(points: &[(f64, f64)], x: f64) -> f64 {
     let mut sum = 0.0;
     for piece in points.windows(2) {
         let ((x0, y0), (x1, y1)) = (piece[0], piece[1]);

@@ -12,6 +12,7 @@ use std::sync::OnceLock;
 
 use fenderline_sim::hydro::vessels::Standing;
 
+pub(crate) use curve::{integral as curve_integral, value as curve_value};
 pub use family::{FactorTable, Family, FamilyUnloading, FenderSize, HullPressureLimit, Tolerance};
 pub use fender::CatalogueFender;
 pub(crate) use keys::{FENDER_FILE, RETURNED_ENERGY};

@@ -5,6 +5,7 @@
 
 mod berth;
 pub(in crate::validate) mod estimates;
+mod finite_elements;
 mod float;
 mod hull;
 mod manoeuvres;
@@ -43,6 +44,7 @@ impl Values {
         sea::compute(&mut values);
         float::compute(&mut values);
         berth::compute(&mut values);
+        finite_elements::compute(&mut values);
         values
     }
 

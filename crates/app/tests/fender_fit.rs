@@ -1,0 +1,80 @@
+//! `fenderline fender fit`: from rows to a fender that a scenario takes.
+
+mod support;
+
+use support::{BERTH, Workplace, contains_all};
+
+/// A softening curve to 0.6 m, 61 rows.
+fn rows() -> String {
+    let row = |i: u32| {
+        let m = f64::from(i) * 0.01;
+        format!("{m:.2},{:.4}\n", 900.0 * (1.0 - (-m / 0.2).exp()))
+    };
+    format!("# from a bench\ndeflection_m,reaction_kn\n{}", (0..=60).map(row).collect::<String>())
+}
+
+#[test]
+fn a_fitted_fender_is_taken_by_a_scenario() {
+    let place = Workplace::new("fender_fit");
+    place.write("bench.csv", rows().as_bytes());
+    let fit = place.run(&[
+        "fender",
+        "fit",
+        "bench.csv",
+        "-o",
+        "bench.toml",
+        "--height",
+        "1",
+        "--length",
+        "2",
+        "--source",
+        "the bench",
+        "--plot",
+        "bench.html",
+    ]);
+    assert_eq!(fit.code, 0, "{}", fit.stderr);
+    contains_all(&fit.stdout, &["rated: 600.0 mm, 855.19 kN", "for 61 rows", "in bench.toml"]);
+    let toml = place.text("bench.toml");
+    contains_all(
+        &toml,
+        &["[family.\"bench\"]", "source = \"the bench\"", "standing = \"derived\""],
+    );
+    contains_all(&place.text("bench.html"), &["<svg", "measured", "fitted"]);
+    let scenario = BERTH.replace("title =", "fender_files = [\"bench.toml\"]\ntitle =").replace(
+        "type = \"cone\"\nheight = \"2 m\"\nrated_reaction = \"3500 kN\"",
+        "type = \"bench\"\nsize = \"bench\"\ncount = 4",
+    );
+    place.write("berth.toml", scenario.as_bytes());
+    let run = place.run(&["run", "berth.toml"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+}
+
+#[test]
+fn bad_curves_and_options_are_told_and_write_nothing() {
+    let place = Workplace::new("fender_fit_bad");
+    place.write("bench.csv", rows().as_bytes());
+    place.write("negative.csv", b"deflection_m,reaction_kn\n0.1,5\n0.2,-1\n");
+    let fit = |file: &str, more: &[&str]| {
+        let run = place.run(&[&["fender", "fit", file, "-o", "out.toml"], more].concat());
+        assert_eq!(run.code, 2, "{}", run.stderr);
+        assert!(!place.path("out.toml").exists());
+        run.stderr
+    };
+    contains_all(
+        &fit("negative.csv", &["--height", "1"]),
+        &["negative.csv:3:5", "`reaction_kn`", "-1"],
+    );
+    contains_all(
+        &fit("bench.csv", &["--height", "0.5"]),
+        &["bench.csv", "ends at 0.6 m", "0.5 m high"],
+    );
+    contains_all(
+        &fit("bench.csv", &["--height", "1", "--returned-energy", "120"]),
+        &["the returned energy is 1.2", "between 0.05 and 1"],
+    );
+    contains_all(
+        &fit("bench.csv", &["--height", "1", "--family", "cone"]),
+        &["there is a family named \"cone\" already"],
+    );
+    contains_all(&fit("nowhere.csv", &["--height", "1"]), &["cannot read", "nowhere.csv"]);
+}

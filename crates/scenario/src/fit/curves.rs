@@ -1,0 +1,332 @@
+//! A file of reactions over deflections: loading, unloading, several speeds or temperatures.
+
+use crate::csv::Csv;
+use crate::error::ScenarioError;
+
+type Read<T> = Result<T, ScenarioError>;
+
+/// Rows of deflection [m] and reaction [N], deflections rising.
+pub type Branch = Vec<(f64, f64)>;
+
+/// The loading of one speed and temperature, with what else is known of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadingCurve {
+    /// Speed of compression [m/s], where the file has speeds.
+    pub speed_mps: Option<f64>,
+    /// Temperature [°C], where the file has temperatures.
+    pub temperature_c: Option<f64>,
+    /// From (0, 0).
+    pub loading: Branch,
+    /// From (0, 0) to where the fender was let go; empty where the file has none. Nowhere above the loading.
+    pub unloading: Branch,
+}
+
+/// All curves of a file, in the order in which their first rows stand.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FenderCurves {
+    pub(super) curves: Vec<LoadingCurve>,
+}
+
+/// Columns of such a file: one of the deflections, one of the reactions, and any of the others.
+const COLUMNS: [&str; 7] = [
+    "deflection_m",
+    "deflection_mm",
+    "reaction_n",
+    "reaction_kn",
+    "unloading",
+    "speed_mps",
+    "temperature_c",
+];
+
+/// Key of errors: what the file is.
+const KEY: &str = "curves";
+/// Rows that a loading curve has at least, the first of no deflection apart.
+const FEWEST: usize = 3;
+const LARGEST_DEFLECTION_M: f64 = 100.0;
+const LARGEST_REACTION_N: f64 = 1e9;
+
+/// Rows of one speed, temperature and branch.
+struct Group {
+    speed_mps: Option<f64>,
+    temperature_c: Option<f64>,
+    is_unloading: bool,
+    /// Deflection [m], reaction [N] and number of the row.
+    rows: Vec<(f64, f64, usize)>,
+}
+
+impl FenderCurves {
+    /// Reads the text of a file; `name` is for messages.
+    ///
+    /// The first line names the columns: `deflection_m` or `deflection_mm`; `reaction_n` or `reaction_kn`; and, where
+    /// wanted, `unloading` (0 on the way in, 1 on the way out), `speed_mps`, `temperature_c`.
+    ///
+    /// # Errors
+    /// Wrong columns, a cell that is no number; a negative deflection or reaction, two rows at one deflection, loading
+    /// rows whose deflection does not rise, a reaction without deflection; fewer than three rows of a loading curve;
+    /// an unloading curve without its loading one, beyond its end, above it or of no energy.
+    pub fn parse(text: &str, name: &str) -> Read<FenderCurves> {
+        let csv = Csv::parse(text, name, KEY, &COLUMNS)?;
+        let groups = groups(&csv)?;
+        let (unloading, loading): (Vec<Group>, Vec<Group>) =
+            groups.into_iter().partition(|group| group.is_unloading);
+        if loading.is_empty() {
+            return Err(
+                csv.header_error("the file has no loading curve: `unloading` is 1 everywhere")
+            );
+        }
+        let mut curves = loading
+            .into_iter()
+            .map(|group| loading_curve(&csv, group))
+            .collect::<Read<Vec<LoadingCurve>>>()?;
+        for group in unloading {
+            add_unloading(&csv, group, &mut curves)?;
+        }
+        Ok(FenderCurves { curves })
+    }
+
+    /// The loading curves, in the order of the file.
+    #[must_use]
+    pub fn curves(&self) -> &[LoadingCurve] {
+        &self.curves
+    }
+}
+
+/// The column of two that measure the same, and what makes SI of it.
+fn one_of(csv: &Csv<'_>, [plain, scaled]: [&str; 2], factor: f64) -> Read<(usize, f64)> {
+    match (csv.has(plain), csv.has(scaled)) {
+        (true, false) => Ok((csv.column(plain)?, 1.0)),
+        (false, true) => Ok((csv.column(scaled)?, factor)),
+        (true, true) => {
+            let message = format!("the columns `{plain}` and `{scaled}` say the same");
+            Err(csv.header_error(message).with_help("give one of them"))
+        }
+        (false, false) => {
+            let message = format!("the column `{plain}` or `{scaled}` is missing");
+            Err(csv.header_error(message))
+        }
+    }
+}
+
+fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
+    let (deflection, to_m) = one_of(csv, ["deflection_m", "deflection_mm"], 1e-3)?;
+    let (reaction, to_n) = one_of(csv, ["reaction_n", "reaction_kn"], 1e3)?;
+    let wanted = |name: &str| csv.has(name).then(|| csv.column(name)).transpose();
+    let (unloading, speed, temperature) =
+        (wanted("unloading")?, wanted("speed_mps")?, wanted("temperature_c")?);
+    let mut groups: Vec<Group> = Vec::new();
+    for row in 0..csv.len() {
+        let deflection_m =
+            to_m * csv.number(row, deflection, [0.0, LARGEST_DEFLECTION_M / to_m])?;
+        let reaction_n = to_n * csv.number(row, reaction, [0.0, LARGEST_REACTION_N / to_n])?;
+        if deflection_m == 0.0 && reaction_n != 0.0 {
+            let message = format!("a reaction of {} kN without deflection", reaction_n / 1e3);
+            return Err(csv.cell_error(row, reaction, message));
+        }
+        let is_unloading =
+            match unloading.map(|column| (column, csv.number(row, column, [0.0, 1.0]))) {
+                None => false,
+                Some((_, Err(error))) => return Err(error),
+                Some((_, Ok(0.0))) => false,
+                Some((_, Ok(1.0))) => true,
+                Some((column, Ok(other))) => {
+                    let message = format!("`unloading` is 0 or 1, not {other}");
+                    return Err(csv.cell_error(row, column, message));
+                }
+            };
+        let speed_mps = speed.map(|column| csv.number(row, column, [1e-6, 100.0])).transpose()?;
+        let temperature_c =
+            temperature.map(|column| csv.number(row, column, [-100.0, 200.0])).transpose()?;
+        let found = groups.iter_mut().find(|group| {
+            group.is_unloading == is_unloading
+                && group.speed_mps == speed_mps
+                && group.temperature_c == temperature_c
+        });
+        let rows = match found {
+            Some(group) => &mut group.rows,
+            None => {
+                let rows = Vec::new();
+                groups.push(Group { speed_mps, temperature_c, is_unloading, rows });
+                let last = groups.len() - 1;
+                &mut groups[last].rows
+            }
+        };
+        if rows.iter().any(|(known_m, _, _)| *known_m == deflection_m) {
+            let branch = if is_unloading { "unloading" } else { "loading" };
+            let message = format!("a second {branch} reaction at a deflection of {deflection_m} m");
+            return Err(csv.cell_error(row, deflection, message));
+        }
+        if let Some((before_m, _, _)) = rows.last().filter(|_| !is_unloading)
+            && *before_m > deflection_m
+        {
+            let message =
+                format!("the deflection falls from {before_m} to {deflection_m} m while loading");
+            let error = csv.cell_error(row, deflection, message);
+            return Err(error.with_help("rows of the way out have 1 in a column `unloading`"));
+        }
+        rows.push((deflection_m, reaction_n, row));
+    }
+    Ok(groups)
+}
+
+/// With its beginning at rest, whether the file has it or not.
+fn from_rest(rows: &[(f64, f64, usize)]) -> Branch {
+    let mut branch: Branch = rows.iter().map(|(d, r, _)| (*d, *r)).collect();
+    branch.sort_by(|one, other| one.0.total_cmp(&other.0));
+    if branch.first().is_none_or(|first| first.0 > 0.0) {
+        branch.insert(0, (0.0, 0.0));
+    }
+    branch
+}
+
+fn loading_curve(csv: &Csv<'_>, group: Group) -> Read<LoadingCurve> {
+    let loading = from_rest(&group.rows);
+    if loading.len() <= FEWEST {
+        let (_, _, row) = group.rows[group.rows.len() - 1];
+        let message = format!(
+            "a loading curve of {} rows beyond no deflection, but {FEWEST} are the fewest",
+            loading.len() - 1
+        );
+        return Err(csv.cell_error(row, 0, message));
+    }
+    Ok(LoadingCurve {
+        speed_mps: group.speed_mps,
+        temperature_c: group.temperature_c,
+        loading,
+        unloading: Vec::new(),
+    })
+}
+
+fn add_unloading(csv: &Csv<'_>, group: Group, curves: &mut [LoadingCurve]) -> Read<()> {
+    let first_row = group.rows[0].2;
+    let loading = curves.iter_mut().find(|curve| {
+        curve.speed_mps == group.speed_mps && curve.temperature_c == group.temperature_c
+    });
+    let Some(curve) = loading else {
+        let message = "an unloading curve without a loading one of its speed and temperature";
+        return Err(csv.cell_error(first_row, 0, message.to_owned()));
+    };
+    for (deflection_m, reaction_n, row) in &group.rows {
+        let Some(bound_n) = value(&curve.loading, *deflection_m) else {
+            let end_m = curve.loading.last().map_or(0.0, |last| last.0);
+            let message =
+                format!("unloading from {deflection_m} m, but the loading curve ends at {end_m} m");
+            return Err(csv.cell_error(*row, 0, message));
+        };
+        if *reaction_n > bound_n * (1.0 + 1e-9) {
+            let message = format!(
+                "the unloading reaction {} kN lies above the loading one, {} kN, at {deflection_m} m",
+                reaction_n / 1e3,
+                bound_n / 1e3
+            );
+            return Err(csv.cell_error(*row, 0, message));
+        }
+    }
+    let unloading = from_rest(&group.rows);
+    if unloading.len() <= FEWEST {
+        let message = format!("an unloading curve of fewer than {FEWEST} rows");
+        return Err(csv.cell_error(first_row, 0, message));
+    }
+    let end_m = unloading[unloading.len() - 1].0;
+    let share = integral(&unloading, end_m) / integral(&curve.loading, end_m);
+    if !(share > 0.0 && share <= 1.0) {
+        let message = format!("the unloading curve returns {share} of the energy");
+        return Err(csv.cell_error(first_row, 0, message).with_help("between 0 and 1"));
+    }
+    curve.unloading = unloading;
+    Ok(())
+}
+
+/// The value at `x` of a curve of straight pieces; `None` outside it.
+pub(super) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
+    crate::library::curve_value(points, x)
+}
+
+/// The integral from the curve's start to `x`, which lies on it.
+pub(super) fn integral(points: &[(f64, f64)], x: f64) -> f64 {
+    crate::library::curve_integral(points, x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FenderCurves;
+
+    fn refused(text: &str) -> String {
+        FenderCurves::parse(text, "bench.csv").expect_err(text).to_string()
+    }
+
+    const HEAD: &str = "deflection_mm,reaction_kn,unloading\n";
+
+    #[test]
+    fn millimetres_and_kilonewtons_become_si_and_rest_is_added() {
+        let text = format!("{HEAD}100,10,0\n200,30,0\n300,60,0\n300,60,1\n200,20,1\n100,5,1\n");
+        let curves = FenderCurves::parse(&text, "bench.csv").unwrap();
+        let [curve] = curves.curves() else { panic!("{curves:?}") };
+        let near = |(d, r): (f64, f64), (e, s): (f64, f64)| (d - e).abs() < 1e-12 && r == s;
+        let loading = [(0.0, 0.0), (0.1, 10e3), (0.2, 30e3), (0.3, 60e3)];
+        let unloading = [(0.0, 0.0), (0.1, 5e3), (0.2, 20e3), (0.3, 60e3)];
+        assert!(curve.loading.iter().zip(loading).all(|(a, b)| near(*a, b)), "{curve:?}");
+        assert!(curve.unloading.iter().zip(unloading).all(|(a, b)| near(*a, b)), "{curve:?}");
+    }
+
+    #[test]
+    fn each_mistake_is_told_at_its_line() {
+        let good = "100,10,0\n200,30,0\n300,60,0\n";
+        for (text, fragments) in [
+            (
+                "deflection_m,reaction\n1,2\n".to_owned(),
+                ["\"reaction\" is not a column", "bench.csv:1:14", "reaction_n"],
+            ),
+            (
+                "deflection_m\n1\n".to_owned(),
+                ["`reaction_n` or `reaction_kn` is missing", "bench.csv:1", ""],
+            ),
+            (
+                "deflection_m,deflection_mm,reaction_n\n1,1,1\n".to_owned(),
+                ["say the same", "bench.csv:1", "one of them"],
+            ),
+            (
+                format!("{HEAD}100,10,0\n200,-3,0\n"),
+                ["`reaction_kn` must be between 0", "bench.csv:3:5", "-3"],
+            ),
+            (
+                format!("{HEAD}-100,10,0\n"),
+                ["`deflection_mm` must be between 0", "bench.csv:2:1", "-100"],
+            ),
+            (
+                format!("{HEAD}100,10,0\n100,12,0\n"),
+                ["a second loading reaction at a deflection of 0.1 m", "bench.csv:3:1", ""],
+            ),
+            (
+                format!("{HEAD}100,10,0\n90,12,0\n"),
+                ["falls from 0.1 to 0.09 m", "bench.csv:3:1", "column `unloading`"],
+            ),
+            (format!("{HEAD}0,10,0\n"), ["without deflection", "bench.csv:2:3", ""]),
+            (
+                format!("{HEAD}100,10,0\n200,30,0\n"),
+                ["2 rows beyond no deflection", "bench.csv:3:1", "3 are the fewest"],
+            ),
+            (
+                format!("{HEAD}{good}200,31,1\n"),
+                ["31 kN lies above the loading one, 30 kN", "bench.csv:5:1", ""],
+            ),
+            (format!("{HEAD}{good}400,31,1\n"), ["ends at 0.3 m", "bench.csv:5:1", ""]),
+            (
+                format!("{HEAD}{good}300,0,1\n200,0,1\n100,0,1\n"),
+                ["returns 0 of the energy", "bench.csv:5:1", "between 0 and 1"],
+            ),
+            (
+                format!("{HEAD}{good}100,5,2\n"),
+                ["`unloading` must be between 0 and 1", "bench.csv:5:7", "2"],
+            ),
+            (format!("{HEAD}{good}100,5,0.5\n"), ["`unloading` is 0 or 1", "bench.csv:5:7", ""]),
+            (format!("{HEAD}100,5,1\n"), ["no loading curve", "bench.csv:1", ""]),
+            (
+                "deflection_m,reaction_n,speed_mps\n0.1,5,0\n".to_owned(),
+                ["`speed_mps` must be between", "bench.csv:2:7", ""],
+            ),
+        ] {
+            let said = refused(&text);
+            assert!(fragments.iter().all(|fragment| said.contains(fragment)), "{said}\nfor {text}");
+        }
+    }
+}

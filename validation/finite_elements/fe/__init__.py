@@ -1,0 +1,1 @@
+"""Fenders by finite elements, for `analyse.py`."""

@@ -1,0 +1,42 @@
+//! `cargo xtask finite-elements`: fenders by finite elements. FElupe, numpy and scipy come from PyPI, in the versions of
+//! `validation/finite_elements/requirements.txt`, into an environment of their own beside what cargo builds.
+
+use std::process::{Command, ExitCode};
+
+use crate::command::{cargo, run};
+use crate::step::Done;
+use crate::tools;
+
+const SCRIPT: &str = "validation/finite_elements/analyse.py";
+
+/// All studies and the comparison with the laws of the program, which write the data files and tables anew.
+pub(crate) fn finite_elements_command() -> ExitCode {
+    let whole = || {
+        run(&mut cargo(["build", "--quiet", "--release", "--package", "fenderline"]))?;
+        analyse(&[])
+    };
+    match whole() {
+        Ok(Done::Good) => ExitCode::SUCCESS,
+        Ok(Done::NotRun(missing)) => {
+            eprintln!("{} is missing; install: {}", missing.tool, missing.install);
+            ExitCode::FAILURE
+        }
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Coarse meshes against the stored results.
+pub(crate) fn small() -> Result<Done, String> {
+    analyse(&["--small"])
+}
+
+fn analyse(arguments: &[&str]) -> Result<Done, String> {
+    match tools::python_environments() {
+        Ok(python) => run(Command::new(python).args(["-B", SCRIPT]).args(arguments))?,
+        Err(missing) => return Ok(Done::NotRun(missing)),
+    }
+    Ok(Done::Good)
+}
