@@ -90,7 +90,7 @@ def test_contacts_are_a_structured_array() -> None:
     assert contacts["depth_m"][0] == pytest.approx(0.5)
     parts = contacts["spring_n"] + contacts["stop_n"] + contacts["damper_n"]
     assert contacts["normal_force_n"] == pytest.approx(parts - contacts["limiter_n"])
-    assert [event.kind for event in engine.events] == ["contact_began"]
+    assert [event.kind for event in engine.events] == ["contact_began", "put_into"]
     assert engine.events[0].who == ["ship", "tug"]
 
 

@@ -191,9 +191,6 @@ pub(crate) fn collect(
     if pressed_out {
         laws.rebound_mps = opening_mps(touch.v_normal_mps, kick_s);
         laws.unheld_j = 0.0;
-        if taken.placed {
-            note(model, aside.events, a, b, EventKind::PutInto);
-        }
     }
     let begins_with = Forces {
         normal_n: old.map_or(law_n, |m| lesser(m.normal_force_n, law_n)),
@@ -205,6 +202,9 @@ pub(crate) fn collect(
     let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING)
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
+    if pressed_out && taken.placed {
+        note(model, aside.events, a, b, EventKind::PutInto);
+    }
     if let Some(row) = row {
         let Touch { depth_m, tilt_rad, stored_j, .. } = touch;
         let hysteresis_j = unloaded.map_or(0.0, |lost| lost.lost_j * factor);
