@@ -135,21 +135,6 @@ def loop(name, fineness):
     return [(0.0, 0.0), *[row[:2] for row in there]], [row[:2] for row in back]
 
 
-def shear(name, fineness, deflection=0.3, farthest=0.3):
-    """Pressed flat and then shifted: rows of shift, reaction, lateral force over friction's bound."""
-    pressed = Pressed(name, fineness, whole=True)
-    pressed.through(steps(0.0, deflection))
-
-    def shift(section, distance):
-        pressed.plate.place[0] = distance
-
-    def row(section, distance):
-        reaction, lateral, _ = pressed.forces()
-        return distance, reaction, abs(lateral)
-
-    return follow(pressed.section, shift, steps(0.0, farthest), row)
-
-
 def energy(rows):
     """Work from the first row on, by the trapezium rule."""
     d = np.array([row[0] for row in rows])

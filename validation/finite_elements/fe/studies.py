@@ -11,7 +11,7 @@ RESULTS = Path(__file__).resolve().parent.parent / "results"
 
 # Finenesses, coarse to fine, each twice the one before where two are compared.
 MESHES = {"cylinder": (1, 2, 4), "solid_d": (1, 2), "hollow_d": (2, 4), "cone": (2,)}
-# Of the shapes under a tilted plate and in shear, which need the whole section.
+# Of the shapes under a tilted plate, which need the whole section.
 WHOLE = {"cylinder": 1, "solid_d": 1, "hollow_d": 2}
 TILTS_DEG = (0, 5, 10)
 # How far they are pressed: the bore of the cylinder closes askew beyond.
@@ -48,11 +48,10 @@ def told(what, began):
 
 
 def whole():
-    """All studies. One of a tilted plate or of shear that finds no equilibrium is told and left out."""
+    """All studies. One of a tilted plate that finds no equilibrium is told and left out."""
     began = time.process_time()
     flat_plates(began)
     tilted_plates(began)
-    sheared_plates(began)
     softened(began)
     write("time.csv", ["processor_seconds"], [(float(round(time.process_time() - began)),)])
 
@@ -85,18 +84,6 @@ def tilted_plates(began):
                 print(f"{name} at {tilt} degrees: no equilibrium {error}", flush=True)
             told(f"{name} at {tilt} degrees", began)
     write("tilted.csv", ["shape", "tilt_deg", "deflection", "reaction", "lateral", "moment"], tilted)
-
-
-def sheared_plates(began):
-    """Whole sections that are pressed and then shifted."""
-    sheared = []
-    for name, fineness in WHOLE.items():
-        try:
-            sheared += [(name, *map(float, row)) for row in cases.shear(name, fineness)]
-        except NoEquilibrium as error:
-            print(f"{name} in shear: no equilibrium {error}", flush=True)
-        told(f"{name} in shear", began)
-    write("sheared.csv", ["shape", "shift", "reaction", "lateral"], sheared)
 
 
 def softened(began):
