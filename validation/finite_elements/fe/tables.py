@@ -119,6 +119,8 @@ def returned():
         top_in, top_out = branches[0][-1], branches[1][0]
         works[1] += (top_in["deflection"] - top_out["deflection"]) * (top_in["reaction"] + top_out["reaction"]) / 2
         rows.append((TITLES[name], f"{works[0]:.4f}", f"{works[1]:.4f}", f"{100 * works[1] / works[0]:.0f} %"))
+    if not rows:
+        return "The stored results have no loop: it was not solved in the time there was."
     return table(["shape", "energy taken", "energy returned", "share"], rows)
 
 
