@@ -232,3 +232,37 @@ fn a_ship_with_her_own_friction_runs_on_farther_than_with_that_of_her_model() {
     let (tested, own) = (reach("as tested"), reach("ship's friction"));
     assert!(own > 1.2 * tested && own < 20.0, "{tested} {own}");
 }
+
+/// With every estimated ship stands by how much such estimates are off, as computed from ships with references; of a ship with
+/// tests of her own nothing is said.
+#[test]
+fn the_error_of_an_estimate_is_told_by_measure() {
+    let place = Workplace::new("manoeuvre_accuracy");
+    let heading = "How far these estimates are to be relied on";
+    let told = |args: &[&str]| {
+        let run = place.run(args);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let (_, after) = run.stdout.split_once(heading)?;
+        Some(after.to_owned())
+    };
+    for args in [["manoeuvre", "bulk-carrier", "turning"].as_slice(), &["vessels", "bulk-carrier"]]
+    {
+        let said = told(args).expect("she is estimated");
+        for measure in ["advance at 35°: off by", "tactical diameter", "10°/10°", "20°/20°", "bias"]
+        {
+            assert!(said.contains(measure), "{measure}: {said}");
+        }
+        assert!(!said.contains("outside"), "she is within the range: {said}");
+    }
+    let container = told(&["vessels", "container-ship"]).expect("she is estimated");
+    assert!(container.contains("beam over draught is 5.111, outside 2.2 to 3.3"), "{container}");
+    let tug = told(&["vessels", "asd-tug"]).expect("she is estimated");
+    assert!(tug.contains("their error is not known") && !tug.contains("off by"), "{tug}");
+    assert_eq!(told(&["vessels", "kvlcc2"]), None);
+
+    let document = json(&place, &["s175", "turning"]);
+    let errors = document["estimate"]["errors"].as_array().expect("a list");
+    let advance = errors.iter().find(|error| error["measure"] == "advance").expect("told");
+    assert!(advance["mean_size"].as_f64().is_some_and(|size| size > 0.0 && size <= 0.15));
+    assert_eq!(json(&place, &["kcs", "turning"])["estimate"], Value::Null);
+}

@@ -179,6 +179,9 @@ fn a_line_that_parts_and_a_tug_that_pushes_are_said_plainly() {
     assert_eq!(parted["line"], "weak");
     assert_eq!(summary["vessels"][0]["vessel"], "coaster");
     let estimated = summary["vessels"][0]["estimated"].as_array().expect("a list");
+    // By how much such estimates are off, by measure.
+    let estimate = &summary["vessels"][0]["estimate"];
+    assert_eq!(estimate["errors"].as_array().map(Vec::len), Some(4), "{estimate}");
     let wake = estimated.iter().find(|estimate| estimate["group"] == "wake").expect("the wake");
     assert_eq!((&wake["figures"]["w"], &wake["standing"]), (&"0.3000".into(), &"recalled".into()));
 }
@@ -191,6 +194,8 @@ fn the_report_has_a_section_for_what_there_is_and_none_for_what_there_is_not() {
         &report,
         &[
             "ESTIMATED",
+            "How far these estimates are to be relied on",
+            "advance at 35°: off by",
             "<h2>Vessels</h2>",
             "<h2>Tugs</h2>",
             "<h2>Mooring lines</h2>",
