@@ -1,6 +1,7 @@
 //! Parameters: numbers of the set-up that a master can change until initialization ends.
 
-use fenderline_sim::{MassProperties, Setup};
+use fenderline_contact::Unloading;
+use fenderline_sim::{FenderSetup, MassProperties, Setup};
 
 use crate::table::{Causality, Class, Parameter, StandsFor, Table, Variable};
 use crate::unit::Unit;
@@ -105,6 +106,29 @@ pub(crate) fn add_materials_and_masses(table: &mut Table, setup: &Setup) {
         let is_vessel = setup.world.vessels.iter().any(|vessel| vessel.body == of);
         if let (Some(mass), false) = (&body.mass, is_vessel) {
             add(table, &format!("body.{}", body.name), of, mass, &fields);
+        }
+    }
+}
+
+/// What fenders give back that have an unloading law by a share of the energy taken: their material's restitution
+/// does nothing.
+pub(crate) fn add_fenders(table: &mut Table, setup: &Setup) {
+    let fields = [Field {
+        name: "returned_energy",
+        description: "share of the energy taken that its rubber gives back",
+        unit: Unit::One,
+        range: Some([Unloading::LEAST_RETURNED, 1.0]),
+        read: |fender: &FenderSetup| match fender.unloading {
+            Some(Unloading::ReturnedEnergy(share)) => share,
+            _ => 1.0,
+        },
+        write: |setup, of, value| {
+            setup.fenders[of].unloading = Some(Unloading::ReturnedEnergy(value));
+        },
+    }];
+    for (of, fender) in setup.fenders.iter().enumerate() {
+        if matches!(fender.unloading, Some(Unloading::ReturnedEnergy(_))) {
+            add(table, &format!("fender.{}", fender.name), of, fender, &fields);
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::bundle::{Bundle, BundleError};
 use crate::hash::guid;
 use crate::inputs::{add_controls, add_extra_loads, add_states};
 use crate::outputs::{add_contact, add_simulation};
-use crate::parameters::{add_materials_and_masses, add_starts};
+use crate::parameters::{add_fenders, add_materials_and_masses, add_starts};
 use crate::table::{Causality, Class, Kind, Setting, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
@@ -66,6 +66,7 @@ impl Plan {
             Kind::Engine => {
                 add_settings(&mut table, &scenario);
                 add_materials_and_masses(&mut table, setup);
+                add_fenders(&mut table, setup);
                 add_states(&mut table, setup);
                 add_contact(&mut table, setup);
             }
@@ -74,6 +75,7 @@ impl Plan {
                     return Err(PlanError::Providers);
                 }
                 add_materials_and_masses(&mut table, setup);
+                add_fenders(&mut table, setup);
                 add_starts(&mut table, setup);
                 add_extra_loads(&mut table, setup);
                 add_controls(&mut table, setup);

@@ -346,8 +346,10 @@ impl Simulation {
         self.fender_summaries.book(&self.setup.fenders, record.contacts, t_s);
         if let Some(study) = &mut self.study {
             let StepRecord { states, contacts, books, .. } = record;
-            let stored_j = books.iter().filter(|b| b.fender.is_some()).map(|b| b.stored_j).sum();
-            let step = StudyStep { t_s, states, contacts, stored_j };
+            let of_fenders = || books.iter().filter(|book| book.fender.is_some());
+            let stored_j = of_fenders().map(|book| book.stored_j).sum();
+            let hysteresis_j = of_fenders().map(|book| book.hysteresis_j).sum();
+            let step = StudyStep { t_s, states, contacts, stored_j, hysteresis_j };
             study.book(&self.setup.fenders, &self.inertias, &step);
         }
         self.index += 1;

@@ -93,8 +93,8 @@ pub struct BerthingOutcome {
     pub abnormal_energy_j: Option<f64>,
     /// Kinetic energy of the run square to the face at first touch, ½ M Cm V² [J].
     pub kinetic_j: f64,
-    /// The most that all fenders together stored at a time of the first hit [J]: from the first touch until
-    /// they hold less than half of it again. Loads that act meanwhile are in it.
+    /// The most that all fenders together had taken at a time of the first hit [J], what their rubber does not give back
+    /// included: from the first touch until they hold less than half of what they held at most. Loads that act meanwhile are in it.
     pub fender_energy_j: f64,
     /// That over `kinetic_j`: Ce as it came out.
     pub eccentricity_measured: f64,
@@ -106,6 +106,9 @@ pub(crate) struct Study {
     setup: BerthingSetup,
     displacement_kg: f64,
     first_hit_is_over: bool,
+    /// What rubber has turned to heat since the first touch, and the most that fenders held [J].
+    heat_j: f64,
+    most_stored_j: f64,
     pub(crate) outcome: Option<Result<BerthingOutcome, BerthingError>>,
 }
 
@@ -114,14 +117,23 @@ pub(crate) struct StudyStep<'a> {
     pub(crate) t_s: f64,
     pub(crate) states: &'a [BodyState],
     pub(crate) contacts: &'a [Contact],
-    /// What all fenders hold at the end of the step [J].
+    /// What all fenders hold at the end of the step and can give back [J].
     pub(crate) stored_j: f64,
+    /// What their rubber has turned to heat in the step [J].
+    pub(crate) hysteresis_j: f64,
 }
 
 impl Study {
     /// The particulars have been checked.
     pub(crate) fn new(setup: BerthingSetup, displacement_kg: f64) -> Study {
-        Study { setup, displacement_kg, first_hit_is_over: false, outcome: None }
+        Study {
+            setup,
+            displacement_kg,
+            first_hit_is_over: false,
+            heat_j: 0.0,
+            most_stored_j: 0.0,
+            outcome: None,
+        }
     }
 
     /// Books one step.
@@ -144,12 +156,15 @@ impl Study {
         }
         let Some(Ok(outcome)) = self.outcome.as_mut() else { return };
         let peaks_j: f64 = step.contacts.iter().map(|c| c.peak_loaded_j).sum();
-        // Peaks of one step need not come together; what is stored at its end does.
-        outcome.fender_energy_j = outcome.fender_energy_j.max(step.stored_j.min(peaks_j));
+        self.heat_j += step.hysteresis_j;
+        self.most_stored_j = self.most_stored_j.max(step.stored_j);
+        // Peaks of one step need not come together; what is taken by its end does.
+        let taken_j = step.stored_j + self.heat_j;
+        outcome.fender_energy_j = outcome.fender_energy_j.max(taken_j.min(peaks_j));
         outcome.eccentricity_measured = outcome.fender_energy_j / outcome.kinetic_j;
         // A first brush of no account is not the hit.
         let was_hit = outcome.fender_energy_j > 0.05 * outcome.kinetic_j;
-        self.first_hit_is_over = was_hit && step.stored_j < 0.5 * outcome.fender_energy_j;
+        self.first_hit_is_over = was_hit && step.stored_j < 0.5 * self.most_stored_j;
     }
 
     fn first_touch(

@@ -1,7 +1,7 @@
 //! Charts of the fenders: how far each is used, reactions over time, and the path that the run took in
 //! the diagram of reaction against deflection.
 
-use fenderline_contact::FenderLaw;
+use fenderline_contact::{FenderLaw, Unloading};
 use fenderline_sim::{FenderSetup, FenderSummary};
 use maud::{Markup, html};
 
@@ -122,15 +122,32 @@ fn diagram(fender: &FenderSetup, summary: &FenderSummary, trace: &FenderTrace) -
     ];
     if let FenderLaw::Curve(_) = fender.law {
         let name = format!("the fender's curve × {}", significant(summary.factor, 4));
-        series.push(Series::line(&name, curve(fender, summary)));
+        series.push(Series::line(&name, curve(fender, summary, None)));
+        if let Some(unloading) = &fender.unloading {
+            series
+                .push(Series::line("its unloading curve", curve(fender, summary, Some(unloading))));
+        }
     }
     let to_mm = |p: &Point| Point { x: p.x * 1e3, y: p.y };
     let in_mm = |s: Series| s.mapped(to_mm);
     let (unit, series) = scaled(series.into_iter().map(in_mm).collect(), "N");
-    let mut note =
-        "Means over the time step; between loading and unloading lies what restitution, \
-                    damping and the limit from momentum take."
-            .to_owned();
+    let mut note = match fender.unloading {
+        Some(_) => {
+            "Means over the time step; between loading and unloading lies what is lost in rubber and by damping."
+        }
+        None => {
+            "Means over the time step; between loading and unloading lies what restitution, damping and the \
+             limit from momentum take."
+        }
+    }
+    .to_owned();
+    if let (Some(unloading), Some(rated)) = (&fender.unloading, fender.rated) {
+        let share = unloading.returned_share(&fender.law, rated.deflection_m);
+        note.push_str(&format!(
+            " Its rubber gives back {} % of the energy that it took on the way to its rated deflection.",
+            significant(100.0 * share, 3)
+        ));
+    }
     if fender.law == FenderLaw::Area {
         note.push_str(
             " The deflection is that of the deepest point of the face; the reaction goes by the overlap \
@@ -170,15 +187,27 @@ fn going(path: &[Point], wanted: fn(&Point, &Point) -> bool) -> Vec<Point> {
     points
 }
 
-/// The curve with its factor and its stop, to where the run or the rating went.
-fn curve(fender: &FenderSetup, summary: &FenderSummary) -> Vec<Point> {
+/// The curve with its factor and its stop, to where the run or the rating went; or that to which it comes down by an
+/// unloading law.
+fn curve(
+    fender: &FenderSetup,
+    summary: &FenderSummary,
+    unloading: Option<&Unloading>,
+) -> Vec<Point> {
     const POINTS: u32 = 300;
     let rated_m = fender.rated.map_or(0.0, |rated| rated.deflection_m);
     let end_m = summary.peak_deflection_m.max(rated_m);
     let at = |deflection_m: f64| {
         let past_m = fender.stop.map_or(0.0, |stop| (deflection_m - stop.from_m).max(0.0));
         let stop_n = fender.stop.map_or(0.0, |stop| stop.stiffness_npm * past_m);
-        summary.factor * fender.law.reaction_n(deflection_m) + stop_n
+        let reaction_n = fender.law.reaction_n(deflection_m);
+        let share = match unloading {
+            Some(unloading) if reaction_n > 0.0 => {
+                unloading.reaction_n(&fender.law, deflection_m, reaction_n) / reaction_n
+            }
+            _ => 1.0,
+        };
+        summary.factor * share * (reaction_n + stop_n)
     };
     (0..=POINTS)
         .map(|k| end_m * f64::from(k) / f64::from(POINTS))

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use fenderline_contact::Unloading;
 use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure};
 use maud::{Markup, html};
 
@@ -168,19 +169,21 @@ pub(super) fn kind_of(fender: &FenderSetup) -> String {
 
 /// Where the data come from, each source once; what was not read in a source is marked.
 fn sources(setups: &[FenderSetup]) -> Markup {
-    let mut designations: BTreeMap<&str, &FenderSource> = BTreeMap::new();
-    for source in setups.iter().filter_map(|fender| fender.source.as_ref()) {
-        designations.entry(&source.designation).or_insert(source);
+    let mut designations: BTreeMap<(&str, String), &FenderSource> = BTreeMap::new();
+    for fender in setups {
+        if let Some(source) = &fender.source {
+            designations.entry((&source.designation, gives_back(fender))).or_insert(source);
+        }
     }
     let is_unnamed = setups.iter().any(|fender| fender.source.is_none());
     html! {
         h3 { "Fender data" }
         ul class="plain" {
-            @for source in designations.values() {
+            @for ((designation, gives_back), source) in &designations {
                 li {
-                    (source.designation) ": " (source.source) " – "
+                    (designation) ": " (source.source) " – "
                     (standing(&source.standing))
-                    "."
+                    ". " (gives_back)
                 }
             }
             @if designations.values().any(|source| source.standing.contains("rating given")) {
@@ -188,6 +191,17 @@ fn sources(setups: &[FenderSetup]) -> Markup {
             }
             @if is_unnamed { li { "Fenders without a type have the data of the scenario." } }
         }
+    }
+}
+
+/// What its rubber gives back; nothing for a fender without an unloading law.
+fn gives_back(fender: &FenderSetup) -> String {
+    match &fender.unloading {
+        None => String::new(),
+        Some(Unloading::ReturnedEnergy(share)) => {
+            format!("It gives back {} % of the energy taken.", plain(100.0 * share, 3))
+        }
+        Some(Unloading::Curve(_)) => "It gives back what its unloading curve says.".to_owned(),
     }
 }
 
