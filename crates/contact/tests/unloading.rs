@@ -102,9 +102,9 @@ fn returned(law: &FenderLaw, unloading: &Unloading, speed_mps: f64, step_s: f64)
     (run.speed_mps() / speed_mps).powi(2)
 }
 
-/// Δt [s], and how far the energy returned may be from its share of the energy taken. What is missed in long steps is the
-/// first touch, within a sub-step: a fender that returns all is off by as much.
-const STEPS: [(f64, f64); 5] = [(0.02, 2e-4), (0.1, 1e-3), (0.5, 5e-3), (1.0, 0.02), (2.0, 0.035)];
+/// Δt [s], and how far the energy returned may be from its share of the energy taken. In long steps it is the error of
+/// sub-steps of 0.15 rad: 0.3 %, a curve's corners and the turn from one curve to the other included.
+const STEPS: [(f64, f64); 5] = [(0.02, 1e-4), (0.1, 1e-3), (0.5, 4e-3), (1.0, 4e-3), (2.0, 4e-3)];
 
 #[test]
 fn an_impact_gives_back_its_share_of_the_energy_at_any_step() {
@@ -261,5 +261,48 @@ fn pressed_by_wind_and_gusts_she_neither_creeps_nor_loses_her_fender() {
             run.speed_mps()
         );
         assert!(drift_m.abs() < 2e-3, "{drift_m} m in a day");
+    }
+}
+
+#[test]
+fn a_run_goes_on_from_a_snapshot_in_the_middle_of_a_loop_bit_for_bit() {
+    let mut run = Run::new(model(cone(), Unloading::ReturnedEnergy(0.55)), 0.05, 0.3);
+    while run.speed_mps() < 0.02 {
+        run.step(0.0, 0.1);
+    }
+    let (saved, states) = (run.memory.snapshot(), run.states.clone());
+    let rest = |mut run: Run| {
+        (0..100).for_each(|_| run.step(2e5, 0.1));
+        (format!("{:?}", run.states), run.memory.snapshot())
+    };
+    let mut again = Run::new(model(cone(), Unloading::ReturnedEnergy(0.55)), 0.05, 0.3);
+    again.memory.restore(&run.model, &saved).expect("a good snapshot");
+    again.states = states;
+    assert_eq!(rest(run), rest(again));
+}
+
+/// A host that shows its states a step late and tells nothing: its own steps leave with the same share.
+#[test]
+fn a_following_host_leaves_with_the_root_of_the_returned_energy() {
+    let model = model(FenderLaw::linear(2e6), Unloading::ReturnedEnergy(0.55));
+    let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
+    for step_s in [0.05, 0.2] {
+        let mut host = FollowingHost::new(&model, settings);
+        let mut work = HostWorkspace::new(&model);
+        let mut barge = BodyState {
+            position_m: vec2(10.1, 0.0),
+            velocity_mps: vec2(-0.3, 0.0),
+            ..BodyState::default()
+        };
+        let mut shown = barge;
+        for _ in 0..(20.0 / step_s) as u32 {
+            let states = [BodyState::default(), shown];
+            let wrench = host.step(&model, &mut work, &states, None, step_s).expect("good")[1];
+            shown = barge;
+            barge.position_m += barge.velocity_mps * step_s;
+            barge.velocity_mps += wrench.force_n * (step_s / 5e6);
+        }
+        let share = barge.velocity_mps.x / 0.3;
+        assert!((share / libm::sqrt(0.55) - 1.0).abs() < 0.01, "{step_s} s: {share}");
     }
 }

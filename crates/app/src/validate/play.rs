@@ -17,7 +17,7 @@ macro_rules! embedded {
 }
 
 /// Every scenario of a validation.
-const SCENARIOS: [(&str, &str); 13] = embedded![
+const SCENARIOS: [(&str, &str); 14] = embedded![
     "paper/experiment_1_step_0.1s",
     "paper/experiment_1_step_0.5s",
     "paper/experiment_1_step_1s",
@@ -31,6 +31,7 @@ const SCENARIOS: [(&str, &str); 13] = embedded![
     "closed_form/damped_head_on",
     "closed_form/grazing_slide",
     "closed_form/concrete_behind_fender",
+    "closed_form/rubber_head_on",
 ];
 
 /// The names of all scenarios, in the order of the sources.
