@@ -161,8 +161,7 @@ fn laws_of_old(model: &Model, past: Past<'_>, work: &mut Workspace, h: f64) -> u
             return index;
         }
         // Made where it is asked for, so that it stays in registers where it can.
-        let taken =
-            || Taken { inherited: Inherited::One(index as u32), old: Some(old), placed: false };
+        let taken = || Taken { inherited: Inherited::One(index as u32), old: Some(old), placed: 0 };
         let into = (tie, rows.get_mut(index));
         // Most of them are two outlines: much is known then.
         if patch.candidate.face == 0 {
@@ -185,12 +184,29 @@ fn laws_of_others(model: &Model, past: Past<'_>, work: &mut Workspace, (from, h)
         let taken = Taken {
             inherited,
             old: inherited.of(past.patches, shares),
-            placed: past.last_step_s == 0.0
-                || has_either(put, patch.candidate.a, patch.candidate.b),
+            placed: if past.last_step_s == 0.0
+                || has_either(put, patch.candidate.a, patch.candidate.b)
+            {
+                beside(model, patches, patch)
+            } else {
+                0
+            },
         };
         let into = (tie, rows.get_mut(index));
         collect_other(begun, &mut aside, patch, taken, into, next_patches);
     }
+}
+
+/// How many contacts a body that floats has beside this one, and this one.
+#[cold]
+#[inline(never)]
+fn beside(model: &Model, patches: &[Patch], patch: &Patch) -> u32 {
+    let floats = |rank: u32| !model.ranked[rank as usize].is_fixed();
+    let own = [patch.candidate.a, patch.candidate.b];
+    let shares = |rank: u32| own.contains(&rank) && floats(rank);
+    let count =
+        patches.iter().filter(|other| shares(other.candidate.a) || shares(other.candidate.b));
+    (count.count() as u32).max(1)
 }
 
 /// The laws of a contact that is new, at a fender, or comes after one that is.

@@ -28,8 +28,9 @@ const THROWN_OUT_MPS: f64 = 0.5;
 /// What decides whether a contact presses bodies apart slowly.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Put<'m> {
-    /// Were they put where they are before this sub-step?
-    pub(crate) placed: bool,
+    /// Were they put where they are before this sub-step, and how many contacts have they there? Each counts as if all
+    /// held as much: what all of them could do together is not left to them.
+    pub(crate) placed: u32,
     pub(crate) old: Option<&'m PatchMemory>,
     /// What the contact may give them [J], and f [N].
     pub(crate) may_give_j: f64,
@@ -43,7 +44,7 @@ impl Put<'_> {
     /// Is this a contact that presses out slowly?
     #[inline(always)]
     pub(crate) fn is_pressed_out(&self) -> bool {
-        self.placed && self.would_throw_out() || self.old.is_some_and(|old| self.goes_on(old))
+        self.placed > 0 && self.would_throw_out() || self.old.is_some_and(|old| self.goes_on(old))
     }
 
     /// As long as the law has more than it takes.
@@ -55,7 +56,8 @@ impl Put<'_> {
     #[cold]
     #[inline(never)]
     fn would_throw_out(&self) -> bool {
-        let fastest_mps = libm::sqrt(2.0 * self.may_give_j * self.inverse_mass);
+        let all_j = self.may_give_j * f64::from(self.placed);
+        let fastest_mps = libm::sqrt(2.0 * all_j * self.inverse_mass);
         fastest_mps > THROWN_OUT_MPS || self.restitution * fastest_mps > PRESSED_OUT_MPS
     }
 }

@@ -114,8 +114,8 @@ pub(crate) struct Aside<'w> {
 pub(crate) struct Taken<'m> {
     pub(crate) inherited: Inherited,
     pub(crate) old: Option<&'m PatchMemory>,
-    /// Its bodies were put where they are rather than moved there.
-    pub(crate) placed: bool,
+    /// Where its bodies were put where they are rather than moved there: how many contacts they have. Else none.
+    pub(crate) placed: u32,
 }
 
 /// Laws and effective masses of a patch, in its `tie`, what is told of it, in its `row`, and its memory as it is
@@ -159,7 +159,7 @@ pub(crate) fn collect(
     if material.damping_nspm2 != 0.0 {
         let chord_m = if face.is_some() { touch.chord_m } else { patch.chord_m.length() };
         let (closing_mps, area_m2) = (touch.v_normal_mps, patch.area_m2);
-        let answered = answered(old, taken.placed, behind_s);
+        let answered = answered(old, taken.placed > 0, behind_s);
         let growth = Growth { area_m2, chord_m, closing_mps, answered };
         (damper_n, damped_m2) = damper(material, &growth, (begun.h, kick_s));
     }
@@ -174,7 +174,7 @@ pub(crate) fn collect(
         } else {
             material.restitution * v_ref_mps
         },
-        may_give_j: may_give_j(&touch, factor, law_n, old, taken.placed),
+        may_give_j: may_give_j(&touch, factor, law_n, old, taken.placed > 0),
         may_shear_j: old.map_or(0.0, |m| m.sheared_j),
         unheld_j: if unloaded.is_some() { 0.0 } else { unheld_j(&touch, factor, law_n, old) },
     };
@@ -202,7 +202,7 @@ pub(crate) fn collect(
     let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING)
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
-    if pressed_out && taken.placed {
+    if pressed_out && taken.placed > 0 {
         note(model, aside.events, a, b, EventKind::PutInto);
     }
     if let Some(row) = row {
