@@ -26,10 +26,10 @@ FLOOR = 0.25
 class Pressed:
     """A shape under its plate."""
 
-    def __init__(self, name, fineness, whole=False, tilt_deg=0.0, softening=None, skin=None):
+    def __init__(self, name, fineness, whole=False, tilt_deg=0.0, skin=None):
         self.name = name
         self.whole = whole
-        material = Material(bulk_over_shear=rubber.BULK_OVER_SHEAR, softening=softening)
+        material = Material(bulk_over_shear=rubber.BULK_OVER_SHEAR)
         skin = SKIN[name] if skin is None else skin
         if name == "cone":
             self._cone(fineness, material, skin)
@@ -124,15 +124,6 @@ def load(name, fineness, to=None, **how):
     pressed = Pressed(name, fineness, **how)
     rows = pressed.through(steps(0.0, FARTHEST[name] if to is None else to))
     return [(0.0, 0.0, 0.0, 0.0), *rows], pressed.elements, time.process_time() - began
-
-
-def loop(name, fineness):
-    """Pressed and let go with softening: rows of the way in and of the way out."""
-    pressed = Pressed(name, fineness, softening=rubber.SOFTENING)
-    farthest = FARTHEST[name]
-    there = pressed.through(steps(0.0, farthest))
-    back = pressed.through(steps(farthest, 0.0))
-    return [(0.0, 0.0), *[row[:2] for row in there]], [row[:2] for row in back]
 
 
 def energy(rows):

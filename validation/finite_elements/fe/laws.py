@@ -34,8 +34,6 @@ FENDERS = {
     "hollow_d": (0.5, 4.0, 70),
     "cone": (1.0, None, 70),
 }
-# Whether curves carry the way out of the softening study into the fender files.
-WITH_WAY_OUT = False
 KNOTS = (0.1, 0.2, 0.3, 0.4, 0.5)
 
 
@@ -73,27 +71,18 @@ class Fender:
 
 
 def write_curves(fender):
-    """The curve as rows for `fenderline fender fit`, with the way out where it was analysed."""
+    """The curve as rows for `fenderline fender fit`."""
     folder = HERE / "curves"
     folder.mkdir(exist_ok=True)
     path = folder / f"{fender.name}.csv"
-    loop = [row for row in studies.read("loop.csv") if row["shape"] == fender.name and WITH_WAY_OUT]
     with open(path, "w", newline="") as file:
         extent = f", {fender.length} m long" if fender.length else ""
         file.write(f"# {TITLES[fender.name]}, {fender.height} m high{extent}, {fender.shore} Shore A: finite elements,\n")
         file.write("# made by validation/finite_elements/analyse.py\n")
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["deflection_m", "reaction_kn"] + (["unloading"] if loop else []))
+        writer.writerow(["deflection_m", "reaction_kn"])
         for d, r in zip(fender.deflection, fender.reaction):
-            writer.writerow([f"{d:.4f}", f"{r / 1e3:.3f}"] + ([0] if loop else []))
-        if loop:
-            way_in = np.array([(r["deflection"], r["reaction"]) for r in loop if r["unloading"] == 0])
-            for row in (r for r in loop if r["unloading"] == 1):
-                # The loop is of a coarser mesh: its share of the loading curve is taken.
-                share = row["reaction"] / max(np.interp(row["deflection"], *way_in.T), 1e-12)
-                d = row["deflection"] * fender.height
-                down = max(0.0, min(share, 1.0)) * np.interp(d, fender.deflection, fender.reaction)
-                writer.writerow([f"{d:.4f}", f"{down / 1e3:.3f}", 1])
+            writer.writerow([f"{d:.4f}", f"{r / 1e3:.3f}"])
     return path
 
 

@@ -24,14 +24,9 @@ class Material:
 
     shear_modulus: float = 1.0
     bulk_over_shear: float = 1000.0
-    # Ogden and Roxburgh's r, m (over the shear modulus) and beta; None: it returns all energy.
-    softening: tuple | None = None
 
     def law(self):
         law = fem.NeoHooke(mu=self.shear_modulus)
-        if self.softening is not None:
-            r, m, beta = self.softening
-            law = fem.OgdenRoxburgh(law, r=r, m=m * self.shear_modulus, beta=beta)
         return fem.NearlyIncompressible(law, bulk=self.bulk_over_shear * self.shear_modulus)
 
 

@@ -15,11 +15,6 @@ def shear_modulus_pa(shore_a):
     return young_modulus_pa(shore_a) / 3
 
 
-# Ogden and Roxburgh (1999), doi 10.1098/rspa.1999.0431: r, m over the shear modulus, beta. The values are those of
-# an example in the manual of Altair Radioss (2021, /FAIL/MULLINS_OR: R 2, beta 0.02, m 0.2 on a neo-Hookean rubber
-# with a shear modulus of 1 MPa), not of a test of fender rubber.
-SOFTENING = (2.0, 0.2, 0.02)
-
 # Bulk over shear modulus. Rubber has 1000 to 2000; the reaction hardly knows it.
 BULK_OVER_SHEAR = 1000.0
 

@@ -54,7 +54,6 @@ def whole():
     began = time.process_time()
     flat_plates(began)
     tilted_plates(began)
-    softened(began)
     write("time.csv", ["processor_seconds"], [(float(round(time.process_time() - began)),)])
 
 
@@ -86,15 +85,6 @@ def tilted_plates(began):
                 print(f"{name} at {tilt} degrees: no equilibrium {error}", flush=True)
             told(f"{name} at {tilt} degrees", began)
     write("tilted.csv", ["shape", "tilt_deg", "deflection", "reaction", "lateral", "moment"], tilted)
-
-
-def softened(began):
-    """The cylinder pressed and let go with softening rubber."""
-    there, back = cases.loop("cylinder", 1)
-    loops = [("cylinder", 0, float(d), float(r)) for d, r in there]
-    loops += [("cylinder", 1, float(d), float(r)) for d, r in back]
-    write("loop.csv", ["shape", "unloading", "deflection", "reaction"], loops)
-    told("let go with softening", began)
 
 
 def small():

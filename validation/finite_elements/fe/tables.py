@@ -103,27 +103,6 @@ def tilted():
     return table(header, rows)
 
 
-def returned():
-    loop = studies.read("loop.csv")
-    rows = []
-    for name in TITLES:
-        branches = [[r for r in loop if r["shape"] == name and r["unloading"] == way] for way in (0, 1)]
-        if not branches[0]:
-            continue
-        works = []
-        for branch in branches:
-            d = np.array([r["deflection"] for r in branch])
-            f = np.array([r["reaction"] for r in branch])
-            works.append(abs(float(np.sum(np.diff(d) * (f[1:] + f[:-1]) / 2))))
-        # The way out begins where the way in ends.
-        top_in, top_out = branches[0][-1], branches[1][0]
-        works[1] += (top_in["deflection"] - top_out["deflection"]) * (top_in["reaction"] + top_out["reaction"]) / 2
-        rows.append((TITLES[name], f"{works[0]:.4f}", f"{works[1]:.4f}", f"{100 * works[1] / works[0]:.0f} %"))
-    if not rows:
-        return "The stored results have no loop: it was not solved in the time there was."
-    return table(["shape", "energy taken", "energy returned", "share"], rows)
-
-
 def impacts():
     rows = []
     for row in studies.read("impacts.csv"):
@@ -150,7 +129,6 @@ TABLES = {
     "reactions": reactions,
     "static laws": static_laws,
     "tilted": tilted,
-    "returned": returned,
     "impacts": impacts,
     "cost": cost,
 }
