@@ -70,7 +70,7 @@ fn measured(vessel: &Vessel) -> [f64; 4] {
 }
 
 /// She as a user would describe her who has no test of hers.
-fn estimate_of(name: &str, route: Route) -> Vessel {
+pub(super) fn estimate_of(name: &str, route: Route) -> Vessel {
     let of = |known: &Known| estimated_by(route, known).expect("a ship").model;
     let library = |key: &str| {
         let own = vessel(key);

@@ -3,9 +3,10 @@
 use fenderline_sim::hydro::manoeuvres::{Approach, turning_circle, zig_zag};
 use fenderline_sim::hydro::shallow::{CorrectionSet, Corrections};
 use fenderline_sim::hydro::vessels::Vessel;
-use fenderline_sim::hydro::{Mmg, Model3, Particulars, Water};
+use fenderline_sim::hydro::{Mmg, Model3, Particulars, Route, Water};
 
 use super::Values;
+use super::estimates::{self, estimate_of};
 use super::ships::vessel;
 
 /// Depth over draught, and their names.
@@ -45,6 +46,7 @@ pub(super) fn compute(values: &mut Values) {
             }
         }
     }
+    estimated(values);
     for name in SHIPS {
         let vessel = vessel(name);
         let deep = Measures::of(&vessel, vessel.ship);
@@ -61,6 +63,20 @@ pub(super) fn compute(values: &mut Values) {
                 put("speed", there.speed_ratio, deep.speed_ratio);
                 put("overshoot_20", there.overshoot_20_rad, deep.overshoot_20_rad);
             }
+        }
+    }
+}
+
+/// Tactical diameters of ships that are estimated from particulars alone, by the route that the program takes.
+fn estimated(values: &mut Values) {
+    for name in estimates::SHIPS {
+        let vessel = estimate_of(name, Route::YoshimuraMasumoto);
+        let deep = Measures::of(&vessel, vessel.ship);
+        for (ratio, depth) in DEPTHS {
+            let ship = vessel.ship.at_depth(ratio * vessel.ship.particulars.draught_m);
+            let there = Measures::of(&vessel, ship);
+            let name = format!("shallow/estimated/{name}/diameter/{depth}");
+            values.put(name, there.diameter_m / deep.diameter_m, "");
         }
     }
 }
