@@ -8,7 +8,7 @@ const GRAVITY_MPS2: f64 = 9.806_65;
 /// Froude number of depth up to which a displacement ship goes in shallow water, and from which on squat is held.
 const FASTEST_FROUDE: f64 = 0.9;
 
-/// A formula for squat; all are recalled, and held against the design sheet's numbers only.
+/// A formula for squat; all are recalled, and held against numbers that were calculated apart only.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Squat {
     /// Barrass in open water, [`barrass_squat_m`]: the same at every depth, made for 1.1 to 1.4 draughts.
