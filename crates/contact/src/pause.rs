@@ -9,7 +9,7 @@ use crate::state::BodyState;
 use crate::workspace::Workspace;
 
 /// Takes a step of no length, in which nothing goes on: `memory` need not change. The wrenches and contacts are
-/// those of the last step, without work, motion and events; the states after it are those that are shown.
+/// those of the last step, without impulse, work, motion and events; the states after it are those that are shown.
 ///
 /// # Errors
 /// As of any step.
@@ -33,6 +33,7 @@ pub(crate) fn pause(
     }
     for contact in &mut work.contacts {
         contact.work = ContactWork::default();
+        (contact.normal_impulse_ns, contact.tangential_impulse_ns) = (0.0, 0.0);
     }
     work.events.clear();
     work.motions.clear();

@@ -50,6 +50,13 @@ pub struct Contact {
     pub normal_force_n: f64,
     /// T [N], on body 1 along the tangent.
     pub tangential_force_n: f64,
+    /// What N gives the two bodies within the step [N·s]: Σ N κ over the sub-steps, with κ for how long forces act (see
+    /// [`Motion::way_m`]). By the coupled method, of what the engine moved, it is the change of momentum exactly. The
+    /// mean `normal_force_n` times the step is not, where the length of the sub-steps changes: that mean is over the
+    /// sub-steps' own time, so that it is the force at rest. By the paper's method N times the step.
+    pub normal_impulse_ns: f64,
+    /// The same of T [N·s].
+    pub tangential_impulse_ns: f64,
     /// Stick or slip.
     pub friction: Friction,
     /// True where the limit from momentum cut the normal or the tangential force.

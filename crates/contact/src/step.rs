@@ -180,6 +180,8 @@ fn contact(
         shear_m: shear.shear_m,
         normal_force_n,
         tangential_force_n,
+        normal_impulse_ns: normal_force_n * step_s,
+        tangential_impulse_ns: tangential_force_n * step_s,
         friction: shear.friction,
         limited: normal_force_n < trial_n || tangential_force_n != shear.force_n,
         peak_normal_force_n: normal_force_n,

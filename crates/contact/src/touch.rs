@@ -244,6 +244,8 @@ impl Touch {
             shear_m: self.shear_m,
             normal_force_n: 0.0,
             tangential_force_n: 0.0,
+            normal_impulse_ns: 0.0,
+            tangential_impulse_ns: 0.0,
             friction: Friction::Stick,
             limited: false,
             peak_normal_force_n: 0.0,

@@ -157,6 +157,28 @@ fn concrete_behind_a_fender_is_met_as_hard_as_energy_says_at_any_time_step() {
     }
 }
 
+/// The same of what is reported of the hit: its impulse is the change of momentum.
+#[test]
+fn the_impulse_on_concrete_behind_a_fender_is_the_change_of_momentum_at_any_time_step() {
+    for (behind, step_s) in [Behind::Nothing, Behind::Stop, Behind::Concrete]
+        .iter()
+        .flat_map(|&behind| [0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0].map(|s| (behind, s)))
+    {
+        for gap in 0..8 {
+            let gap_m = 0.3 + 0.0873 * f64::from(gap) * step_s;
+            let mut run = Run::new(model(behind, 0.5), gap_m, 1.0, 0.0);
+            let mut impulse_ns = 0.0;
+            for _ in 0..(15.0 / step_s) as u32 {
+                impulse_ns += run.step(step_s).iter().map(|c| c.normal_impulse_ns).sum::<f64>();
+            }
+            let right_ns = MASS_KG * (1.0 - run.states[0].velocity_mps.x);
+            let case = format!("{behind:?}, Δt {step_s}, {gap_m} m");
+            assert!(right_ns > MASS_KG, "{case}: it came to a hit");
+            assert!((impulse_ns / right_ns - 1.0).abs() < 1e-9, "{case}: {impulse_ns} {right_ns}");
+        }
+    }
+}
+
 /// Steps as a game's frames, with long ones among them.
 fn frames(seed: u32) -> impl Iterator<Item = f64> {
     let mut state = seed;

@@ -18,7 +18,7 @@ fn model(on_fender: bool, shear_stiffness_npm: f64, friction: [f64; 2]) -> Model
         name: "barge".into(),
         key: 1,
         outline: rectangle([-5.0, 5.0], [-half_m, half_m]),
-        mobility: Mobility::Free { mass_kg: MASS_KG, yaw_inertia_kgm2: 1e12 },
+        mobility: Mobility::Free { mass_kg: MASS_KG, yaw_inertia_kgm2: 1e16 },
     });
     let near_m = if on_fender { 3.0 } else { 0.0 };
     let quay = builder.body(Body {
@@ -63,10 +63,17 @@ fn lost(model: &Model, velocity_mps: Vec2, step_s: f64, gap_m: f64) -> f64 {
         BodyState { position_m: vec2(-5.0 - gap_m, 0.0), velocity_mps, ..BodyState::default() };
     let mut states = vec![barge, BodyState::default()];
     let loads = [Wrench::default(); 2];
+    let mut on_barge_ns = Vec2::ZERO;
     for _ in 0..((gap_m / velocity_mps.x + 2.5) / step_s).ceil() as u32 + 1 {
         advance_in_place(model, &mut memory, &mut work, &mut states, &loads, step_s).unwrap();
+        for contact in work.contacts() {
+            on_barge_ns += contact.normal * -contact.normal_impulse_ns
+                + contact.tangent() * contact.tangential_impulse_ns;
+        }
     }
     assert!(work.contacts().is_empty(), "she has left");
+    let changed_ns = (states[0].velocity_mps - velocity_mps) * MASS_KG;
+    assert!((on_barge_ns - changed_ns).length() < 1e-9 * changed_ns.length(), "{on_barge_ns:?}");
     1.0 - states[0].velocity_mps.length_squared() / velocity_mps.length_squared()
 }
 

@@ -168,6 +168,7 @@ impl<'a> Reader<'a> {
         let [arm_2_m, normal] = [self.vector()?, self.vector()?];
         let [area_m2, depth_m, v_normal_mps, v_tangential_mps, shear_m] = self.numbers()?;
         let [normal_force_n, tangential_force_n] = self.numbers()?;
+        let [normal_impulse_ns, tangential_impulse_ns] = self.numbers()?;
         let [peak_normal_force_n, peak_depth_m] = self.numbers()?;
         let [spring_n, stop_n, damper_n, limiter_n] = self.numbers()?;
         let [normal_j, tangential_j, damper_j, limiter_j] = self.numbers()?;
@@ -189,6 +190,8 @@ impl<'a> Reader<'a> {
             shear_m,
             normal_force_n,
             tangential_force_n,
+            normal_impulse_ns,
+            tangential_impulse_ns,
             friction: if flags & 1 == 1 { Friction::Slip } else { Friction::Stick },
             limited: flags & 2 == 2,
             peak_normal_force_n,

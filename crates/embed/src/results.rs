@@ -70,6 +70,8 @@ pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
         c.shear_m,
         c.normal_force_n,
         c.tangential_force_n,
+        c.normal_impulse_ns,
+        c.tangential_impulse_ns,
         c.peak_normal_force_n,
         c.peak_depth_m,
         p.spring_n,
@@ -91,7 +93,7 @@ pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
 }
 
 /// How many they are.
-pub(crate) const CONTACT_NUMBERS: usize = 32;
+pub(crate) const CONTACT_NUMBERS: usize = 34;
 
 /// Results that were saved with an engine.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -107,7 +109,10 @@ impl Saved {
     /// A step of no length.
     pub(crate) fn pause(&mut self, states: &[BodyState]) {
         self.events.clear();
-        self.contacts.iter_mut().for_each(|contact| contact.work = ContactWork::default());
+        for contact in &mut self.contacts {
+            contact.work = ContactWork::default();
+            (contact.normal_impulse_ns, contact.tangential_impulse_ns) = (0.0, 0.0);
+        }
         if !self.states_after.is_empty() {
             self.states_after.copy_from_slice(states);
         }

@@ -46,7 +46,7 @@ impl MeanVelocity {
 /// What the works of a contact come from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum WorkBy {
-    /// The engine moved the bodies, and knows the work of each of its sub-steps.
+    /// The engine moved the bodies, and knows impulse and work of each of its sub-steps.
     Engine,
     /// The mean forces act along the host's motion for a time [s].
     Motion(f64),
@@ -113,25 +113,17 @@ impl Books {
     }
 
     /// Adds what `contacts` did.
-    pub(crate) fn add(
-        &mut self,
-        contacts: &[Contact],
-        mean: &[MeanVelocity],
-        step_s: f64,
-        by: WorkBy,
-    ) {
+    pub(crate) fn add(&mut self, contacts: &[Contact], mean: &[MeanVelocity], by: WorkBy) {
         for contact in contacts {
-            let work = match by {
-                WorkBy::Engine => contact.work,
-                WorkBy::Motion(seconds) => work_along(contact, mean, seconds),
-            };
-            let seconds = match by {
-                WorkBy::Engine => step_s,
-                WorkBy::Motion(seconds) => seconds,
+            let (work, impulse_ns) = match by {
+                WorkBy::Engine => (contact.work, contact.normal_impulse_ns),
+                WorkBy::Motion(seconds) => {
+                    (work_along(contact, mean, seconds), contact.normal_force_n * seconds)
+                }
             };
             let index = self.index_of(contact);
             let book = &mut self.all[index];
-            book.normal_impulse_ns += contact.normal_force_n * seconds;
+            book.normal_impulse_ns += impulse_ns;
             book.normal_j += work.normal_j;
             book.tangential_j += work.tangential_j;
             let hysteresis_j = contact.hysteresis_j - contact.hysteresis_at_start_j;

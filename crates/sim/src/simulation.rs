@@ -488,7 +488,7 @@ impl Simulation {
         let contacts = self.work.contacts();
         self.books.open(contacts);
         let rk4 = self.setup.integrator == Integrator::Rk4;
-        let mut add = |contacts, by| self.books.add(contacts, &buffers.mean, step_s, by);
+        let mut add = |contacts, by| self.books.add(contacts, &buffers.mean, by);
         match self.setup.method {
             Method::Coupled if engine_moved => add(contacts, WorkBy::Engine),
             Method::Paper if rk4 => {

@@ -21,7 +21,7 @@ pub struct PairSummary {
     pub peak_depth_m: f64,
     /// When [s].
     pub peak_depth_at_s: f64,
-    /// Σ N Δt [N·s].
+    /// ∫ N dt [N·s]: what the normal forces changed of the bodies' momentum.
     pub impulse_ns: f64,
     /// V_n in the first touching step, positive approaching [m/s].
     pub approach_speed_mps: f64,

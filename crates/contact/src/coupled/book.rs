@@ -160,6 +160,7 @@ fn within(taken_j: f64, most_j: f64) -> f64 {
 struct Booked {
     normal_n: f64,
     tangential_n: f64,
+    kick_s: f64,
     friction: Friction,
     depth_m: f64,
     stored_j: f64,
@@ -181,6 +182,7 @@ impl Booked {
         Booked {
             normal_n,
             tangential_n,
+            kick_s: tie.kick_s,
             friction,
             depth_m: row.depth_m,
             stored_j: row.stored_j,
@@ -215,6 +217,8 @@ impl Booked {
             shear_m: self.shear_m,
             normal_force_n: self.normal_n * share,
             tangential_force_n: self.tangential_n * share,
+            normal_impulse_ns: self.normal_n * self.kick_s,
+            tangential_impulse_ns: self.tangential_n * self.kick_s,
             friction: self.friction,
             limited: parts.limiter_n > 0.0,
             peak_normal_force_n: self.normal_n,
@@ -239,6 +243,8 @@ impl Booked {
     fn add_to(&self, contact: &mut Contact, share: f64) {
         contact.normal_force_n += self.normal_n * share;
         contact.tangential_force_n += self.tangential_n * share;
+        contact.normal_impulse_ns += self.normal_n * self.kick_s;
+        contact.tangential_impulse_ns += self.tangential_n * self.kick_s;
         contact.peak_normal_force_n = greater(contact.peak_normal_force_n, self.normal_n);
         contact.peak_depth_m = greater(contact.peak_depth_m, self.depth_m);
         contact.peak_loaded_j = greater(contact.peak_loaded_j, self.loaded_j);
