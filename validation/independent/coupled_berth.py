@@ -110,12 +110,12 @@ def validation_rows():
         for quantity, words in (("peak_force", "peak force"), ("peak_depth", "peak depth")):
             value = values[quantity, hardest]
             unit, value = ("kN", 1e-3 * value) if quantity == "peak_force" else ("m", value)
-            text.append(row_of(f"{title}: {words} of {hardest}", name, f"{name}/{words} of {hardest}", value, unit,
+            text.append(row_of(f"{title}: {words} of {hardest}", f"{name}/{words} of {hardest}", value, unit,
                                f"tolerance = {TOLERANCE}", PEAKS))
         for body in [row[1] for row in rows if row[0] == "largest_speed"]:
             value = values["final_speed", body]
             room = TOLERANCE * values["largest_speed", body]
-            text.append(row_of(f"{title}: final speed of {body}", name, f"{name}/final speed of {body}", value, "m/s",
+            text.append(row_of(f"{title}: final speed of {body}", f"{name}/final speed of {body}", value, "m/s",
                                f"tolerance_absolute = {room:.2g}", SPEEDS))
     return "\n".join(text)
 
@@ -135,11 +135,11 @@ standing = "computed"
 """
 
 
-def row_of(case, name, computed, value, unit, tolerance, reason):
+def row_of(case, computed, value, unit, tolerance, reason):
     return f"""\
 [[number]]
 case = "{case[0].upper()}{case[1:]}"
-place = "validation/independent/berth/{name}.csv"
+place = "its csv in berth/"
 computed = "berth/{computed}"
 published = {value:.6g}
 unit = "{unit}"

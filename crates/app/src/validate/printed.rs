@@ -15,7 +15,7 @@ pub(super) fn tables(rows: &[Row]) -> String {
     for row in rows.iter().filter(|row| !row.is_ok) {
         let known = if row.is_known_mismatch() { ", known" } else { "" };
         let what = format!("NOT MATCHING{known}: {} ({}). {}", row.case, row.cited(), row.note);
-        let _ = writeln!(text, "{}\n", wrapped(what.trim_end()));
+        let _ = writeln!(text, "{}\n", wrapped(what.trim_end(), LINE).join("\n"));
     }
     let (hold, said) = count(rows, false);
     let _ = writeln!(text, "{hold} of {said} statements hold");
@@ -36,47 +36,65 @@ fn is_number(row: &Row) -> bool {
 /// The name of the column of published values.
 const THEIRS: &str = "theirs";
 
-/// One table: a heading for each subject, a line of column names for each source.
+/// Longest lines of the columns of cases and of places: what is longer goes on in the next line [characters].
+const CASE: usize = 36;
+const PLACE: usize = 20;
+
+/// A table for each subject.
 fn numbers(rows: &[Row]) -> String {
-    let (mut cells, mut headings) = (Vec::new(), Vec::new());
+    let numbers: Vec<&Row> = rows.iter().filter(|row| is_number(row)).collect();
+    let of_one = numbers.chunk_by(|a, b| a.subject == b.subject);
+    of_one.map(table_of_subject).collect::<Vec<_>>().join("\n")
+}
+
+/// Its heading, and a line of column names for each source.
+fn table_of_subject(rows: &[&Row]) -> String {
+    let mut cells = Vec::new();
     let mut before: Option<&Row> = None;
-    for row in rows {
+    for &row in rows {
         let Compared::Number { published, ours, error, tolerance, .. } = &row.compared else {
             continue;
         };
-        if before.is_none_or(|before| before.subject != row.subject) {
-            headings.push((cells.len(), row.subject.as_str()));
-        }
-        if before.is_none_or(|b| (&b.subject, &b.source) != (&row.subject, &row.source)) {
+        if before.is_none_or(|before| before.source != row.source) {
             let source = format!("{} [{}]", row.source, row.standing.text());
-            let [place, theirs, ours, error, tolerance, ok] =
-                ["place", THEIRS, "ours", "error", "tolerance", "ok"].map(str::to_owned);
-            cells.push([source, place, theirs, ours, error, tolerance, ok]);
+            let names = ["place", THEIRS, "ours", "error", "tolerance", "ok"].map(str::to_owned);
+            add_row(&mut cells, &source, names);
         }
         before = Some(row);
-        cells.push([
-            row.case.clone(),
+        let values = [
             row.place.clone(),
             with_unit(&plain(*published, 5), &row.unit),
             with_unit(&four_digits(*ours), &row.unit),
             error_text(*error, *tolerance),
             tolerance_text(*tolerance, &row.unit),
             ok_text(row.is_ok).to_owned(),
-        ]);
+        ];
+        add_row(&mut cells, &row.case, values);
     }
-    let mut text = String::new();
-    let mut headings = headings.into_iter().peekable();
-    for ((index, line), cells) in aligned(&cells, &[2, 3, 4, 5]).lines().enumerate().zip(&cells) {
-        let is_head = cells[2] == THEIRS;
-        if is_head && index > 0 {
+    let mut text = format!("{}\n\n", rows[0].subject.to_uppercase());
+    for (index, (line, cells)) in aligned(&cells, &[2, 3, 4, 5]).lines().zip(&cells).enumerate() {
+        if cells[2] == THEIRS && index > 0 {
             text.push('\n');
-        }
-        if let Some((_, subject)) = headings.next_if(|(at, _)| *at == index) {
-            let _ = writeln!(text, "{}\n", subject.to_uppercase());
         }
         let _ = writeln!(text, "{line}");
     }
     text
+}
+
+/// Adds a row, with lines below it where its case or its place is long.
+fn add_row(cells: &mut Vec<[String; 7]>, case: &str, [place, values @ ..]: [String; 6]) {
+    let (mut case, mut place) =
+        (wrapped(case, CASE).into_iter(), wrapped(&place, PLACE).into_iter());
+    let mut values = Some(values);
+    loop {
+        let (of_case, of_place, of_values) = (case.next(), place.next(), values.take());
+        if of_case.is_none() && of_place.is_none() && of_values.is_none() {
+            return;
+        }
+        let [theirs, ours, error, tolerance, ok] = of_values.unwrap_or_default();
+        let [case, place] = [of_case, of_place].map(Option::unwrap_or_default);
+        cells.push([case, place, theirs, ours, error, tolerance, ok]);
+    }
 }
 
 fn statements(rows: &[Row]) -> String {
@@ -113,20 +131,21 @@ fn aligned<const N: usize>(rows: &[[String; N]], right: &[usize]) -> String {
 /// Longest line of running text [characters].
 const LINE: usize = 100;
 
-fn wrapped(text: &str) -> String {
+/// Text in lines of at most so many characters, where its words allow.
+fn wrapped(text: &str, most: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
         let line = lines.last_mut().expect("there is a line");
         if line.is_empty() {
             line.push_str(word);
-        } else if line.chars().count() + 1 + word.chars().count() <= LINE {
+        } else if line.chars().count() + 1 + word.chars().count() <= most {
             line.push(' ');
             line.push_str(word);
         } else {
             lines.push(format!("  {word}"));
         }
     }
-    lines.join("\n")
+    lines
 }
 
 pub(super) fn ok_text(is_ok: bool) -> &'static str {
