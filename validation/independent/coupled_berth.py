@@ -55,6 +55,8 @@ def played(path, step_s):
             rows += [
                 ("final_speed", body.name, "m/s", math.hypot(body.vx, body.vy)),
                 ("largest_speed", body.name, "m/s", simulation.fastest[body.name]),
+                ("final_yaw_rate", body.name, "rad/s", body.rate),
+                ("largest_yaw_rate", body.name, "rad/s", simulation.most_turning[body.name]),
             ]
     return rows
 

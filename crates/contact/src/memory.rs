@@ -89,7 +89,7 @@ impl PatchMemory {
     pub(crate) const APPROACHING: u32 = 4;
     /// A body was put into the other and is pressed out.
     pub(crate) const PRESSED_OUT: u32 = 8;
-    /// By the coupled method: it slipped in the last (sub-)step.
+    /// By the coupled method: it slides, and has not been turned back.
     pub(crate) const SLIPPING: u32 = 16;
 
     /// Of a patch with this normal, at this point: all that the laws do not say.

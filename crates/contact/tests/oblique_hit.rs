@@ -1,5 +1,6 @@
 //! A hit at an angle where friction holds more than it drags: as much is lost at any time step.
 
+use std::cmp::Ordering;
 use std::f64::consts::PI;
 
 use fenderline_contact::*;
@@ -117,5 +118,48 @@ fn what_sticks_and_slips_loses_as_much_at_any_time_step() {
                 assert!((ours / right - 1.0).abs() < 0.03, "{case}: {ours} of {right}");
             }
         }
+    }
+}
+
+/// She slides along a fender under 100 kN when a tug begins to push with 2 MN. Her spring is content with less than μ_k N
+/// while N rises; when it is not any more she has never stopped, and is not held up to μ_s N.
+#[test]
+fn a_slide_is_not_held_like_what_stands_when_the_push_rises() {
+    let model = model(true, 2e6, [0.3, 0.2]);
+    let slid = |step_s: f64| {
+        let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
+        let velocity_mps = vec2(0.0, 0.3);
+        let barge =
+            BodyState { position_m: vec2(-4.98, -2.0), velocity_mps, ..BodyState::default() };
+        let mut states = vec![barge, BodyState::default()];
+        let load = |push_n, along_n| {
+            let on_barge = Wrench { force_n: vec2(push_n, along_n), ..Wrench::default() };
+            [on_barge, Wrench::default()]
+        };
+        let rises = (1.0 / step_s).round() as u32;
+        let mut furthest: f64 = 0.0;
+        for index in 0..4 * rises {
+            let loads = match index.cmp(&rises) {
+                Ordering::Less => load(1e5, 2e4),
+                // A kick takes velocities from the middle of the last step to that of this one.
+                Ordering::Equal => load(1.05e6, 2.1e5),
+                Ordering::Greater => load(2e6, 4e5),
+            };
+            advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, step_s).unwrap();
+            assert!(states[0].velocity_mps.y > 0.0, "Δt {step_s}: she slides all the time");
+            for contact in work.contacts().iter().filter(|_| index > rises) {
+                let share = contact.tangential_force_n.abs() / contact.normal_force_n;
+                furthest = furthest.max(share);
+            }
+        }
+        assert!(furthest < 0.2 + 1e-9, "Δt {step_s}: T/N came to {furthest}");
+        states[0].position_m.y + 2.0
+    };
+    let right_m = slid(0.001);
+    for step_s in [0.002, 0.005, 0.01, 0.02, 0.05, 0.1] {
+        // The stretch of a spring that slid is that of the N of half a step ago. No more may be missing than she slides
+        // in a step.
+        let (way_m, of_a_step_m) = (slid(step_s), 0.3 * step_s);
+        assert!((way_m - right_m).abs() < of_a_step_m, "Δt {step_s}: {way_m} m of {right_m} m");
     }
 }

@@ -47,6 +47,8 @@ class Simulation:
         self.peaks = {}
         # By name of body: the largest speed [m/s].
         self.fastest = {body.name: 0.0 for body in self.bodies if not body.fixed}
+        # And the largest yaw rate [rad/s].
+        self.most_turning = dict(self.fastest)
 
     def run(self):
         steps = math.ceil(self.duration / self.h - 1e-9)
@@ -99,6 +101,7 @@ class Simulation:
     def watch(self, named, floating):
         for body in floating:
             self.fastest[body.name] = max(self.fastest[body.name], math.hypot(body.vx, body.vy))
+            self.most_turning[body.name] = max(self.most_turning[body.name], abs(body.rate))
         sums = {}
         for name, touch in named:
             force, depth = sums.get(name, (0.0, 0.0))
@@ -136,8 +139,7 @@ def bound(touch, h):
 
 
 def shear_force(touch, normal_n):
-    """T on `one`: a spring with memory and Coulomb's limit on it. What slid in the last step goes on sliding until its
-    spring is content with less than the sliding force."""
+    """T on `one`: a spring with memory and Coulomb's limit on it, the sliding one as long as it slides."""
     material, memory = touch.material, touch.memory
     force = -material["shear_stiffness"] * memory.shear_m
     held = "friction_dynamic" if memory.slides else "friction_static"
@@ -150,7 +152,10 @@ def shear_force(touch, normal_n):
 def remember(touch, h):
     memory, stiffness = touch.memory, touch.material["shear_stiffness"]
     v_n, v_t = touch.speeds()
-    memory.slides = touch.slides
+    # A slide ends where it is turned back, not where N rises. The step of the first touch, when N is that of next to no
+    # depth, begins none.
+    on = touch.slides or (memory.slides and memory.shear_m * v_t > 0.0)
+    memory.slides = on and not memory.new
     if touch.slides and stiffness > 0.0:
         memory.shear_m = -touch.shear / stiffness
     memory.shear_m += h * v_t

@@ -29,7 +29,7 @@ impl Books<'_> {
     /// Books the forces of a solved contact of these bodies, A and B, and what they leave in its memory.
     #[inline(always)]
     pub(crate) fn book(&mut self, ids: [BodyId; 2], tie: &Tie, memory: &mut PatchMemory) -> Moved {
-        let Forces { normal_n, tangential_n, friction } = tie.forces;
+        let Forces { normal_n, tangential_n, .. } = tie.forces;
         let (mean_n, mean_t) = (normal_n * self.share, tangential_n * self.share);
         let (force_n, on_a_nm) = tie.grip(Side::A).wrench(mean_n, mean_t);
         let (_, on_b_nm) = tie.grip(Side::B).wrench(mean_n, mean_t);
@@ -44,7 +44,7 @@ impl Books<'_> {
         let moved = Moved::of(tie, memory.shear_m, self.h);
         // What the bodies move in this sub-step is found again in the next one's kinematics.
         memory.shear_m = moved.shear_m - self.h * tie.after_mps.1;
-        if friction == Friction::Slip {
+        if tie.slides_on(moved.shear_m) {
             memory.flags |= PatchMemory::SLIPPING;
         }
         memory.normal_force_n = normal_n;

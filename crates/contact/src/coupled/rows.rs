@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use crate::coupled::bodies::kick_s;
 use crate::coupled::press_out::{Put, opening_mps};
-use crate::coupled::tie::{Forces, Tie};
+use crate::coupled::tie::{Forces, Slide, Tie};
 use crate::events::{note, tell_of_patch};
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
@@ -197,8 +197,12 @@ pub(crate) fn collect(
         tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
         friction: Friction::Stick,
     };
-    let slips = old.is_some_and(|m| m.flags & PatchMemory::SLIPPING != 0);
-    tie.obey(&touch, &laws, (begins_with, slips), (begun.h, kick_s));
+    let slide = match old {
+        None => Slide::Touches,
+        Some(memory) if memory.flags & PatchMemory::SLIPPING != 0 => Slide::Slides,
+        Some(_) => Slide::Holds,
+    };
+    tie.obey(&touch, &laws, (begins_with, slide), (begun.h, kick_s));
     let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING)
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);

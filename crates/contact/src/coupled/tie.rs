@@ -56,6 +56,7 @@ pub(crate) struct Tie {
     /// What T/N may come to while it sticks, and what it is while it slips.
     friction_holding: f64,
     friction_dynamic: f64,
+    slide: Slide,
     /// The forces that sweeps begin with, until others are found [N].
     pub(crate) forces: Forces,
     /// V_n⁺ and V_t⁺ with those that are found [m/s].
@@ -68,6 +69,16 @@ pub(crate) struct Forces {
     pub(crate) normal_n: f64,
     pub(crate) tangential_n: f64,
     pub(crate) friction: Friction,
+}
+
+/// How a contact comes into a sub-step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Slide {
+    /// It begins with it.
+    #[default]
+    Touches,
+    Holds,
+    Slides,
 }
 
 /// Where a normal force stands.
@@ -167,7 +178,7 @@ impl Tie {
         let floats = [a.1, b.1].map(InverseMatrix::floats);
         tie.join([a.0, b.0], Movers::of(floats), touch);
         tie.answer(&Seen::both(seen_of_a, seen_of_b), floats);
-        tie.obey(touch, laws, (begins_with, false), (h, h));
+        tie.obey(touch, laws, (begins_with, Slide::Touches), (h, h));
         tie
     }
 
@@ -195,16 +206,13 @@ impl Tie {
 
     /// With these laws and the forces that it begins with, in a sub-step of length h and its κ.
     ///
-    /// What `slips` holds no more than the sliding force until its spring is content with less: the slide is over then.
-    /// A slide that had to be begun anew in every sub-step, as eq. 5 to 8 of the paper have it, would load its spring
-    /// from the sliding force up to the static limit each time where sub-steps are short, and slide on where they are
-    /// long.
+    /// What slides holds no more than the sliding force: see [`Tie::slides_on`].
     #[inline(always)]
     pub(crate) fn obey(
         &mut self,
         touch: &Touch,
         laws: &Laws,
-        (begins_with, slips): (Forces, bool),
+        (begins_with, slide): (Forces, Slide),
         (h, kick_s): (f64, f64),
     ) {
         let material = laws.material;
@@ -220,9 +228,12 @@ impl Tie {
         self.may_shear_j = laws.may_shear_j;
         self.unheld_j = laws.unheld_j;
         self.shear_stiffness_npm = material.shear_stiffness_npm;
-        self.friction_holding =
-            if slips { material.friction_dynamic } else { material.friction_static };
+        self.friction_holding = match slide {
+            Slide::Slides => material.friction_dynamic,
+            Slide::Touches | Slide::Holds => material.friction_static,
+        };
         self.friction_dynamic = material.friction_dynamic;
+        self.slide = slide;
         self.forces = begins_with;
     }
 
@@ -550,6 +561,21 @@ impl Tie {
                     self.friction_dynamic * self.forces.normal_n / self.shear_stiffness_npm;
                 grown_m.clamp(-most_m, most_m)
             }
+        }
+    }
+
+    /// Does it slide on into the next sub-step, with this Δs at the end of this one?
+    ///
+    /// A slide begins where the spring passes the static limit, and is over when V_t turns back against the stretched
+    /// spring. That a spring is content with less than μ_k N does not end it: N can jump within a sub-step, and a
+    /// slide that had to begin anew would have to pass μ_s N again. Nor does a slip in the sub-step of the first
+    /// touch begin one: N is that of its start, when there was next to no depth, T that of its end.
+    #[inline]
+    pub(crate) fn slides_on(&self, shear_m: f64) -> bool {
+        match (self.slide, self.forces.friction) {
+            (Slide::Touches, _) | (Slide::Holds, Friction::Stick) => false,
+            (_, Friction::Slip) => true,
+            (Slide::Slides, Friction::Stick) => shear_m * self.after_mps.1 > 0.0,
         }
     }
 
