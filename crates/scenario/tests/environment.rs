@@ -198,7 +198,7 @@ fn a_ship_adrift_goes_with_a_stream_as_it_sets_in() {
     let mut simulation = Simulation::new(setup).expect("a good set-up");
     while !simulation.is_done() {
         simulation.step().expect("a good step");
-        let (state, t_s) = (simulation.states()[0], simulation.time_s());
+        let (state, t_s) = (simulation.states()[0], simulation.velocities_t_s());
         let behind = state.velocity_mps - current.velocity(state.position_m, t_s, 9.0);
         assert!(behind.length() < 1e-9 && state.yaw_rate_radps.abs() < 1e-12, "{t_s}: {state:?}");
     }
@@ -473,7 +473,7 @@ fn water_too_shallow_for_the_corrections_is_told() {
     ] {
         let water = format!("depth = {depth}");
         let scenario = good(&[("environment", &water)], &[]);
-        let notices = &scenario.notices;
+        let notices = other_notices(&scenario);
         assert_eq!(notices.len(), usize::from(!said.is_empty()), "{notices:?}");
         for (notice, fragment) in notices.iter().flat_map(|n| said.iter().map(move |f| (n, f))) {
             assert_eq!(notice.key, "vessel.container");
@@ -484,7 +484,7 @@ fn water_too_shallow_for_the_corrections_is_told() {
 
 /// The fenders stay where they are while she sits deeper: their push acts that much further above her centre of
 /// gravity and heels her that much more. She slides along a wall with a long face at 8 kn and is pressed on it by
-/// 2 MN; with squat s the heel is that without it and N s/(W GM) more. Means over the last 120 s, as she still sways on the
+/// 2 MN; with squat s the heel is that without it and N s/(W GM) more. Means over the last 240 s, as she still sways on the
 /// face; 2 % for what is left of the first roll.
 #[test]
 fn squat_moves_the_height_of_contact() {
@@ -502,7 +502,7 @@ fn squat_moves_the_height_of_contact() {
             &[],
         );
         let mut setup = scenario.setup;
-        setup.duration_s = 200.0;
+        setup.duration_s = 320.0;
         let mut simulation = Simulation::new(setup).expect("a good set-up");
         let (mut heel_rad, mut arm_nm, mut steps) = (0.0, 0.0, 0.0);
         while !simulation.is_done() {

@@ -162,7 +162,20 @@ impl Simulation {
         self.index as f64 * self.setup.step_s
     }
 
-    /// States now, one a body, in the order of the set-up.
+    /// The time that velocities belong to [s]. Where the engine moves the bodies it is the middle of the last step, as a
+    /// leapfrog has it (the middle of its last sub-step, where contacts need several), else [`Simulation::time_s`].
+    #[must_use]
+    pub fn velocities_t_s(&self) -> f64 {
+        let leaps = self.setup.integrator == Integrator::SemiImplicit
+            && self.setup.method == Method::Coupled;
+        if leaps && self.index > 0 {
+            (self.index as f64 - 0.5) * self.setup.step_s
+        } else {
+            self.time_s()
+        }
+    }
+
+    /// States now, one a body, in the order of the set-up. Velocities belong to [`Simulation::velocities_t_s`].
     #[must_use]
     pub fn states(&self) -> &[BodyState] {
         &self.states
@@ -296,7 +309,8 @@ impl Simulation {
         gather_loads(&self.setup.loads, t_s, step_s, &mut self.buffers.loads);
         add_external(&self.buffers.external, &mut self.buffers.loads);
         self.buffers.others.clone_from(&self.buffers.loads);
-        self.world.step(&self.setup.world, &self.states, t_s, step_s, &mut self.buffers.loads);
+        let times = (t_s, self.velocities_t_s(), step_s);
+        self.world.step(&self.setup.world, &self.states, times, &mut self.buffers.loads);
         self.buffers.before.clone_from(&self.states);
         self.turn_momentum();
         if let Err(cause) = self.contact() {

@@ -40,9 +40,18 @@ pub(crate) fn bodies_columns() -> Vec<Column<BodyRow>> {
         float("x_m", "m", "position of the centre of gravity, north", |r| r.position_m.x),
         float("y_m", "m", "position of the centre of gravity, east", |r| r.position_m.y),
         float("heading_rad", "rad", "heading ψ, clockwise from north", |r| r.heading_rad),
-        float("u_mps", "m/s", "surge velocity u, body-fixed, forward", |r| r.velocity_mps.x),
-        float("v_mps", "m/s", "sway velocity v, body-fixed, to starboard", |r| r.velocity_mps.y),
-        float("r_radps", "rad/s", "rate of turn r, positive to starboard", |r| r.yaw_rate_radps),
+        float(
+            "u_mps",
+            "m/s",
+            "surge velocity u, body-fixed, forward; by the coupled method of half a (sub-)step before t",
+            |r| r.velocity_mps.x,
+        ),
+        float("v_mps", "m/s", "sway velocity v, body-fixed, to starboard; as u", |r| {
+            r.velocity_mps.y
+        }),
+        float("r_radps", "rad/s", "rate of turn r, positive to starboard; as u", |r| {
+            r.yaw_rate_radps
+        }),
         float("force_x_n", "N", "sum of the contact forces on the body, north", |r| {
             r.wrench.force_n.x
         }),

@@ -81,13 +81,13 @@ impl World {
         }
     }
 
-    /// Adds to each body's load what its vessel feels in the step that begins at `states`.
+    /// Adds to each body's load what its vessel feels in the step that begins at `states`, whose velocities belong to
+    /// `velocities_t_s`: the water's are taken at that time, so that a ship adrift is not dragged by her own step.
     pub(crate) fn step(
         &mut self,
         setup: &WorldSetup,
         states: &[BodyState],
-        t_s: f64,
-        step_s: f64,
+        (t_s, velocities_t_s, step_s): (f64, f64, f64),
         loads: &mut [Wrench],
     ) {
         self.events.clear();
@@ -100,7 +100,7 @@ impl World {
                 setup.tugs.iter().filter(serves).map(|tug| tug.device(vessel)).collect();
             let helpers_n = &mut self.helpers_n;
             let stream = Stream {
-                velocity: vessel.velocity(state, &setup.environment, t_s),
+                velocity: vessel.velocity(state, &setup.environment, velocities_t_s),
                 water: setup.environment.density(),
             };
             let here = (state, &stream);
@@ -130,8 +130,10 @@ impl World {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
             }
             own.aground = aground;
-            let forces = vessel.forces(own, state, &setup.environment, (t_s, step_s));
-            let carried = vessel.carried(state, &setup.environment, (t_s, step_s));
+            let velocity = vessel.velocity(state, &setup.environment, velocities_t_s);
+            let times = (t_s, velocities_t_s, step_s);
+            let forces = vessel.forces(own, (state, &velocity), &setup.environment, times);
+            let carried = vessel.carried(state, &setup.environment, (velocities_t_s, step_s));
             let wrench = vessel.wrench(&forces, &carried, state);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;

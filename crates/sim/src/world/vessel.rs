@@ -221,24 +221,24 @@ impl VesselSetup {
         self.ship.propulsion.is_none() && !self.azimuths.is_empty()
     }
 
-    /// The forces of a step that begins at a state; each azimuth unit keeps its own.
+    /// The forces of a step that begins at a state, whose velocity, here also through the water, belongs to a time of
+    /// its own; each azimuth unit keeps its own.
     pub(crate) fn forces(
         &self,
         vessel: &mut VesselState,
-        state: &BodyState,
+        (state, velocity): (&BodyState, &Velocity),
         environment: &Environment,
-        (t_s, step_s): (f64, f64),
+        (t_s, velocity_t_s, step_s): (f64, f64, f64),
     ) -> VesselForces {
-        let velocity = self.velocity(state, environment, t_s);
         let water = environment.density();
         let controls = Controls { shaft_rps: vessel.shaft.value, rudder_rad: vessel.rudder.value };
-        let parts = self.ship_now(environment, t_s).parts(&velocity, &controls, water);
+        let parts = self.ship_now(environment, t_s).parts(velocity, &controls, water);
         let mut thrusters = Force::default();
         for (thruster, lag) in self.thrusters.iter().zip(&vessel.thrusters) {
-            thrusters = thrusters + thruster.tunnel.force(lag.value, &velocity);
+            thrusters = thrusters + thruster.tunnel.force(lag.value, velocity);
         }
         for (azimuth, now) in self.azimuths.iter().zip(&mut vessel.azimuths) {
-            thrusters = thrusters + now.push(azimuth, &velocity, water);
+            thrusters = thrusters + now.push(azimuth, velocity, water);
         }
         VesselForces {
             hull: parts.hull,
@@ -246,8 +246,8 @@ impl VesselSetup {
             rudder: parts.rudder,
             thrusters,
             wind: self.wind(state, environment, t_s),
-            waves: self.drift(state, environment, t_s),
-            banks: self.banks(state, &velocity, environment, t_s),
+            waves: self.drift(state, environment, velocity_t_s),
+            banks: self.banks(state, velocity, environment, t_s),
             bottom: self.bottom(vessel, state, environment, step_s),
         }
     }
