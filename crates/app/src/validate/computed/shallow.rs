@@ -18,8 +18,14 @@ const SETS: [(CorrectionSet, &str); 4] = [
     (CorrectionSet::Ankudinov, "ankudinov"),
     (CorrectionSet::Taimuri, "taimuri"),
 ];
-/// Ships that have a propeller and a rudder.
-const SHIPS: [&str; 5] = ["kvlcc2", "kcs", "esso-osaka", "bulk-carrier", "container-ship"];
+/// Ships that have a propeller and a rudder, and the sets by which they turn: that are estimated by the one taken.
+const SHIPS: [(&str, &[(CorrectionSet, &str)]); 5] = [
+    ("kvlcc2", &SETS),
+    ("kcs", &SETS),
+    ("esso-osaka", &SETS),
+    ("bulk-carrier", &[SETS[0]]),
+    ("container-ship", &[SETS[0]]),
+];
 /// A step over the time in which the ship sails her own length.
 const STEP: f64 = 0.01;
 /// Froude number of the approach of a ship without a speed of her own.
@@ -47,10 +53,10 @@ pub(super) fn compute(values: &mut Values) {
         }
     }
     estimated(values);
-    for name in SHIPS {
+    for (name, sets) in SHIPS {
         let vessel = vessel(name);
         let deep = Measures::of(&vessel, vessel.ship);
-        for (set, set_name) in SETS {
+        for &(set, set_name) in sets {
             for (ratio, depth) in DEPTHS {
                 let ship = vessel.ship.at_depth_by(set, ratio * vessel.ship.particulars.draught_m);
                 let there = Measures::of(&vessel, ship);
