@@ -18,13 +18,28 @@ const SETS: [(CorrectionSet, &str); 4] = [
     (CorrectionSet::Ankudinov, "ankudinov"),
     (CorrectionSet::Taimuri, "taimuri"),
 ];
-/// Ships that have a propeller and a rudder, and the sets by which they turn: that are estimated by the one taken.
-const SHIPS: [(&str, &[(CorrectionSet, &str)]); 5] = [
-    ("kvlcc2", &SETS),
-    ("kcs", &SETS),
-    ("esso-osaka", &SETS),
-    ("bulk-carrier", &[SETS[0]]),
-    ("container-ship", &[SETS[0]]),
+/// Ships that have a propeller and a rudder, whether all sets are compared for them or the one taken, and whether drift
+/// and overshoot are, too.
+const SHIPS: [(&str, bool, bool); 5] = [
+    ("kvlcc2", true, true),
+    ("kcs", true, true),
+    ("esso-osaka", true, false),
+    ("bulk-carrier", false, false),
+    ("container-ship", false, false),
+];
+/// The factors that are compared, by ship and set.
+const FACTORS: [(&str, usize, &[&str]); 7] = [
+    (
+        "tanker",
+        0,
+        &["y_v", "y_r", "y_vvv", "n_v", "n_r", "n_vvr", "x_vr", "resistance", "m_y", "j_z"],
+    ),
+    ("tanker", 1, &["n_r"]),
+    ("tanker", 2, &["n_r"]),
+    ("tanker", 3, &["n_r"]),
+    ("kvlcc2", 0, &["y_v", "y_r", "n_v", "n_r", "m_y", "j_z"]),
+    ("kvlcc2", 2, &["n_v"]),
+    ("kvlcc2", 3, &["y_v"]),
 ];
 /// A step over the time in which the ship sails her own length.
 const STEP: f64 = 0.01;
@@ -32,31 +47,22 @@ const STEP: f64 = 0.01;
 const FROUDE: f64 = 0.15;
 
 pub(super) fn compute(values: &mut Values) {
-    for (name, ship) in [("tanker", tanker()), ("kvlcc2", vessel("kvlcc2").ship.particulars)] {
-        for (set, set_name) in SETS {
-            for (ratio, depth) in DEPTHS {
-                let all = Corrections::of(set, &ship, ratio * ship.draught_m);
-                let mut put = |term: &str, factor: f64| {
-                    values.put(format!("shallow/{name}/{set_name}/{term}/{depth}"), factor, "");
-                };
-                put("y_v", all.hull.y_v);
-                put("y_r", all.hull.y_r);
-                put("y_vvv", all.hull.y_vvv);
-                put("n_v", all.hull.n_v);
-                put("n_r", all.hull.n_r);
-                put("n_vvr", all.hull.n_vvr);
-                put("x_vr", all.hull.x_vr);
-                put("resistance", all.hull.resistance);
-                put("m_y", all.mass.sway);
-                put("j_z", all.mass.yaw);
+    for (name, set, terms) in FACTORS {
+        let ship = if name == "tanker" { tanker() } else { vessel(name).ship.particulars };
+        let (set, set_name) = SETS[set];
+        for (ratio, depth) in DEPTHS {
+            let all = Corrections::of(set, &ship, ratio * ship.draught_m);
+            for term in terms {
+                let name = format!("shallow/{name}/{set_name}/{term}/{depth}");
+                values.put(name, factor(&all, term), "");
             }
         }
     }
     estimated(values);
-    for (name, sets) in SHIPS {
+    for (name, by_all_sets, whole) in SHIPS {
         let vessel = vessel(name);
         let deep = Measures::of(&vessel, vessel.ship);
-        for &(set, set_name) in sets {
+        for &(set, set_name) in if by_all_sets { &SETS[..] } else { &SETS[..1] } {
             for (ratio, depth) in DEPTHS {
                 let ship = vessel.ship.at_depth_by(set, ratio * vessel.ship.particulars.draught_m);
                 let there = Measures::of(&vessel, ship);
@@ -65,9 +71,10 @@ pub(super) fn compute(values: &mut Values) {
                     values.put(name, there / deep, "");
                 };
                 put("diameter", there.diameter_m, deep.diameter_m);
-                put("drift", there.drift_rad, deep.drift_rad);
-                put("speed", there.speed_ratio, deep.speed_ratio);
-                put("overshoot_20", there.overshoot_20_rad, deep.overshoot_20_rad);
+                if whole && set == SETS[0].0 {
+                    put("drift", there.drift_rad, deep.drift_rad);
+                    put("overshoot_20", there.overshoot_20_rad, deep.overshoot_20_rad);
+                }
             }
         }
     }
@@ -87,6 +94,23 @@ fn estimated(values: &mut Values) {
     }
 }
 
+/// A factor by the name of its term.
+fn factor(all: &Corrections, term: &str) -> f64 {
+    match term {
+        "y_v" => all.hull.y_v,
+        "y_r" => all.hull.y_r,
+        "y_vvv" => all.hull.y_vvv,
+        "n_v" => all.hull.n_v,
+        "n_r" => all.hull.n_r,
+        "n_vvr" => all.hull.n_vvr,
+        "x_vr" => all.hull.x_vr,
+        "resistance" => all.hull.resistance,
+        "m_y" => all.mass.sway,
+        "j_z" => all.mass.yaw,
+        other => unreachable!("no factor is called {other}"),
+    }
+}
+
 /// The tanker of 190 000 dwt of van Berlekom & Goddard.
 fn tanker() -> Particulars {
     Particulars {
@@ -103,7 +127,6 @@ fn tanker() -> Particulars {
 struct Measures {
     diameter_m: f64,
     drift_rad: f64,
-    speed_ratio: f64,
     overshoot_20_rad: f64,
 }
 
@@ -124,7 +147,6 @@ impl Measures {
         Measures {
             diameter_m: turn.map_or(f64::NAN, |turn| turn.tactical_diameter_m),
             drift_rad: turn.map_or(f64::NAN, |turn| turn.steady.drift_rad),
-            speed_ratio: turn.map_or(f64::NAN, |turn| turn.steady.speed_ratio),
             overshoot_20_rad: run.map_or(f64::NAN, |run| run.first_overshoot_rad),
         }
     }
