@@ -181,7 +181,7 @@ fn squat_of_the_container_ship() {
     let (ship, depth_m, speed_mps) = (container(), 1.2 * 9.0, 8.0 * 1852.0 / 3600.0);
     printed(barrass_squat_m(&ship, depth_m, speed_mps).expect("afloat"), 0.444, 1e-3);
     printed(icorels_squat_m(&ship, depth_m, speed_mps).expect("afloat"), 0.404, 1e-3);
-    // 0.3396, which the sheet cuts to .339 rather than rounds.
+    // 0.3396.
     let eryuzlu_m = eryuzlu_squat_m(&ship, depth_m, speed_mps).expect("afloat");
     println!("Eryuzlu {eryuzlu_m}");
     assert!((eryuzlu_m - 0.339).abs() < 1e-3);
