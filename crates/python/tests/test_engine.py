@@ -3,6 +3,7 @@
 import copy
 import gc
 from pathlib import Path
+from typing import Literal
 
 import fenderline
 import numpy as np
@@ -117,7 +118,7 @@ def test_refused_calls_change_nothing() -> None:
 
 
 @pytest.mark.parametrize("host", ["present", "following"])
-def test_a_pause_changes_nothing_and_is_good(host: str) -> None:
+def test_a_pause_changes_nothing_and_is_good(host: Literal["present", "following"]) -> None:
     engine = Engine(coupled_tug(), host=host)
     engine.step(0.0)
     assert not engine.wrenches.any()
