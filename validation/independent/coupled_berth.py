@@ -122,7 +122,7 @@ def validation_rows():
     return "\n".join(text)
 
 
-PEAKS = "Both programs' steps leave 0.1 to 0.3 %."
+PEAKS = "Both programs' steps leave up to 0.4 %."
 SPEEDS = "0.5 % of the largest speed that the body has in the run: most end nearly at rest."
 HEADING = """\
 # The coupled method against its second implementation, which knows nothing of the first. Made by

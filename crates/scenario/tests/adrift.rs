@@ -39,7 +39,8 @@ outline = [[-65, -10], [45, -10], [65, 0], [45, 10], [-65, 10]]
 }
 
 /// A head sea of Hs 2 m drives her astern as slowly as ships at rest go, at 0.37 to 0.69 m/s by its period; the drift of
-/// short waves for all of them gave 2.0 m/s. From 8 s on it is 0.6 m/s or less.
+/// short waves for all of them gave 2.0 m/s. It is 0.60 m/s at 8 s, and
+/// less than 0.6 m/s from 9 s on.
 #[test]
 fn a_ship_adrift_in_a_head_sea_of_two_metres_goes_slowly_astern() {
     for (period_s, most_mps) in
