@@ -1,6 +1,7 @@
 //! Alarms: what a person at a control has to know at once. One stands for one thing; it goes when its reason
 //! goes.
 
+use fenderline_contact::number::greater;
 use fenderline_sim::Simulation;
 
 use crate::info::Info;
@@ -66,7 +67,7 @@ fn of_level(is_alarm: bool, key: String, text: String) -> Alarm {
 
 /// Closing speed that is no alarm at a distance [m/s].
 fn allowed_mps(off_m: f64) -> f64 {
-    libm::sqrt(TOUCH_MPS * TOUCH_MPS + 2.0 * SLOWING_MPS2 * off_m.max(0.0))
+    libm::sqrt(TOUCH_MPS * TOUCH_MPS + 2.0 * SLOWING_MPS2 * greater(off_m, 0.0))
 }
 
 fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
@@ -116,7 +117,7 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
 fn fenders(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     for (fender, now) in of.info.fenders.iter().zip(of.fenders) {
         let key = format!("fender {}", fender.name);
-        let share = now.of_energy.max(now.of_reaction);
+        let share = greater(now.of_energy, now.of_reaction);
         if now.failed {
             all.push(alarm(key, format!("Fender {} has failed", fender.name)));
         } else if share >= FENDER_CAUTION {

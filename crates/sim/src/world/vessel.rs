@@ -1,5 +1,6 @@
 //! A ship in her water and wind: from her state and controls to the wrench on her body.
 
+use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
@@ -196,7 +197,7 @@ impl VesselState {
         clamped |= self.shaft.step(shaft_rps, step_s) == Order::Clamped;
         for (lag, &order) in self.thrusters.iter_mut().zip(&self.orders.thrusters) {
             let order = if faults.no_thrusters() { 0.0 } else { order };
-            let within = if order.is_nan() { lag.value } else { order.clamp(-1.0, 1.0) };
+            let within = if order.is_nan() { lag.value } else { bounded(order, -1.0, 1.0) };
             clamped |= within != order;
             lag.step(within, step_s);
         }

@@ -15,6 +15,8 @@ pub use wake::Wake;
 
 pub(crate) use polynomial::coriolis;
 
+use fenderline_contact::number::greater;
+
 use super::added_mass::AddedMass;
 use super::blend::Hull;
 use super::particulars::Particulars;
@@ -125,7 +127,7 @@ impl Mmg {
     }
 
     fn held_depth_m(&self, depth_m: f64) -> f64 {
-        depth_m.max(SHALLOWEST_RATIO * self.particulars.draught_m)
+        greater(depth_m, SHALLOWEST_RATIO * self.particulars.draught_m)
     }
 }
 

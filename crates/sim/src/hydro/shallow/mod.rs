@@ -35,6 +35,8 @@ mod taimuri;
 pub use berth::{current_abeam_n, shallow_cross_flow_drag};
 pub use squat_formulas::{barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
 
+use fenderline_contact::number::greater;
+
 use super::error::HydroError;
 use super::particulars::Particulars;
 use ankudinov::Ankudinov;
@@ -131,7 +133,7 @@ impl Corrections {
     #[must_use]
     pub fn of(set: CorrectionSet, ship: &Particulars, depth_m: f64) -> Corrections {
         assert!(!depth_m.is_nan(), "a depth is a number");
-        let share = ship.draught_m / depth_m.max(SHALLOWEST_RATIO * ship.draught_m);
+        let share = ship.draught_m / greater(depth_m, SHALLOWEST_RATIO * ship.draught_m);
         if set == CorrectionSet::Taimuri {
             return taimuri::corrections(ship, share);
         }

@@ -20,6 +20,7 @@ mod motion;
 mod waterline;
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::bounded;
 
 use super::GRAVITY_MPS2;
 use super::sea::Sea;
@@ -114,7 +115,7 @@ pub fn mean_drift(
 /// floating body", J. Fluid Mech. 275, 1994; recalled, without the change of direction that goes with it). It is of
 /// first order in τ: held beyond a quarter, where a ship that goes with the waves is not drifted any more.
 fn encountered(number_radpm: f64, against: f64) -> (f64, f64) {
-    let against = against.clamp(-0.25, 0.25);
+    let against = bounded(against, -0.25, 0.25);
     let ratio = 1.0 + against;
     (number_radpm * ratio * ratio, 1.0 + 4.0 * against)
 }
