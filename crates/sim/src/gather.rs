@@ -17,7 +17,7 @@ pub(crate) fn mean_load(load: &Load, t_s: f64, step_s: f64) -> Wrench {
     Wrench { force_n: load.force_n * share, moment_nm: load.moment_nm * share }
 }
 
-/// Sum of the loads on each body in the step, in the order of the set-up.
+/// Sum of the loads on each body in the step, in their order.
 pub(crate) fn gather_loads(loads: &[Load], t_s: f64, step_s: f64, into: &mut [Wrench]) {
     into.fill(Wrench::default());
     for load in loads {

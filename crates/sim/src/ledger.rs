@@ -168,6 +168,9 @@ fn work_along(contact: &Contact, mean: &[MeanVelocity], seconds: f64) -> Contact
     }
 }
 
+/// Places of the bodies in the order in which they are added up, and their inertias and states.
+type Moved<'a> = (&'a [usize], &'a [Inertia], &'a [BodyState]);
+
 /// The ledger, step by step.
 #[derive(Clone, Debug)]
 pub(crate) struct Ledger {
@@ -176,21 +179,15 @@ pub(crate) struct Ledger {
 }
 
 impl Ledger {
-    pub(crate) fn new(inertias: &[Inertia], states: &[BodyState]) -> Ledger {
-        let kinetic_j = kinetic_j(inertias, states);
+    pub(crate) fn new(moved: Moved<'_>) -> Ledger {
+        let kinetic_j = kinetic_j(moved);
         Ledger { start_j: kinetic_j, energy: Energy { kinetic_j, ..Energy::default() } }
     }
 
     /// Books one step.
-    pub(crate) fn book(
-        &mut self,
-        inertias: &[Inertia],
-        after: &[BodyState],
-        loads: &LoadWorks,
-        books: &[ContactBook],
-    ) {
+    pub(crate) fn book(&mut self, moved: Moved<'_>, loads: &LoadWorks, books: &[ContactBook]) {
         let energy = &mut self.energy;
-        energy.kinetic_j = kinetic_j(inertias, after);
+        energy.kinetic_j = kinetic_j(moved);
         energy.loads.add(loads);
         energy.load_work_j = energy.loads.total_j();
         (energy.stored_j, energy.shear_stored_j) = (0.0, 0.0);
@@ -210,6 +207,6 @@ impl Ledger {
     }
 }
 
-fn kinetic_j(inertias: &[Inertia], states: &[BodyState]) -> f64 {
-    inertias.iter().zip(states).map(|(inertia, state)| inertia.kinetic_j(state)).sum()
+fn kinetic_j((order, inertias, states): Moved<'_>) -> f64 {
+    order.iter().map(|&body| inertias[body].kinetic_j(&states[body])).sum()
 }

@@ -61,6 +61,7 @@ pub mod hydro;
 
 mod error;
 mod fender;
+mod fixed_order;
 mod gather;
 mod integrate;
 mod ledger;
