@@ -34,7 +34,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     for notice in &scenario.notices {
         tell(&format!("notice: {notice}"));
     }
-    let notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
+    let mut notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
     let Scenario { title, setup, .. } = scenario;
     let mut simulation = Simulation::new(setup).map_err(error)?;
     let folder_path = args.out.clone().unwrap_or_else(|| default_folder(&args.scenario));
@@ -60,6 +60,10 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         },
     )?;
 
+    if let Some(gain) = simulation.gain() {
+        tell(&format!("notice: {gain}"));
+        notices.push(gain.to_string());
+    }
     let fenders: Vec<FenderSummary> = simulation.fender_summaries().cloned().collect();
     let outcome = Outcome {
         title: &title,

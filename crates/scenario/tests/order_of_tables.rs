@@ -113,7 +113,7 @@ fn shuffled(text: &str, seed: u64) -> String {
             let goes_on = groups.iter().any(|(of, _)| *of == group);
             let of_a_list =
                 groups.last().is_some_and(|(of, _)| of.starts_with(&format!("{kind} ")));
-            (!goes_on && !(of_a_list && !is_list)).then_some(group)
+            (!goes_on && (is_list || !of_a_list)).then_some(group)
         });
         match (starts, groups.last_mut()) {
             (Some(group), _) => groups.push((group, format!("{line}\n"))),

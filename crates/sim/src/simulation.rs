@@ -11,6 +11,7 @@ use crate::environment::wind::Wind;
 use crate::error::{SetupError, SimError};
 use crate::fender::{FenderSetup, FenderSummaries, FenderSummary};
 use crate::fixed_order::sort_loads;
+use crate::gain::{Gain, TOLD_GAIN};
 use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{Rate, euler, semi_implicit};
 use crate::ledger::{Books, Ledger, MeanVelocity, WorkBy};
@@ -198,6 +199,15 @@ impl Simulation {
     #[must_use]
     pub fn energy(&self) -> Energy {
         self.ledger.energy
+    }
+
+    /// Has the paper's method made energy that a reader must know of? Its forces are explicit, and those of a stiff
+    /// spring in a long step push for longer than they should. [`Method::Coupled`] bounds what each contact gives.
+    #[must_use]
+    pub fn gain(&self) -> Option<Gain> {
+        let Energy { contact_taken_j: taken_j, contact_gained_j: gained_j, .. } = self.energy();
+        let is_told = self.setup.method == Method::Paper && gained_j > TOLD_GAIN * taken_j;
+        is_told.then_some(Gain { gained_j, taken_j })
     }
 
     /// What has happened between each pair of bodies that touched, in the order of first touch.
@@ -537,7 +547,7 @@ impl Simulation {
             step_s,
         };
         let moved = (&*self.world.order.bodies, &*self.inertias, &*self.states);
-        self.ledger.book(moved, &loaded.works(), &self.books.all);
+        self.ledger.book(moved, &loaded.works(), &self.books);
     }
 }
 

@@ -8,6 +8,10 @@ use crate::state::Velocity;
 use crate::touch::{Levers, Movers, Touch};
 use crate::vec2::Vec2;
 
+/// Sweeps of a contact that slides are damped where they would overshoot by more than this: below it they settle by
+/// themselves, in less than 50.
+const OVERSHOOTS: f64 = 0.5;
+
 /// A contact's forces and all that a sweep needs, so that it reads nothing else but the bodies'
 /// velocities.
 #[derive(Clone, Copy, Debug, Default)]
@@ -312,6 +316,10 @@ impl Tie {
         let now = &self.forces;
         let tight_n = now.normal_n + (normal_mps + self.rebound_mps) * self.force_per_speed(h);
         let normal_n = self.passive(normal_mps, greater(lesser(tight_n, self.law_n), 0.0), h);
+        let normal_n = match now.friction {
+            Friction::Slip => self.with_friction(normal_n),
+            Friction::Stick => normal_n,
+        };
         if self.shear_stiffness_npm == 0.0 {
             return Forces { normal_n, tangential_n: 0.0, friction: Friction::Stick };
         }
@@ -333,6 +341,21 @@ impl Tie {
         };
         let tangential_n = self.passive_shear(without_mps, wanted_n, h);
         Forces { normal_n, tangential_n, friction }
+    }
+
+    /// N of a contact that slides, where it would be `normal_n` if T stayed as it is.
+    ///
+    /// T = ±μ_k N follows each change of N, and by n·K t changes V_n in its turn: by ρ = μ_k |n·K t| / n·K n of what the
+    /// change of N does by itself, and against it where T drives the bodies apart. Sweeps would then overshoot
+    /// by ρ, and above 1 go to and fro for ever; a change that is less by 1 + ρ is exact where V_n⁺ = −γ v_ref decides.
+    #[inline]
+    fn with_friction(&self, normal_n: f64) -> f64 {
+        let follows = self.friction_dynamic * self.cross.abs();
+        if follows <= OVERSHOOTS * self.normal || self.forces.tangential_n * self.cross > 0.0 {
+            return normal_n;
+        }
+        let now_n = self.forces.normal_n;
+        now_n + (normal_n - now_n) * (self.normal / (self.normal + follows))
     }
 
     /// 1/(h n·K n) [kg/s].
