@@ -41,8 +41,10 @@ pub enum Conduct {
     Branch {},
     /// Go to the end of another branch.
     ShowBranch { id: usize },
-    /// Another scenario, or a saved session.
+    /// Another scenario, or a saved session; frames tell how far that is until it is there.
     Load { file: String },
+    /// What is being opened shall not be.
+    StopOpening {},
     /// Keep a copy of the recording under a name.
     Save { name: String },
 }
@@ -63,7 +65,7 @@ enum Message {
     Command { id: i64, action: Value },
 }
 
-const CONDUCT: [&str; 11] = [
+const CONDUCT: [&str; 12] = [
     "claim",
     "release",
     "pause",
@@ -74,6 +76,7 @@ const CONDUCT: [&str; 11] = [
     "branch",
     "show_branch",
     "load",
+    "stop_opening",
     "save",
 ];
 
