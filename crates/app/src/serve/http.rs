@@ -142,14 +142,11 @@ async fn live(
 }
 
 /// Tells a websocket why it is closed; not longer than there is room for those.
-fn told_and_closed<F: Future<Output = ()> + Send>(
+fn told_and_closed<F: Future<Output = ()> + Send + 'static>(
     site: &Site,
     peer: Peer,
     tell: impl FnOnce(WebSocket) -> F + Send + 'static,
-) -> impl FnOnce(WebSocket) -> Pin<Box<dyn Future<Output = ()> + Send>> + Send + 'static
-where
-    F: 'static,
-{
+) -> impl FnOnce(WebSocket) -> Pin<Box<dyn Future<Output = ()> + Send>> + Send + 'static {
     let place = site.turned_away.enter(peer);
     move |socket| {
         Box::pin(async move {
