@@ -45,6 +45,8 @@ pub enum Conduct {
     Load { file: String },
     /// What is being opened shall not be.
     StopOpening {},
+    /// An alarm was seen.
+    Acknowledge { key: String },
     /// Keep a copy of the recording under a name.
     Save { name: String },
 }
@@ -65,7 +67,7 @@ enum Message {
     Command { id: i64, action: Value },
 }
 
-const CONDUCT: [&str; 12] = [
+const CONDUCT: [&str; 13] = [
     "claim",
     "release",
     "pause",
@@ -77,6 +79,7 @@ const CONDUCT: [&str; 12] = [
     "show_branch",
     "load",
     "stop_opening",
+    "acknowledge",
     "save",
 ];
 

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 use fenderline_live::message::{
     self, EventNow, GalleryEntry, Hello, Link, Role, RunState, Told as Answer,
 };
-use fenderline_live::{Conduct, Control, Info, Refusal, Request, Session, StepError};
+use fenderline_live::{AlarmBook, Conduct, Control, Info, Refusal, Request, Session, StepError};
 use fenderline_nautical::{ChartOrigin, Moment};
 use tokio::sync::{mpsc, watch};
 
@@ -65,6 +65,7 @@ pub(crate) struct Engine {
     /// Paused until somebody comes.
     waits_for_somebody: bool,
     claims: Claims,
+    alarms: AlarmBook,
     clients: BTreeMap<ClientId, Client>,
     events: VecDeque<(u64, EventNow)>,
     next_event: u64,
@@ -96,7 +97,7 @@ impl Engine {
         let session = opened.session;
         let info = Info::of(session.simulation().setup(), session.cast());
         let now = Instant::now();
-        let engine = Engine {
+        let mut engine = Engine {
             pacer: Pacer::new(session.simulation().setup().step_s, now),
             hub,
             session,
@@ -109,6 +110,7 @@ impl Engine {
             paused: true,
             waits_for_somebody: !paused,
             claims: Claims::default(),
+            alarms: AlarmBook::default(),
             clients: BTreeMap::new(),
             events: VecDeque::new(),
             next_event: 1,
@@ -119,6 +121,7 @@ impl Engine {
             said_at: now,
             said: 0,
         };
+        engine.restart_alarms();
         engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;
         Ok(engine)
     }
@@ -198,10 +201,23 @@ impl Engine {
             self.paused = true;
             self.tell_all("The end of what is recorded: resume to go on from here.");
         }
+        self.note_alarms();
         self.record();
         if self.paused || self.shown_at.elapsed() >= BETWEEN_FRAMES {
             self.show();
         }
+    }
+
+    /// Every tick, not every frame: what was touched for a moment alone is an alarm too.
+    fn note_alarms(&mut self) {
+        let causes = self.session.causes_for_alarm(&self.info);
+        self.alarms.note(causes, self.session.simulation().time_s());
+    }
+
+    /// Another run is shown, or another time of this one: what stood in that one is not open here.
+    fn restart_alarms(&mut self) {
+        self.alarms.clear();
+        self.note_alarms();
     }
 
     /// Adds what there is to the recording's file.
@@ -247,7 +263,8 @@ impl Engine {
             opening: self.work.as_ref().and_then(Work::now),
             ..RunState::default()
         };
-        let frame = message::text(&self.session.frame(&self.info, now_ms(), run)).into();
+        let frame =
+            message::text(&self.session.frame(&self.info, now_ms(), run, &self.alarms)).into();
         let events = self.events.iter().cloned().collect();
         self.hub.frames.send_replace(Some(Shown { frame, events }));
         self.shown_at = Instant::now();
@@ -437,6 +454,7 @@ impl Engine {
                 self.session.rewind(tick)?;
                 self.paused = true;
                 self.predicted_at = None;
+                self.restart_alarms();
                 // Once, not for every place that a hand on the timeline comes by.
                 if !was_rewound && self.session.is_rewound() {
                     self.tell_all(&format!("{label} goes back in time"));
@@ -451,6 +469,7 @@ impl Engine {
                 self.session.show(id)?;
                 self.paused = true;
                 self.predicted_at = None;
+                self.restart_alarms();
                 self.greet_all();
                 self.tell_all(&format!("{label} shows branch {id}"));
             }
@@ -459,6 +478,13 @@ impl Engine {
                 if !self.work.as_ref().is_some_and(Work::stop) {
                     return Err(Refusal::new("nothing is being opened"));
                 }
+            }
+            Conduct::Acknowledge { key } => {
+                let text = self.alarms.acknowledge(&key, role)?;
+                let t_s = self.session.simulation().time_s();
+                let text = format!("{label} acknowledges: {text}");
+                self.events.push_back((self.next_event, EventNow { t_s, text }));
+                self.next_event += 1;
             }
             Conduct::Save { name } => self.save(asked, &name)?,
         }
@@ -575,6 +601,7 @@ impl Engine {
         self.recording_failed = false;
         self.info = Info::of(self.session.simulation().setup(), self.session.cast());
         self.claims.clear();
+        self.restart_alarms();
         self.make_tokens().map_err(|e| e.to_string())?;
         self.events.clear();
         self.predicted_at = None;

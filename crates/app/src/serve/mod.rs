@@ -9,6 +9,7 @@
 
 mod claims;
 mod client;
+mod crowd;
 mod door;
 mod engine;
 mod gallery;
@@ -24,6 +25,7 @@ mod permit;
 mod rate;
 mod recorder;
 mod saved;
+mod seats;
 mod tokens;
 mod wire;
 
@@ -130,7 +132,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         })
         .map_err(|e| Failure::case(format_args!("error: no thread for the simulation: {e}")))?;
     let door = Door { remote, names: args.host.clone() };
-    let site = Arc::new(Site { hub: Arc::clone(&hub), page, door });
+    let site = Arc::new(Site::new(Arc::clone(&hub), page, door));
     let interrupted = interrupt::heard()
         .map_err(|e| Failure::case(format_args!("error: Ctrl-C cannot be heard: {e}")))?;
     say(&greeting(address, &links, &wires, &recording))?;
