@@ -1,6 +1,8 @@
 //! Friction of 3 and more flooded runs with "did not settle": the forces at a contact that slides went to and fro, as
 //! each change of the normal force changes friction, which presses the bodies together or apart again.
 
+#![allow(clippy::disallowed_methods, reason = "what is drawn, not what is computed")]
+
 use fenderline_contact::*;
 
 /// Random hits of a bar on walls and on another bar: eccentric, slender, at any angle, at time steps up to 2 s.
@@ -28,7 +30,7 @@ fn unsettled(friction: f64, hits: u64) -> (u32, u32) {
             (bar(&mut random), bar(&mut random));
         let wall = [vec2(-200.0, 0.0), vec2(200.0, 0.0), vec2(200.0, 80.0), vec2(-200.0, 80.0)];
         let wall = Outline::new(&wall).expect("a wall").0;
-        let masses = [one_free.clone(), other_free.clone()];
+        let masses = [one_free, other_free];
         let mut builder = Model::builder();
         let material = Material {
             stiffness_npm2: 10_f64.powf(random.between(4.5, 7.0)),
