@@ -890,12 +890,24 @@ fl_status fl_engine_advance(fl_engine *engine,
                             fl_wrench *wrenches);
 
 /**
- * Copies the wrenches of the last step, which the host is to add to its forces for that step; `count` is the
- * number of bodies.
+ * Copies the wrenches of the last step, which the host is to add to its forces for that step: means over it, so that
+ * the impulse is right, as fl_engine_peaks() are not. `count` is the number of bodies.
  */
 fl_status fl_engine_wrenches(const fl_engine *engine,
                              fl_wrench *wrenches,
                              size_t count);
+
+/**
+ * Copies the greatest contact wrench on each body within the last step; `count` is the number of bodies. The wrenches
+ * that move the bodies are means over the step: of a force that falls off within a long one they are much less than
+ * the force that was there. Size fenders and structures by the peaks, and move bodies by fl_engine_wrenches(). Of the
+ * sub-steps in which the engine takes a step it is the wrench of that in which the force was greatest; by the paper's
+ * method, which knows no sub-steps, the same as fl_engine_wrenches(). The peak of each contact is
+ * fl_contact.peak_normal_force_n.
+ */
+fl_status fl_engine_peaks(const fl_engine *engine,
+                          fl_wrench *peaks,
+                          size_t count);
 
 /**
  * Copies the states that the engine came to at the end of the last step, for hosts that let it move the

@@ -335,8 +335,8 @@ pub unsafe extern "C" fn fl_engine_advance(
     })
 }
 
-/// Copies the wrenches of the last step, which the host is to add to its forces for that step; `count` is the
-/// number of bodies.
+/// Copies the wrenches of the last step, which the host is to add to its forces for that step: means over it, so that
+/// the impulse is right, as fl_engine_peaks() are not. `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_wrenches(
     engine: *const FlEngine,
@@ -346,6 +346,24 @@ pub unsafe extern "C" fn fl_engine_wrenches(
     results(engine, |results| {
         // SAFETY: as the caller promises.
         unsafe { give(results.wrenches, wrenches, count, FlWrench::outward) }
+    })
+}
+
+/// Copies the greatest contact wrench on each body within the last step; `count` is the number of bodies. The wrenches
+/// that move the bodies are means over the step: of a force that falls off within a long one they are much less than
+/// the force that was there. Size fenders and structures by the peaks, and move bodies by fl_engine_wrenches(). Of the
+/// sub-steps in which the engine takes a step it is the wrench of that in which the force was greatest; by the paper's
+/// method, which knows no sub-steps, the same as fl_engine_wrenches(). The peak of each contact is
+/// fl_contact.peak_normal_force_n.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_peaks(
+    engine: *const FlEngine,
+    peaks: *mut FlWrench,
+    count: usize,
+) -> FlStatus {
+    results(engine, |results| {
+        // SAFETY: as the caller promises.
+        unsafe { give(results.peaks, peaks, count, FlWrench::outward) }
     })
 }
 
