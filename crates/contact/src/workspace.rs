@@ -259,7 +259,8 @@ impl Workspace {
     }
 
     /// States at the end of the last step by [`crate::advance`], one a body: what a host that lets
-    /// the engine move its bodies goes on with. None after [`crate::advance_in_place`], which has moved them.
+    /// the engine move its bodies goes on with. None after [`crate::advance_in_place`], which has moved them. Velocities
+    /// are those of the middle of the last sub-step.
     #[must_use]
     pub fn states_after(&self) -> &[BodyState] {
         &self.states_after

@@ -20,7 +20,8 @@ pub struct Results<'a> {
     /// What happened in the step.
     pub events: &'a [Event],
     /// The states that the engine came to at the end of the step, for hosts that let it move the bodies;
-    /// empty by the paper's method and for a following host, who move the bodies themselves.
+    /// empty by the paper's method and for a following host, who move the bodies themselves. Velocities are those of half
+    /// a step before (of half of the last sub-step, where contacts needed several), as a leapfrog has them.
     pub states_after: &'a [BodyState],
     /// What was reckoned of a following host; `None` for a host of the present.
     pub reckoned: Option<Reckoned<'a>>,

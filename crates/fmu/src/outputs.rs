@@ -249,6 +249,10 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
     add(table, "", [0, 0], &columns);
 }
 
+/// When velocities are those of, which are no places'.
+const NORTH_MPS: &str = "velocity, north; this and the velocities below by the coupled method with the integrator \
+                         semi_implicit of the middle of the scenario's last (sub-)step";
+
 fn add_motion(table: &mut Table, setup: &Setup) {
     use Unit::{Joule, Metre, MetrePerSecond, One, Radian, RadianPerSecond};
     let columns: [Column; 8] = [
@@ -261,9 +265,7 @@ fn add_motion(table: &mut Table, setup: &Setup) {
         ("heading_rad", "heading, clockwise from north", Radian, |v, [b, _]| {
             v.states[b].heading_rad
         }),
-        ("velocity_x_mps", "velocity, north", MetrePerSecond, |v, [b, _]| {
-            v.states[b].velocity_mps.x
-        }),
+        ("velocity_x_mps", NORTH_MPS, MetrePerSecond, |v, [b, _]| v.states[b].velocity_mps.x),
         ("velocity_y_mps", "velocity, east", MetrePerSecond, |v, [b, _]| {
             v.states[b].velocity_mps.y
         }),

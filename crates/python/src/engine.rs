@@ -178,7 +178,8 @@ impl Engine {
     }
 
     /// Where the engine brought the bodies by the end of the step, in rows as `states`. Read-only, filled anew by
-    /// each step. By the coupled method for a host of the present.
+    /// each step. By the coupled method for a host of the present. Velocities are those of half a step before its end (of
+    /// half of the last sub-step, where contacts needed several): show them again as they are.
     #[getter]
     fn states_after(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         if self.engine.method() == Method::Coupled
