@@ -101,7 +101,7 @@ fn a_tug_pushed_from_rest_has_not_half_a_step_of_the_load_too_much() {
                 deepest_m = depths.fold(deepest_m, f64::max);
             }
             let half_turn_rad = 0.5 * step_s * (stiffness_npm / 1e6_f64).sqrt();
-            let right_m = PUSH_N / stiffness_npm * (1.0 + half_turn_rad.hypot(1.0));
+            let right_m = PUSH_N / stiffness_npm * (1.0 + libm::hypot(half_turn_rad, 1.0));
             let who = format!("{integration:?}, delay {delay_steps}, {step_s} s");
             assert!((deepest_m / right_m - 1.0).abs() < 0.005, "{who}: {deepest_m}, not {right_m}");
         });
