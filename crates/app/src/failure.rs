@@ -46,6 +46,6 @@ impl Failure {
 
 impl From<OutputError> for Failure {
     fn from(error: OutputError) -> Failure {
-        Failure::case(error)
+        if error.is_refused() { Failure::input(error) } else { Failure::case(error) }
     }
 }

@@ -79,7 +79,7 @@ mod units;
 mod vessels;
 
 pub use bounded_file::{
-    FileError, FileFault, irregular, open_regular, read_bytes, read_text_of, without_waiting,
+    FileError, FileFault, irregular, open_regular, read_bytes, read_text_of, without_following,
 };
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;
