@@ -18,7 +18,10 @@ const RUNS: usize = 8;
 /// Rounds where nobody asks for more.
 const ROUNDS: u64 = 5;
 /// Longest wait before and after a call to the file system [µs].
-const LONGEST_WAIT_US: u64 = 4000;
+const LONGEST_WAIT_US: u64 = 8000;
+/// The last of the runs comes this long after the first at most [µs]: about as long as one takes, so that the others
+/// meet it at its beginning, at work and at its end.
+const SPREAD_US: u64 = 300_000;
 /// A round that takes longer hangs.
 const PATIENCE: Duration = Duration::from_secs(50);
 
@@ -109,6 +112,7 @@ fn of_eight_runs_at_once_one_writes_the_folder_and_seven_are_refused() {
                     .env("LD_PRELOAD", &library)
                     .env("SLOW_FILES_SEED", (round * 100 + index as u64).to_string())
                     .env("SLOW_FILES_US", LONGEST_WAIT_US.to_string())
+                    .env("SLOW_FILES_SPREAD_US", SPREAD_US.to_string())
                     .env("SLOW_FILES_START", &start)
                     .env("SLOW_FILES_END", &end)
                     .stdout(Stdio::null())

@@ -4,6 +4,7 @@
    SLOW_FILES_SEED   of the random waits
    SLOW_FILES_US     longest wait [microseconds]
    SLOW_FILES_START  the program waits at its start until this file is there
+   SLOW_FILES_SPREAD_US  and then a random while, at most this [microseconds]
    SLOW_FILES_END    once the folder holds a `summary.json`, the sync of the folder waits until this file is there: so the
                      first run that publishes is still at work when the last one comes
    SLOW_FILES_FAIL_SYNC  the sync of a folder that holds a file of this name fails */
@@ -40,13 +41,25 @@ static void wait_for(const char *variable)
         pause_us(1000);
 }
 
-static void slow(void)
+static uint64_t number_of(const char *variable)
+{
+    const char *text = getenv(variable);
+    return text ? strtoull(text, NULL, 10) : 0;
+}
+
+/* SplitMix64. */
+static uint64_t drawn(void)
 {
     uint64_t x = state + 0x9e3779b97f4a7c15ULL;
     state = x;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-    x ^= x >> 31;
+    return x ^ (x >> 31);
+}
+
+static void slow(void)
+{
+    uint64_t x = drawn();
     /* Two of three calls are as fast as ever: else all would be slow alike. */
     if (longest_us > 0 && x % 3 == 0)
         pause_us((x >> 8) % longest_us);
@@ -54,10 +67,12 @@ static void slow(void)
 
 __attribute__((constructor)) static void begin(void)
 {
-    const char *seed = getenv("SLOW_FILES_SEED"), *us = getenv("SLOW_FILES_US");
-    state = (seed ? strtoull(seed, NULL, 10) : 0) * 1000003ULL + (uint64_t)getpid();
-    longest_us = us ? strtoull(us, NULL, 10) : 0;
+    state = number_of("SLOW_FILES_SEED") * 1000003ULL + (uint64_t)getpid();
+    longest_us = number_of("SLOW_FILES_US");
+    uint64_t spread_us = number_of("SLOW_FILES_SPREAD_US");
     wait_for("SLOW_FILES_START");
+    if (spread_us > 0)
+        pause_us(drawn() % spread_us);
 }
 
 #define REAL(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
