@@ -65,6 +65,7 @@ mod key_path;
 mod keys;
 mod library;
 mod load;
+mod nesting;
 mod order;
 mod overrides;
 mod printable;
