@@ -42,7 +42,7 @@ fn a_pipe_or_a_device_does_not_hang_any_command_that_reads_a_file() {
         "check vessels.toml",
         "check tug.toml --set 'fender_files=[\"pipe\"]'",
         "fender fit pipe --out fitted.toml --height 1",
-        "manoeuvre tanker --file pipe",
+        "manoeuvre kcs --file pipe",
         "vessels --file pipe",
         "fmu pipe --kind engine --out x.fmu",
         "serve pipe --port 0",
@@ -123,7 +123,7 @@ fn a_folder_for_results_that_cannot_be_one_is_bad_input() {
         "run tug.toml --out /dev/null",
         "run tug.toml --out /proc/none",
         "run tug.toml --out ''",
-        "manoeuvre tanker crabbing --out occupied",
+        "manoeuvre kcs crabbing --out occupied",
     ] {
         let told = run(&place, command);
         assert_eq!(told.code, 2, "{command}: {}", told.stderr);

@@ -2,6 +2,7 @@
 //! Empty lines and lines that begin with `#` are left out. Every mistake is an error at its line.
 
 use crate::error::ScenarioError;
+use crate::printable::printable_number as shown;
 use crate::sources::{Sources, Span, quoted};
 use crate::suggest::nearest;
 
@@ -138,7 +139,12 @@ impl<'a> Csv<'a> {
         Err(self.cell_error(
             row,
             column,
-            format!("`{name}` must be between {low} and {high}, but is {number}"),
+            format!(
+                "`{name}` must be between {} and {}, but is {}",
+                shown(low),
+                shown(high),
+                shown(number)
+            ),
         ))
     }
 
@@ -201,7 +207,7 @@ impl<'a> Csv<'a> {
     fn place(&self, columns: &[usize], value: impl Fn(usize) -> f64) -> String {
         let named = columns.iter().enumerate();
         let named: Vec<String> = named
-            .map(|(axis, column)| format!("{} = {}", self.columns[*column], value(axis)))
+            .map(|(axis, column)| format!("{} = {}", self.columns[*column], shown(value(axis))))
             .collect();
         match named.is_empty() {
             true => "all of it".to_owned(),

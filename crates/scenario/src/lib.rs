@@ -92,7 +92,7 @@ pub use library::{
 pub use load::{LoadError, read_text};
 pub use order::order;
 pub use overrides::Override;
-pub use printable::{printable_line, printable_text};
+pub use printable::{escaped_json, printable_line, printable_number, printable_text};
 pub use scenario::Scenario;
 pub use schema::{fender_schema, schema, vessel_schema};
 pub use vessels::{Belting, DeckPoint, Shaft, Stability, VesselData, VesselLibrary};

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-pub(crate) use outcome::Outcome;
+pub(crate) use outcome::{Interrupted, Outcome};
 pub(crate) use part_file::{Folder, Sealed};
 pub(crate) use summary::{Events, event_text, integrator_text, is_plain, method_text, summary};
 pub(crate) use tables::Tables;

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::csv::Csv;
 use crate::error::ScenarioError;
+use crate::printable::printable_number as shown;
 
 type Read<T> = Result<T, ScenarioError>;
 
@@ -124,7 +125,8 @@ fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
             to_m * csv.number(row, deflection, [0.0, LARGEST_DEFLECTION_M / to_m])?;
         let reaction_n = to_n * csv.number(row, reaction, [0.0, LARGEST_REACTION_N / to_n])?;
         if deflection_m == 0.0 && reaction_n != 0.0 {
-            let message = format!("a reaction of {} kN without deflection", reaction_n / 1e3);
+            let message =
+                format!("a reaction of {} kN without deflection", shown(reaction_n / 1e3));
             return Err(csv.cell_error(row, reaction, message));
         }
         let is_unloading =
@@ -134,7 +136,7 @@ fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
                 Some((_, Ok(0.0))) => false,
                 Some((_, Ok(1.0))) => true,
                 Some((column, Ok(other))) => {
-                    let message = format!("`unloading` is 0 or 1, not {other}");
+                    let message = format!("`unloading` is 0 or 1, not {}", shown(other));
                     return Err(csv.cell_error(row, column, message));
                 }
             };
