@@ -9,6 +9,7 @@
 #![forbid(unsafe_code)]
 
 mod action;
+mod alarm_book;
 mod berth;
 mod bits;
 mod carry_out;
@@ -25,6 +26,7 @@ mod session;
 mod source;
 
 pub use action::{Action, Fault, TugWord, WinchWord};
+pub use alarm_book::{Alarm, AlarmBook, Level};
 pub use cast::{Cast, Helm};
 pub use info::Info;
 pub use prediction::Prediction;

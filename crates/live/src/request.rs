@@ -43,6 +43,8 @@ pub enum Conduct {
     ShowBranch { id: usize },
     /// Another scenario, or a saved session.
     Load { file: String },
+    /// An alarm was seen.
+    Acknowledge { key: String },
     /// Keep a copy of the recording under a name.
     Save { name: String },
 }
@@ -63,7 +65,7 @@ enum Message {
     Command { id: i64, action: Value },
 }
 
-const CONDUCT: [&str; 11] = [
+const CONDUCT: [&str; 12] = [
     "claim",
     "release",
     "pause",
@@ -74,6 +76,7 @@ const CONDUCT: [&str; 11] = [
     "branch",
     "show_branch",
     "load",
+    "acknowledge",
     "save",
 ];
 

@@ -9,7 +9,7 @@ use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use fenderline_live::message::{self, EventNow, Hello, Link, Role, RunState, Told as Answer};
-use fenderline_live::{Conduct, Control, Info, Refusal, Request, Session};
+use fenderline_live::{AlarmBook, Conduct, Control, Info, Refusal, Request, Session};
 use fenderline_nautical::{ChartOrigin, Moment};
 use tokio::sync::{mpsc, watch};
 
@@ -59,6 +59,7 @@ pub(crate) struct Engine {
     /// Paused until somebody comes.
     waits_for_somebody: bool,
     claims: Claims,
+    alarms: AlarmBook,
     clients: BTreeMap<ClientId, Client>,
     events: VecDeque<(u64, EventNow)>,
     next_event: u64,
@@ -89,7 +90,7 @@ impl Engine {
         let recorder = Recorder::begin(&sessions, &session.source().file, &recorded)?;
         let info = Info::of(session.simulation().setup(), session.cast());
         let now = Instant::now();
-        let engine = Engine {
+        let mut engine = Engine {
             pacer: Pacer::new(session.simulation().setup().step_s, now),
             hub,
             session,
@@ -101,6 +102,7 @@ impl Engine {
             paused: true,
             waits_for_somebody: !paused,
             claims: Claims::default(),
+            alarms: AlarmBook::default(),
             clients: BTreeMap::new(),
             events: VecDeque::new(),
             next_event: 1,
@@ -111,6 +113,7 @@ impl Engine {
             said_at: now,
             said: 0,
         };
+        engine.restart_alarms();
         engine.make_tokens().map_err(|e| format!("no random numbers for the links: {e}"))?;
         Ok(engine)
     }
@@ -180,10 +183,23 @@ impl Engine {
             self.paused = true;
             self.tell_all("The end of what is recorded: resume to go on from here.");
         }
+        self.note_alarms();
         self.record();
         if self.paused || self.shown_at.elapsed() >= BETWEEN_FRAMES {
             self.show();
         }
+    }
+
+    /// Every tick, not every frame: what was touched for a moment alone is an alarm too.
+    fn note_alarms(&mut self) {
+        let causes = self.session.causes_for_alarm(&self.info);
+        self.alarms.note(causes, self.session.simulation().time_s());
+    }
+
+    /// Another run is shown, or another time of this one: what stood in that one is not open here.
+    fn restart_alarms(&mut self) {
+        self.alarms.clear();
+        self.note_alarms();
     }
 
     /// Adds what there is to the recording's file.
@@ -217,7 +233,8 @@ impl Engine {
             clients: self.clients.len(),
             ..RunState::default()
         };
-        let frame = message::text(&self.session.frame(&self.info, now_ms(), run)).into();
+        let frame =
+            message::text(&self.session.frame(&self.info, now_ms(), run, &self.alarms)).into();
         let events = self.events.iter().cloned().collect();
         self.hub.frames.send_replace(Some(Shown { frame, events }));
         self.shown_at = Instant::now();
@@ -405,6 +422,7 @@ impl Engine {
                 self.session.rewind(tick)?;
                 self.paused = true;
                 self.predicted_at = None;
+                self.restart_alarms();
                 // Once, not for every place that a hand on the timeline comes by.
                 if !was_rewound && self.session.is_rewound() {
                     self.tell_all(&format!("{label} goes back in time"));
@@ -419,10 +437,18 @@ impl Engine {
                 self.session.show(id)?;
                 self.paused = true;
                 self.predicted_at = None;
+                self.restart_alarms();
                 self.greet_all();
                 self.tell_all(&format!("{label} shows branch {id}"));
             }
             Conduct::Load { file } => self.load(label, &file)?,
+            Conduct::Acknowledge { key } => {
+                let text = self.alarms.acknowledge(&key, role)?;
+                let t_s = self.session.simulation().time_s();
+                let text = format!("{label} acknowledges: {text}");
+                self.events.push_back((self.next_event, EventNow { t_s, text }));
+                self.next_event += 1;
+            }
             Conduct::Save { name } => {
                 self.session.mark();
                 self.record();
@@ -472,6 +498,7 @@ impl Engine {
         self.recording_failed = false;
         self.info = Info::of(self.session.simulation().setup(), self.session.cast());
         self.claims.clear();
+        self.restart_alarms();
         self.make_tokens().map_err(Refusal::new)?;
         self.events.clear();
         self.predicted_at = None;

@@ -8,6 +8,7 @@
 
 mod claims;
 mod client;
+mod crowd;
 mod door;
 mod engine;
 mod gallery;
@@ -20,6 +21,7 @@ mod page;
 mod permit;
 mod rate;
 mod recorder;
+mod seats;
 mod tokens;
 mod wire;
 
@@ -121,7 +123,7 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         })
         .map_err(|e| Failure::case(format_args!("error: no thread for the simulation: {e}")))?;
     let door = Door { remote, names: args.host.clone() };
-    let site = Arc::new(Site { hub: Arc::clone(&hub), page, door });
+    let site = Arc::new(Site::new(Arc::clone(&hub), page, door));
     say(&greeting(address, &links, &wires, &recording))?;
     runtime.block_on(async {
         tokio::select! {
