@@ -2,18 +2,29 @@
 //! another program on the machine does not matter.
 
 use std::fmt::Write as _;
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use fenderline_scenario::Scenario;
 
 const HEAD: &str = "[time]\nstep = \"0.1 s\"\nduration = \"1 s\"\n";
 
+/// Time that this thread was at work; where the system does not tell it, time that has passed.
+fn work_time() -> Duration {
+    static BEGUN: OnceLock<Instant> = OnceLock::new();
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    match told.split(' ').next().and_then(|nanoseconds| nanoseconds.parse().ok()) {
+        Some(nanoseconds) => Duration::from_nanos(nanoseconds),
+        None => BEGUN.get_or_init(Instant::now).elapsed(),
+    }
+}
+
 /// The least time of some checks, and how many notices there are.
 fn time_of(text: &str) -> (Duration, usize) {
     let once = || {
-        let start = Instant::now();
+        let start = work_time();
         let scenario = Scenario::parse(text, "large.toml").expect("it is good");
-        (start.elapsed(), scenario.notices.len())
+        (work_time() - start, scenario.notices.len())
     };
     (0..4).map(|_| once()).min().expect("some tries")
 }
