@@ -4,11 +4,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use fenderline_fmu::{Bundle, BundleError, Fmi, Kind, Plan, PlanError, library_file_name, pack};
+use fenderline_scenario::read_bytes;
 
 use crate::cli::{FmiVersion, FmuArgs, FmuKind};
 use crate::failure::Failure;
 use crate::load::load;
 use crate::terminal::{say, tell};
+
+/// Libraries above this size are not read; ours has about 10 MiB, some 100 with debug information [bytes].
+const LARGEST_LIBRARY: u64 = 1 << 30;
 
 /// Writes the FMU that `args` describe. Nothing is written before the scenario is accepted.
 ///
@@ -77,8 +81,8 @@ fn library(told: Option<&Path>) -> Result<PathBuf, Failure> {
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    fs::read(path)
-        .map_err(|e| Failure::case(format_args!("error: cannot read {}: {e}", path.display())))
+    read_bytes(path, LARGEST_LIBRARY)
+        .map_err(|e| Failure::case(format_args!("error: cannot read {e}")))
 }
 
 /// Complete or absent.

@@ -4,6 +4,8 @@
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::path::{Path, PathBuf};
 
+use fenderline_scenario::read_text_of;
+
 use crate::bundle::Bundle;
 use crate::fmi2::Logger2;
 use crate::fmi3::Logger3;
@@ -136,10 +138,13 @@ pub(crate) unsafe fn text(pointer: *const c_char, name: &str) -> Outcome<String>
     text.to_str().map(str::to_owned).map_err(|_| format!("{name} is not UTF-8"))
 }
 
+/// Bundles above this size are not read: a scenario and the files that it names have less [bytes].
+const LARGEST_BUNDLE: u64 = 1 << 30;
+
 /// An instance of the FMU whose resources lie in a folder.
 pub(crate) fn instance(token: &str, resources: &Path) -> Outcome<Instance> {
     let path = resources.join(crate::pack::BUNDLE_FILE);
-    let json = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let json = read_text_of(&path, LARGEST_BUNDLE).map_err(|error| error.to_string())?;
     let bundle = Bundle::from_json(&json).map_err(|error| error.to_string())?;
     let plan = Plan::new(bundle).map_err(|error| error.to_string())?;
     if plan.token != token {

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::printable::printable_line;
+
 /// Where an error or a notice points.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
@@ -29,9 +31,11 @@ pub enum Place {
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Place::File { name, line, column } => write!(f, "{name}:{line}:{column}"),
-            Place::WholeFile { name } => f.write_str(name),
-            Place::Option { text } => f.write_str(text),
+            Place::File { name, line, column } => {
+                write!(f, "{}:{line}:{column}", printable_line(name))
+            }
+            Place::WholeFile { name } => f.write_str(&printable_line(name)),
+            Place::Option { text } => f.write_str(&printable_line(text)),
         }
     }
 }

@@ -55,6 +55,7 @@
 //! ```
 
 mod assemble;
+mod bounded_file;
 mod checked;
 mod csv;
 mod error;
@@ -66,6 +67,7 @@ mod library;
 mod load;
 mod order;
 mod overrides;
+mod printable;
 mod reader;
 mod scenario;
 mod schema;
@@ -76,6 +78,9 @@ mod syntax;
 mod units;
 mod vessels;
 
+pub use bounded_file::{
+    FileError, FileFault, irregular, open_regular, read_bytes, read_text_of, without_waiting,
+};
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;
 pub use fit::{Branch, FenderCurves, FitError, FitOptions, FittedFender, LoadingCurve};
@@ -86,6 +91,7 @@ pub use library::{
 pub use load::{LoadError, read_text};
 pub use order::order;
 pub use overrides::Override;
+pub use printable::{printable_line, printable_text};
 pub use scenario::Scenario;
 pub use schema::{fender_schema, schema, vessel_schema};
 pub use vessels::{Belting, DeckPoint, Shaft, Stability, VesselData, VesselLibrary};

@@ -1,10 +1,9 @@
 //! Scenario files from the disk.
 
 use core::fmt;
-use std::fs::File;
-use std::io::Read as _;
 use std::path::Path;
 
+use crate::bounded_file::read_text_of;
 use crate::error::ScenarioError;
 use crate::overrides::Override;
 use crate::scenario::Scenario;
@@ -15,7 +14,7 @@ const LARGEST_FILE: u64 = 16 << 20;
 /// A scenario that could not be had from the disk.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LoadError {
-    /// The file cannot be read, is too large or is no UTF-8 text: its name and why.
+    /// The file cannot be read, is no regular file, too large or no UTF-8 text: its name and why.
     Unreadable(String),
     /// It is read, and the scenario reader refuses it.
     Refused(ScenarioError),
@@ -50,27 +49,10 @@ impl Scenario {
     }
 }
 
-/// The text of a file of at most 16 MiB.
+/// The text of a regular file of at most 16 MiB.
 ///
 /// # Errors
-/// Its name and why there is none.
+/// Its name and why there is none, in words.
 pub fn read_text(path: &Path) -> Result<String, String> {
-    let name = path.display();
-    let cannot = |e: &dyn fmt::Display| format!("{name}: {e}");
-    let mut bytes = Vec::new();
-    // One byte more than allowed tells a file that is too large, be it an endless one.
-    File::open(path)
-        .and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes))
-        .map_err(|e| cannot(&e))?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        return Err(cannot(&format_args!(
-            "it is larger than {} MiB, which no scenario needs",
-            LARGEST_FILE >> 20
-        )));
-    }
-    String::from_utf8(bytes).map_err(|e| {
-        let at = e.utf8_error().valid_up_to();
-        let line = e.as_bytes()[..at].iter().filter(|b| **b == b'\n').count() + 1;
-        cannot(&format_args!("line {line} is not UTF-8 text"))
-    })
+    read_text_of(path, LARGEST_FILE).map_err(|error| error.to_string())
 }

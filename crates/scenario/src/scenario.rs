@@ -25,6 +25,9 @@ pub struct Scenario {
     pub notices: Vec<Notice>,
 }
 
+/// What all files together may have that a scenario names [bytes].
+const LARGEST_TOTAL: usize = 256 << 20;
+
 impl Scenario {
     /// Reads the text of a scenario file; `file_name` is for messages and the default title.
     ///
@@ -68,8 +71,17 @@ impl Scenario {
         let end = text.trim_end().len();
         let file = reader::table(&sources, &SCENARIO, "", end..end, &document)?;
         let mut notices = Vec::new();
-        let libraries = libraries(&sources, &file, read)?;
-        let files = Files::read(&sources, &file, read)?;
+        let mut left = LARGEST_TOTAL;
+        let mut read = |name: &str| {
+            let text = read(name)?;
+            left = left.checked_sub(text.len()).ok_or_else(|| {
+                let most = LARGEST_TOTAL >> 20;
+                format!("{name}: with it the files of the scenario have more than {most} MiB")
+            })?;
+            Ok(text)
+        };
+        let libraries = libraries(&sources, &file, &mut read)?;
+        let files = Files::read(&sources, &file, &mut read)?;
         let setup = assemble::setup(&sources, &file, &files, &libraries, &mut notices)?;
         let title =
             file.item("title").map_or_else(|| stem(file_name), |item| item.text().to_owned());

@@ -5,6 +5,7 @@ use core::ops::Range;
 
 use crate::error::{Place, ScenarioError, Snippet};
 use crate::overrides::Override;
+use crate::printable::printable_char;
 
 /// A range of positions: bytes of the file, or the one position of an override.
 pub(crate) type Span = Range<usize>;
@@ -93,9 +94,9 @@ fn cut(before: &str, marked: &str, after: &str) -> Snippet {
     let kept: Vec<char> = before.chars().rev().take(BEFORE + 1).collect();
     if kept.len() > BEFORE {
         line.push('…');
-        line.extend(kept[..BEFORE].iter().rev().copied().map(printable));
+        line.extend(kept[..BEFORE].iter().rev().copied().map(printable_char));
     } else {
-        line.extend(kept.iter().rev().copied().map(printable));
+        line.extend(kept.iter().rev().copied().map(printable_char));
     }
     let before_count = line.chars().count();
     let (marked, marked_cut) = first(marked, MARKED);
@@ -116,7 +117,7 @@ fn cut(before: &str, marked: &str, after: &str) -> Snippet {
 /// The first `count` characters, fit to print, and whether there are more.
 pub(crate) fn first(text: &str, count: usize) -> (String, bool) {
     let mut chars = text.chars();
-    let kept = chars.by_ref().take(count).map(printable).collect();
+    let kept = chars.by_ref().take(count).map(printable_char).collect();
     (kept, chars.next().is_some())
 }
 
@@ -125,19 +126,6 @@ pub(crate) fn first(text: &str, count: usize) -> (String, bool) {
 pub(crate) fn quoted(text: &str) -> String {
     let (kept, is_cut) = first(text, 40);
     if is_cut { format!("\"{kept}…\"") } else { format!("\"{kept}\"") }
-}
-
-fn printable(c: char) -> char {
-    match c {
-        '\t' => ' ',
-        c if c.is_control() || is_bidi_control(c) => '\u{FFFD}',
-        c => c,
-    }
-}
-
-/// Characters that would reorder the rest of the line.
-fn is_bidi_control(c: char) -> bool {
-    matches!(c, '\u{200E}' | '\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}')
 }
 
 #[cfg(test)]

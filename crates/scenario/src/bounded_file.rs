@@ -1,0 +1,170 @@
+//! Files that others named: only regular ones of bounded size are read, so that no name can stop the program.
+//!
+//! A named pipe blocks whoever opens it, a device may never end, and a file can be put in the place of another
+//! between a look and the opening. So a file is looked at first, which touches no device, then opened without
+//! waiting, and looked at again through the open handle, which no renaming changes.
+
+use core::fmt;
+use std::fs::{File, FileType, Metadata, OpenOptions};
+use std::io::{self, Read as _};
+use std::path::{Path, PathBuf};
+
+use crate::printable::printable_line;
+
+/// A file that is not read, or could not be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FileError {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong with it.
+    pub fault: FileFault,
+}
+
+/// What is wrong with a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FileFault {
+    /// The system's error, as it words it.
+    System {
+        /// Its kind.
+        kind: io::ErrorKind,
+        /// Its text.
+        text: String,
+    },
+    /// It is no regular file: what it is, as in "a named pipe".
+    NotRegular(&'static str),
+    /// It is larger than the caller reads.
+    TooLarge {
+        /// The size up to which it is read [bytes].
+        largest_bytes: u64,
+    },
+    /// It is no UTF-8 text.
+    NotText {
+        /// The first line that is none, from 1.
+        line: usize,
+    },
+}
+
+impl FileError {
+    fn new(path: &Path, fault: FileFault) -> FileError {
+        FileError { path: path.to_owned(), fault }
+    }
+
+    fn system(path: &Path, error: &io::Error) -> FileError {
+        let fault = FileFault::System { kind: error.kind(), text: error.to_string() };
+        FileError::new(path, fault)
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", printable_line(&self.path.display().to_string()))?;
+        match &self.fault {
+            FileFault::System { text, .. } => f.write_str(text),
+            FileFault::NotRegular(what) => {
+                write!(f, "it is {what}, and only regular files are read")
+            }
+            FileFault::TooLarge { largest_bytes } if *largest_bytes < 1 << 20 => {
+                write!(f, "it is larger than the {largest_bytes} bytes that are read")
+            }
+            FileFault::TooLarge { largest_bytes } => {
+                write!(f, "it is larger than the {} MiB that are read", largest_bytes >> 20)
+            }
+            FileFault::NotText { line } => write!(f, "line {line} is not UTF-8 text"),
+        }
+    }
+}
+
+impl std::error::Error for FileError {}
+
+/// Opens a regular file of at most `largest_bytes` for reading, and never waits. A file may still grow after
+/// that: who streams it counts what is read.
+///
+/// # Errors
+/// [`FileError`] for a file that is not there, is none that is regular, or is larger.
+pub fn open_regular(path: &Path, largest_bytes: u64) -> Result<File, FileError> {
+    let system = |e: io::Error| FileError::system(path, &e);
+    // To open some devices is to do something to them, and a writer of a pipe would believe that it is read.
+    admit(path, &std::fs::metadata(path).map_err(system)?, largest_bytes)?;
+    let file = without_waiting().read(true).open(path).map_err(system)?;
+    admit(path, &file.metadata().map_err(system)?, largest_bytes)?;
+    Ok(file)
+}
+
+/// The content of a regular file of at most `largest_bytes`.
+///
+/// # Errors
+/// As [`open_regular`], and for a file that grows beyond that while it is read.
+pub fn read_bytes(path: &Path, largest_bytes: u64) -> Result<Vec<u8>, FileError> {
+    let file = open_regular(path, largest_bytes)?;
+    let mut bytes = Vec::new();
+    // One byte more than allowed tells a file that is larger than it said, as those of /proc are.
+    file.take(largest_bytes.saturating_add(1))
+        .read_to_end(&mut bytes)
+        .map_err(|e| FileError::system(path, &e))?;
+    if bytes.len() as u64 > largest_bytes {
+        return Err(FileError::new(path, FileFault::TooLarge { largest_bytes }));
+    }
+    Ok(bytes)
+}
+
+/// The text of a regular file of at most `largest_bytes`.
+///
+/// # Errors
+/// As [`read_bytes`], and for a file that is no UTF-8 text.
+pub fn read_text_of(path: &Path, largest_bytes: u64) -> Result<String, FileError> {
+    String::from_utf8(read_bytes(path, largest_bytes)?).map_err(|e| {
+        let whole = &e.as_bytes()[..e.utf8_error().valid_up_to()];
+        let line = whole.iter().filter(|b| **b == b'\n').count() + 1;
+        FileError::new(path, FileFault::NotText { line })
+    })
+}
+
+/// How files are opened whose names come from others: no pipe, device or terminal makes the opening wait, and
+/// no terminal becomes the program's own.
+#[must_use]
+pub fn without_waiting() -> OpenOptions {
+    #[cfg_attr(not(unix), expect(unused_mut, reason = "only unix has flags to set"))]
+    let mut options = OpenOptions::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt as _;
+        options.custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY);
+    }
+    options
+}
+
+/// What a file is that is no regular one, as in "a folder"; `None` for a regular file.
+#[must_use]
+pub fn irregular(kind: FileType) -> Option<&'static str> {
+    if kind.is_file() {
+        return None;
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt as _;
+        if kind.is_fifo() {
+            return Some("a pipe");
+        } else if kind.is_char_device() || kind.is_block_device() {
+            return Some("a device");
+        } else if kind.is_socket() {
+            return Some("a socket");
+        }
+    }
+    Some(if kind.is_dir() {
+        "a folder"
+    } else if kind.is_symlink() {
+        "a symbolic link"
+    } else {
+        "no regular file"
+    })
+}
+
+fn admit(path: &Path, metadata: &Metadata, largest_bytes: u64) -> Result<(), FileError> {
+    if let Some(what) = irregular(metadata.file_type()) {
+        return Err(FileError::new(path, FileFault::NotRegular(what)));
+    }
+    if metadata.len() > largest_bytes {
+        return Err(FileError::new(path, FileFault::TooLarge { largest_bytes }));
+    }
+    Ok(())
+}

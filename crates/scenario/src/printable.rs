@@ -1,0 +1,64 @@
+//! Texts of users as a terminal may have them: nothing in them that it would obey.
+
+use std::borrow::Cow;
+
+/// What stands for a character that is not shown.
+const REPLACED: char = '\u{FFFD}';
+
+/// A text of one line without what a terminal would obey: control characters and those that reorder a line are
+/// replaced by U+FFFD, line breaks too.
+#[must_use]
+pub fn printable_line(text: &str) -> Cow<'_, str> {
+    without(text, is_obeyed)
+}
+
+/// A text of several lines without what a terminal would obey; its line breaks and tabs stay.
+#[must_use]
+pub fn printable_text(text: &str) -> Cow<'_, str> {
+    without(text, |c| !matches!(c, '\n' | '\t') && is_obeyed(c))
+}
+
+fn without(text: &str, is_bad: impl Fn(char) -> bool) -> Cow<'_, str> {
+    if !text.contains(&is_bad) {
+        return Cow::Borrowed(text);
+    }
+    Cow::Owned(text.chars().map(|c| if is_bad(c) { REPLACED } else { c }).collect())
+}
+
+/// One character as it is printed in a snippet of a file: a tab is a space there, so that marks stay below what
+/// they mark.
+pub(crate) fn printable_char(c: char) -> char {
+    match c {
+        '\t' => ' ',
+        c if is_obeyed(c) => REPLACED,
+        c => c,
+    }
+}
+
+/// Whether a terminal would obey a character, or show the line in another order because of it: controls, line and
+/// paragraph separators, and the marks, overrides and isolates of writing direction (Unicode Standard Annex 9).
+fn is_obeyed(c: char) -> bool {
+    c.is_control()
+        || matches!(
+            c,
+            '\u{061C}' | '\u{200E}' | '\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2066}'..='\u{206F}'
+        )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{printable_line, printable_text};
+
+    #[test]
+    fn a_right_to_left_override_and_its_relatives_are_replaced() {
+        for c in "\u{202e}\u{202d}\u{2066}\u{2069}\u{200f}\u{61c}\u{2028}\u{1b}\u{9b}\u{7f}\r\u{0}"
+            .chars()
+        {
+            assert_eq!(printable_line(&format!("a{c}b")), "a\u{FFFD}b", "{c:?}");
+            assert_eq!(printable_text(&format!("a{c}b")), "a\u{FFFD}b", "{c:?}");
+        }
+        assert_eq!(printable_line("a\nb\tc"), "a\u{FFFD}b\u{FFFD}c");
+        assert_eq!(printable_text("a\nb\tc"), "a\nb\tc");
+        assert_eq!(printable_line("Übersee 大阪 نص 1 % 👍"), "Übersee 大阪 نص 1 % 👍");
+    }
+}
