@@ -148,7 +148,8 @@ fn full() -> Json {
             "current": { "speed": "1 kn", "towards": "10 deg" },
             "bank": [{ "from": [-500, 90], "to": [500, 90] }],
             "waves": {
-                "height": 1, "period": "8 s", "from": 0, "regular": false, "peakedness": 3.3, "seed": 1
+                "height": 1, "period": "8 s", "from": 0, "regular": false, "peakedness": 3.3,
+                "spreading": 2, "seed": 1
             }
         },
         "vessel": {
