@@ -3,6 +3,8 @@
 
     python3 validation/independent/mmg_standard.py             prints every measure
     python3 validation/independent/mmg_standard.py --check     holds validation/kvlcc2.toml and kcs.toml against them
+    python3 validation/independent/mmg_standard.py --printed-digits
+                                                               what the last digits of KVLCC2's coefficients leave open
 
 The equations are those of Yasukawa & Yoshimura, Introduction of MMG standard method for ship maneuvering predictions,
 J. Mar. Sci. Technol. 20 (2015), eq. 1 to 32. Coefficients are read from vessels/*.toml: this tests the program's formulas
@@ -233,7 +235,56 @@ def estimates_of(found):
     return means
 
 
+def printed_digits():
+    """Each measure of the model of 7 m, and what half a unit of the last digit of every printed coefficient changes of it:
+    the root of the sum of squares."""
+    # Printed to two digits after the point; all others to three.
+    two_digits = {"w0", "eps", "kappa"}
+    places = ("w0", "tp", "eps", "kappa", "lr", "tr", "ah", "xh", "lift", "D")
+
+    def measures(ship):
+        found = {}
+        for side, sign in (("starboard", 1), ("port", -1)):
+            found |= {f"turn of 35, {side}: {name}": value for name, value in ship.turn(35 * sign).items()}
+            for angle in (10, 20):
+                trial = ship.zig_zag(angle * sign)
+                found |= {f"{angle}/{angle}, {side}: {name}": value for name, value in trial.items()}
+        return found
+
+    def changed(change):
+        ship = Ship("kvlcc2-model")
+        ship.hull, ship.change, ship.gamma = dict(ship.hull), dict(ship.change), dict(ship.gamma)
+        change(ship)
+        ship.n = ship.balance()
+        return measures(ship)
+
+    base = Ship("kvlcc2-model")
+    unit = 0.5 * RHO * base.L**2 * base.d
+
+    def add(table, key, half):
+        return lambda ship: getattr(ship, table).__setitem__(key, getattr(ship, table)[key] + half)
+
+    changes = [add("hull", key, 0.0005) for key in base.hull]
+    changes += [add("gamma", key, 0.0005) for key in base.gamma]
+    changes += [add("change", key, 0.05) for key in base.change]
+    for key in places:
+        half = 0.005 if key in two_digits else 0.0005
+        changes.append(lambda ship, key=key, half=half: setattr(ship, key, getattr(ship, key) + half))
+    for key, size in (("mx", unit), ("my", unit), ("jz", unit * base.L**2)):
+        changes.append(lambda ship, key=key, size=size: setattr(ship, key, getattr(ship, key) + 0.0005 * size))
+    changes.append(lambda ship: setattr(ship, "area", ship.area + 0.00005))
+    changes.append(lambda ship: setattr(ship, "xg", ship.xg + 0.005))
+    changes.append(lambda ship: setattr(ship, "inertia", ship.m * (0.245 * ship.L) ** 2))
+
+    as_printed, others = measures(base), [changed(change) for change in changes]
+    for name, value in as_printed.items():
+        left = math.sqrt(sum((other[name] - value) ** 2 for other in others))
+        print(f"{name:36} {value:8.4f} +- {left:.4f}, {100 * left / value:.1f} %")
+
+
 if __name__ == "__main__":
+    if sys.argv[1:] == ["--printed-digits"]:
+        sys.exit(printed_digits())
     numbers = all_numbers()
     if sys.argv[1:] == ["--check"]:
         from ship_formulas import check

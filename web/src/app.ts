@@ -180,7 +180,7 @@ export class App implements Page {
       ["Fenders", "e", new Fenders(hello)],
       ["Lines", "w", new Lines(this, hello)],
       ["Charts", "g", new Strips(this.history)],
-      ["Alarms", "a", new Alarms((open, worst) => this.alarmed(open, worst))],
+      ["Alarms", "a", new Alarms(this, (open, worst) => this.alarmed(open, worst))],
     ];
     if (hello.role.name === "instructor") views.unshift(["Session", null, new Session(this, hello)], ["Weather, faults", null, new Conditions(this, hello)]);
     this.tabs = views.map(([name, key, view]) => ({

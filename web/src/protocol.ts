@@ -147,6 +147,8 @@ export interface RunState {
   /** The last tick of this branch: beyond `tick` while rewound. */
   last_tick: number;
   clients: number;
+  /** What the instructor is having opened while this goes on: `reads` it, or `plays` a recording again; how much of that. */
+  opening: { file: string; at: "reads" | "plays"; share: number } | null;
 }
 
 /** [north, east, heading, velocity north, velocity east, yaw rate]. */
@@ -172,13 +174,34 @@ export interface VesselNow {
   squat_m: number;
   under_keel_m: number | null;
   aground: boolean;
-  /** To the berth's line of fenders, at bow and stern [m], where there is a berth. */
-  // Distances of the ends of the flat of her side; speeds positive towards the berth, and ahead along it, as seen from
-  // the berth; angle positive, bow nearer.
-  berth: { bow_m: number; stern_m: number; bow_mps: number; stern_mps: number; along_mps: number; angle_rad: number } | null;
+  /** How she lies to the berth, where there is one. */
+  berth: BerthNow | null;
   /** Of a tug that is a vessel: what she was told to do at the ship, and with what force. */
   assist: AssistNow | null;
   faults: Fault[];
+}
+
+/**
+ * What an end of a ship is at, worst last: off the fenders, carried by them, behind their line with none there, farther
+ * past the last one than they are apart, where a hull was on the structure and nobody has acknowledged it, at a fender
+ * beyond its rating or failed, with the hull on the structure.
+ */
+export type BerthEnd = "off" | "at_fenders" | "no_fender" | "past_end" | "touched" | "over_rated" | "structure";
+
+/** A ship beside the berth's line of fenders: the two ends of the flat of her side. */
+export interface BerthNow {
+  bow: BerthEnd;
+  stern: BerthEnd;
+  /** Off the line [m]. */
+  bow_m: number;
+  stern_m: number;
+  /** Towards it, as seen from the berth. */
+  bow_mps: number;
+  stern_mps: number;
+  /** Ahead along it. */
+  along_mps: number;
+  /** Positive with the bow nearer. */
+  angle_rad: number;
 }
 
 export interface AssistNow {
@@ -231,6 +254,11 @@ export interface Alarm {
   /** What kind it is: one of each stands at a time for one thing. */
   key: string;
   text: string;
+  /** When it came, or grew to an alarm. */
+  since_s: number;
+  /** Its cause stands; an alarm without one waits to be acknowledged. */
+  stands: boolean;
+  acknowledged: boolean;
 }
 
 /** Once a second: where the pilot's ship goes if nothing is ordered. */
@@ -302,8 +330,12 @@ export type Action =
   /** Go on from where it is rewound to, as a new branch. */
   | { do: "branch" }
   | { do: "show_branch"; id: number }
+  /** Answered when it begins; `run.opening` tells how far it is, `refused` without a number why it came to nothing. */
   | { do: "load"; file: string }
+  | { do: "stop_opening" }
   | { do: "save"; name: string }
+  // An alarm was seen: by pilot and instructor, and by a tugmaster his own tug's.
+  | { do: "acknowledge"; key: string }
   | { do: "wind"; speed_mps: number; from_rad: number }
   | { do: "current"; speed_mps: number; to_rad: number }
   | { do: "fault"; vessel: string; fault: Fault; on: boolean };

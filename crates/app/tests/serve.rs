@@ -167,11 +167,10 @@ fn the_instructor_pauses_rewinds_branches_and_loads() {
         }
         assert_eq!(instructor.ask(json!({ "do": "save", "name": "mine" })).await["type"], "ack");
         assert!(server.sessions().join("mine.session.jsonl").is_file());
-        let loaded = instructor.ask_and_see(json!({ "do": "load", "file": "harbour.toml" })).await;
+        let loaded = instructor.load("harbour.toml").await;
         assert_eq!((&loaded["tick"], &loaded["run"]["paused"]), (&json!(0), &json!(true)));
         // The saved session goes on where it ended.
-        let loaded =
-            instructor.ask_and_see(json!({ "do": "load", "file": "mine.session.jsonl" })).await;
+        let loaded = instructor.load("mine.session.jsonl").await;
         assert_eq!(loaded["run"]["branches"].as_array().map(Vec::len), Some(2));
         server.stop_and_check();
     });
@@ -330,6 +329,89 @@ fn floods_giants_and_sleepers_are_shown_the_door_and_the_simulation_keeps_its_pa
             sleepers.ended_within(Duration::from_secs(20)).await,
             "half-open connections are closed"
         );
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn three_hundred_slow_heads_keep_no_newcomer_out() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let sleepers = client::sleepers(&server, 300).await;
+        let began = std::time::Instant::now();
+        let page = client::get(&server, "/").await;
+        assert!(page.starts_with("HTTP/1.1 200"), "{page}");
+        let mut pilot = Client::join(&server, "pilot").await;
+        assert_eq!(pilot.ask(rudder(0.2)).await["type"], "ack");
+        // The heads' own time is five seconds: this did not wait for it.
+        assert!(began.elapsed() < Duration::from_secs(4), "{:?}", began.elapsed());
+        drop(sleepers);
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn a_crowd_of_chart_programs_keeps_no_further_one_out() {
+    block_on(async {
+        let server = Server::start(&["--nmea-tcp", "0", "--origin", "35.3,139.7"]);
+        let at = server.nmea.expect("a port for chart programs");
+        let mut crowd = Vec::new();
+        for _ in 0..60 {
+            crowd.push(tokio::net::TcpStream::connect(at).await.expect("connected"));
+        }
+        assert!(!client::lines(at, 1).await.is_empty());
+        drop(crowd);
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn what_is_not_there_is_told_as_plain_text_that_no_browser_guesses_at() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let request = |head: &str| format!("{head} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
+        for (head, status) in [("GET /none", "404"), ("POST /", "405")] {
+            let answer = client::raw(&server, request(head).as_bytes()).await.to_lowercase();
+            assert!(answer.starts_with(&format!("http/1.1 {status}")), "{answer}");
+            assert!(answer.contains("x-content-type-options: nosniff"), "{answer}");
+        }
+        let stranger = b"GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n";
+        let answer = client::raw(&server, stranger).await.to_lowercase();
+        assert!(answer.starts_with("http/1.1 403") && answer.contains("nosniff"), "{answer}");
+        server.stop_and_check();
+    });
+}
+
+#[test]
+fn an_alarm_is_acknowledged_for_everybody_and_by_nobody_who_only_watches() {
+    block_on(async {
+        let server = Server::start(&[]);
+        let mut pilot = Client::join(&server, "pilot").await;
+        let mut instructor = Client::join(&server, "instructor").await;
+        let mut observer = Client::join(&server, "observer").await;
+        let fault = json!({ "do": "fault", "vessel": "ship", "fault": "rudder_stuck", "on": true });
+        assert_eq!(instructor.ask(fault.clone()).await["type"], "ack");
+        let stuck = |frame: &Value| {
+            let all = frame["alarms"].as_array().expect("alarms").clone();
+            all.into_iter().find(|alarm| alarm["key"] == "rudder stuck ship")
+        };
+        let mut alarm = None;
+        while alarm.is_none() {
+            alarm = stuck(&pilot.next("frame").await);
+        }
+        let acknowledge = json!({ "do": "acknowledge", "key": "rudder stuck ship" });
+        assert!(reason(&observer.ask(acknowledge.clone()).await).contains("observer"));
+        // Repaired before anybody has acknowledged it: it stays.
+        let mut repaired = fault;
+        repaired["on"] = json!(false);
+        assert_eq!(instructor.ask(repaired).await["type"], "ack");
+        let mut alarm = alarm.expect("an alarm");
+        while alarm["stands"] == true {
+            alarm = stuck(&pilot.next("frame").await).expect("it waits to be acknowledged");
+        }
+        assert_eq!(pilot.ask(acknowledge.clone()).await["type"], "ack");
+        while stuck(&observer.next("frame").await).is_some() {}
+        assert!(reason(&pilot.ask(acknowledge).await).contains("no such alarm"));
         server.stop_and_check();
     });
 }

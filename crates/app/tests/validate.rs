@@ -51,6 +51,7 @@ fn every_published_number_is_within_its_tolerance_or_known_not_to_be() {
     assert!(run.stdout.contains(&format!("NOT MATCHING, known: {row}")));
     assert!(!run.stdout.contains("NOT MATCHING:"), "none that is not known");
     assert!(run.stdout.contains("6 of 7 statements hold"));
+    assert!(run.stdout.contains("every tolerance is below twice its uncertainty: at most "));
     let widest = run.stdout.lines().map(|line| line.chars().count()).max().unwrap_or(0);
     assert!(widest <= 120, "a line of {widest} characters");
 }
@@ -96,6 +97,19 @@ fn the_report_is_complete_and_the_same_each_time() {
     assert_eq!(depths.len(), 4);
     for (published, ours) in depths {
         assert!((ours / published - 1.0).abs() <= 0.1, "{ours} m against {published} m");
+    }
+
+    let text = std::fs::read_to_string(place.path("one/validation.json")).expect("the JSON");
+    let document: serde_json::Value = serde_json::from_str(&text).expect("it parses");
+    let numbers = document["numbers"].as_array().expect("a list");
+    assert!(numbers.len() >= 230, "{} rows", numbers.len());
+    for number in numbers {
+        let case = &number["case"];
+        let [tolerance, uncertainty] = ["tolerance", "uncertainty"]
+            .map(|key| number[key].as_f64().unwrap_or_else(|| panic!("{case}: {key}")));
+        assert!(tolerance < 2.0 * uncertainty, "{case}: {tolerance} of {uncertainty}");
+        let from = number["uncertainty_from"].as_str().unwrap_or_default();
+        assert!(from.len() > 20, "{case}: it is said where the uncertainty comes from");
     }
 }
 

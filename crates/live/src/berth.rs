@@ -5,7 +5,7 @@ use fenderline_sim::Setup;
 
 use crate::cast::Cast;
 use crate::info::pair;
-use crate::message::{BerthInfo, BerthNow};
+use crate::message::{BerthEnd, BerthInfo, BerthNow};
 
 /// Fenders belong to one berth where they face the same way to within this angle [rad].
 const SAME_WAY_RAD: f64 = 0.1;
@@ -24,6 +24,18 @@ pub struct Berth {
     pub to_m: Vec2,
     /// Unit vector to where the water is.
     pub facing: Vec2,
+    /// From one fender to the next, in the mean [m]; `None` for a single one.
+    pub apart_m: Option<f64>,
+}
+
+/// The two ends of the flat of a ship's side, on the side that the berth is on, and the berth's directions there.
+pub(crate) struct Ends {
+    /// Bow and stern, in the world [m].
+    pub(crate) at_m: [Vec2; 2],
+    /// How far along the berth each is, from the end that `from_m` is [m].
+    pub(crate) along_m: [f64; 2],
+    /// Its length along the berth [m].
+    pub(crate) length_m: f64,
 }
 
 impl Berth {
@@ -74,7 +86,8 @@ impl Berth {
             (least.min(way), most.max(way))
         });
         let at = |way: f64| facing * out_m + along * way;
-        Berth { body, from_m: at(least), to_m: at(most), facing }
+        let apart_m = (faces.len() > 1).then(|| (most - least) / (faces.len() - 1) as f64);
+        Berth { body, from_m: at(least), to_m: at(most), facing, apart_m }
     }
 
     /// As pages are told.
@@ -84,9 +97,22 @@ impl Berth {
         BerthInfo { body: self.body, from, to, facing }
     }
 
+    /// The ends of a ship's side that lies to it.
+    pub(crate) fn ends(&self, on: &BodyState, outline: &Outline, state: &BodyState) -> Ends {
+        let attitude = Rotation::from_angle(state.heading_rad);
+        let quay = Rotation::from_angle(on.heading_rad);
+        // The berth is to starboard where its water side faces her port.
+        let starboard = attitude.apply_inverse(quay.apply(self.facing)).y <= 0.0;
+        let at_m = flat_of_side(outline, starboard).map(|at| state.position_m + attitude.apply(at));
+        let along = self.facing.quarter_turn();
+        let way = |at: Vec2| (quay.apply_inverse(at - on.position_m) - self.from_m).dot(along);
+        Ends { at_m, along_m: at_m.map(way), length_m: (self.to_m - self.from_m).dot(along) }
+    }
+
     /// How a ship lies to it, where the body that it is on is: distances of the two ends of the flat of her side, on
     /// the side that the berth is on, positive off the fenders; the speeds of these ends, positive towards the berth;
-    /// her speed along it, positive ahead; the angle between her and the berth, positive with the bow nearer.
+    /// her speed along it, positive ahead; the angle between her and the berth, positive with the bow nearer. What her
+    /// ends are at is left for the board to say.
     pub(crate) fn seen_from(
         &self,
         on: &BodyState,
@@ -111,6 +137,8 @@ impl Berth {
         let (bow_m, stern_m) = (off_m(bow), off_m(stern));
         let length_m = (bow - stern).length();
         BerthNow {
+            bow: BerthEnd::Off,
+            stern: BerthEnd::Off,
             bow_m,
             stern_m,
             bow_mps: closing_mps(bow),
@@ -204,6 +232,7 @@ mod tests {
             from_m: vec2(-60.0, 30.0),
             to_m: vec2(60.0, 30.0),
             facing: vec2(0.0, -1.0),
+            apart_m: None,
         };
         let state = BodyState {
             position_m: vec2(0.0, 10.0),
@@ -242,6 +271,7 @@ mod tests {
             from_m: vec2(-50.0, -25.0),
             to_m: vec2(50.0, -25.0),
             facing: vec2(0.0, -1.0),
+            apart_m: None,
         };
         // 15 m of water between the fenders at her port side and the other's starboard side.
         let arm_m = vec2(50.0, 0.0);

@@ -164,7 +164,7 @@ pub struct Frame {
     pub wind: WindNow,
     pub current: CurrentNow,
     pub waves: Option<WavesNow>,
-    pub alarms: Vec<Alarm>,
+    pub alarms: Vec<AlarmNow>,
 }
 
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -177,6 +177,14 @@ pub struct RunState {
     pub branches: Vec<BranchNow>,
     pub last_tick: u64,
     pub clients: usize,
+    pub opening: Option<OpeningNow>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OpeningNow {
+    pub file: String,
+    pub at: &'static str,
+    pub share: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -238,12 +246,27 @@ pub struct AssistNow {
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BerthNow {
+    pub bow: BerthEnd,
+    pub stern: BerthEnd,
     pub bow_m: f64,
     pub stern_m: f64,
     pub bow_mps: f64,
     pub stern_mps: f64,
     pub along_mps: f64,
     pub angle_rad: f64,
+}
+
+/// What an end of a ship is at, as the docking board says it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BerthEnd {
+    Off,
+    AtFenders,
+    NoFender,
+    PastEnd,
+    Touched,
+    OverRated,
+    Structure,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -305,10 +328,13 @@ pub struct WavesNow {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Alarm {
+pub struct AlarmNow {
     pub level: &'static str,
     pub key: String,
     pub text: String,
+    pub since_s: f64,
+    pub stands: bool,
+    pub acknowledged: bool,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -5,7 +5,7 @@ mod support;
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_live::message::{self, Hello, Role, RunState};
-use fenderline_live::{Info, Request, Session};
+use fenderline_live::{Alarm, AlarmBook, Info, Level, Request, Session};
 use serde_json::Value;
 
 /// The interfaces of the file: each name with its fields, and whether a field may be left out.
@@ -63,10 +63,19 @@ fn each<'v>(value: &'v Value, key: &str) -> impl Iterator<Item = &'v Value> {
     list.iter()
 }
 
+/// So that there is an alarm to be told.
+fn cause() -> Alarm {
+    let (key, text) = ("touch ship quay".into(), "ship touches quay".into());
+    Alarm { level: Level::Alarm, key, text, about: vec!["ship".into(), "quay".into()] }
+}
+
 fn shown(session: &Session) -> (Value, Value) {
     let info = Info::of(session.simulation().setup(), session.cast());
+    let mut book = AlarmBook::default();
+    book.note(session.causes_for_alarm(&info), 1.0);
+    book.note(vec![cause()], 2.0);
     let run = RunState { pace: 1.0, ..RunState::default() };
-    let frame = message::text(&session.frame(&info, 7, run));
+    let frame = message::text(&session.frame(&info, 7, run, &book));
     let events = [message::EventNow { t_s: 1.0, text: "x".into() }];
     let frame = message::with_events(&frame, &events);
     let claims: Vec<message::Claim> = session
@@ -116,6 +125,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         ("contacts", "ContactNow"),
         ("lines", "LineNow"),
         ("tugs", "TugNow"),
+        ("alarms", "Alarm"),
     ] {
         each(&frame, key).for_each(|value| has_fields(value, name, &known));
     }
@@ -129,6 +139,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         each(&hello, key).for_each(|value| has_fields(value, name, &known));
     }
     let berth = &frame["vessels"][0]["berth"];
+    has_fields(berth, "BerthNow", &known);
     // Eight fenders hold her: compressed, and nearly at rest.
     assert!(berth["bow_m"].as_f64().is_some_and(|m| m < 0.0 && m > -1.0), "{berth}");
     let mut pressed = each(&frame, "fenders").filter_map(|fender| fender["reaction_n"].as_f64());
@@ -154,7 +165,7 @@ fn every_command_of_the_protocol_is_known_here_and_no_other_is() {
     let mut words = commands(&protocol());
     words.sort();
     words.dedup();
-    assert_eq!(words.len(), 27, "{words:?}");
+    assert_eq!(words.len(), 29, "{words:?}");
     for word in &words {
         let text = format!(r#"{{"type":"command","id":1,"action":{{"do":"{word}"}}}}"#);
         if let Err(reason) = Request::parse(&text).1 {

@@ -1,5 +1,9 @@
-/** Alarms: what stands, whether it was acknowledged, and what happened before; sound only where asked for. */
-import type { Alarm, Frame } from "../protocol";
+/**
+ * Alarms as the server holds them: what stands, what waits to be acknowledged, and what happened before; sound only
+ * where asked for.
+ */
+import type { Page } from "../page";
+import type { Alarm, Frame, Hello, Role } from "../protocol";
 import { button, h, setAttribute, setClass, setText } from "../ui/dom";
 import { clock, spoken } from "../units";
 import type { View } from "./view";
@@ -7,35 +11,47 @@ import type { View } from "./view";
 const KEPT_EVENTS = 200;
 const BEEP_EVERY_MS = 1500;
 
+interface Row {
+  row: HTMLElement;
+  text: HTMLElement;
+  ack: HTMLButtonElement;
+  alarm: Alarm;
+}
+
 export class Alarms implements View {
   private readonly list = h("ul", { class: "rows", "aria-label": "Alarms" });
   private readonly log = h("ol", { class: "log", "aria-label": "Events" });
   private readonly none = h("p", { class: "nothing" }, "No alarms.");
   private readonly soundButton: HTMLButtonElement;
   private readonly ackAll = button("Acknowledge all", () => this.acknowledge(null));
-  private readonly standing = new Map<string, { row: HTMLElement; text: HTMLElement; ack: HTMLButtonElement; since: number; alarm: Alarm; acknowledged: boolean }>();
+  private readonly standing = new Map<string, Row>();
+  private role: Role = { name: "observer" };
   private audio: AudioContext | null = null;
   private beeped_ms = 0;
   readonly root: HTMLElement;
 
-  constructor(private readonly changed: (open: number, worst: Alarm["level"] | null) => void) {
+  constructor(
+    private readonly page: Page,
+    private readonly changed: (open: number, worst: Alarm["level"] | null) => void,
+  ) {
     this.soundButton = button("Sound off", () => this.toggleSound(), { "aria-pressed": "false" });
     this.root = h("div", { class: "alarms" }, h("div", { class: "alarm-tools" }, this.ackAll, this.soundButton), this.none, this.list, h("h3", {}, "Events and past alarms"), this.log);
   }
 
-  tick(frame: Frame): void {
+  tick(frame: Frame, hello: Hello): void {
     const now = new Set(frame.alarms.map((a) => a.key));
     for (const [key, entry] of this.standing) {
       if (now.has(key)) continue;
       entry.row.remove();
       this.standing.delete(key);
     }
-    for (const alarm of frame.alarms) this.stand(alarm, frame.t_s);
+    this.role = hello.role;
+    for (const alarm of frame.alarms) this.stand(alarm);
     for (const event of frame.events) this.note(event.t_s, event.text);
     setClass(this.none, "hidden", this.standing.size > 0);
-    const open = [...this.standing.values()].filter((entry) => !entry.acknowledged);
-    this.ackAll.disabled = open.length === 0;
-    const worst = open.some((e) => e.alarm.level === "alarm") ? "alarm" : open.length > 0 ? "caution" : null;
+    const open = frame.alarms.filter((alarm) => !alarm.acknowledged);
+    this.ackAll.disabled = !open.some((alarm) => this.mayAcknowledge(alarm));
+    const worst = open.some((alarm) => alarm.level === "alarm") ? "alarm" : open.length > 0 ? "caution" : null;
     this.changed(open.length, worst);
     this.beep(worst);
   }
@@ -45,37 +61,42 @@ export class Alarms implements View {
     while (this.log.children.length > KEPT_EVENTS) this.log.lastChild?.remove();
   }
 
-  private stand(alarm: Alarm, t_s: number): void {
-    const there = this.standing.get(alarm.key);
-    if (there) {
-      // One that grows worse wants to be acknowledged again.
-      if (there.alarm.level === "caution" && alarm.level === "alarm") {
-        this.mark(there, false);
-        this.note(t_s, `ALARM: ${alarm.text}`, "alarm");
-      }
-      there.alarm = alarm;
-      setText(there.text, alarm.text);
-      setClass(there.row, "alarm", alarm.level === "alarm");
-      setClass(there.row, "caution", alarm.level === "caution");
-      return;
+  /** As the server will have it: pilot and instructor any, a tugmaster what is about his tug, an observer none. */
+  private mayAcknowledge(alarm: Alarm): boolean {
+    if (this.role.name === "tugmaster") return ` ${alarm.key} `.includes(` ${this.role.tug} `);
+    return this.role.name !== "observer";
+  }
+
+  private stand(alarm: Alarm): void {
+    let there = this.standing.get(alarm.key);
+    if (!there) {
+      const text = h("span", { class: "alarm-text" });
+      const ack = button("Ack", () => this.acknowledge(alarm.key));
+      there = { row: h("li", {}, h("time", {}, clock(alarm.since_s)), text, ack), text, ack, alarm };
+      this.standing.set(alarm.key, there);
+      this.list.prepend(there.row);
+      this.noteAlarm(alarm);
+    } else if (there.alarm.level === "caution" && alarm.level === "alarm") this.noteAlarm(alarm);
+    there.alarm = alarm;
+    setText(there.text, alarm.stands ? alarm.text : `${alarm.text} (over; not acknowledged)`);
+    for (const level of ["alarm", "caution"] as const) setClass(there.row, level, alarm.level === level);
+    setClass(there.row, "open", !alarm.acknowledged);
+    setClass(there.row, "over", !alarm.stands);
+    there.ack.disabled = alarm.acknowledged || !this.mayAcknowledge(alarm);
+    setText(there.ack, alarm.acknowledged ? "✓" : "Ack");
+    setAttribute(there.ack, "aria-label", `Acknowledge ${alarm.text}`);
+  }
+
+  private noteAlarm(alarm: Alarm): void {
+    this.note(alarm.since_s, `${alarm.level === "alarm" ? "ALARM" : "Caution"}: ${alarm.text}`, alarm.level);
+  }
+
+  /** Says to the server that one was seen, or all of them. */
+  private acknowledge(key: string | null): void {
+    for (const [each, { alarm }] of this.standing) {
+      const asked = key === null ? this.mayAcknowledge(alarm) : key === each;
+      if (asked && !alarm.acknowledged) void this.page.order({ do: "acknowledge", key: each });
     }
-    const text = h("span", { class: "alarm-text" }, alarm.text);
-    const ack = button("Ack", () => this.acknowledge(alarm.key), { name: `Acknowledge ${alarm.text}` });
-    const row = h("li", { class: `open ${alarm.level}` }, h("time", {}, clock(t_s)), text, ack);
-    this.standing.set(alarm.key, { row, text, ack, since: t_s, alarm, acknowledged: false });
-    this.list.prepend(row);
-    this.note(t_s, `${alarm.level === "alarm" ? "ALARM" : "Caution"}: ${alarm.text}`, alarm.level);
-  }
-
-  private mark(entry: { row: HTMLElement; ack: HTMLButtonElement; acknowledged: boolean }, acknowledged: boolean): void {
-    entry.acknowledged = acknowledged;
-    entry.ack.disabled = acknowledged;
-    setText(entry.ack, acknowledged ? "✓" : "Ack");
-    setClass(entry.row, "open", !acknowledged);
-  }
-
-  acknowledge(key: string | null): void {
-    for (const [each, entry] of this.standing) if (key === null || key === each) this.mark(entry, true);
   }
 
   private toggleSound(): void {

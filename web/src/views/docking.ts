@@ -1,13 +1,23 @@
 /** The docking board: what a laser docking system shows in digits that are read across a bridge wing. */
 import { dot, turned } from "../geometry";
 import type { Page } from "../page";
-import type { Frame, Hello } from "../protocol";
+import type { BerthEnd, Frame, Hello } from "../protocol";
 import { button, h, setAttribute, setClass, setText } from "../ui/dom";
 import { fixed, toDegrees } from "../units";
 import { DEFAULT_LIMIT_MPS, type Light, light, limitAt } from "./limits";
 import type { View } from "./view";
 
 const WORDS: Record<Light, string> = { ok: "OK", caution: "CAUTION", alarm: "TOO FAST" };
+/** What the server says an end is at: its light and its word. `off` has neither, there the speed counts alone. */
+const AT: Record<Exclude<BerthEnd, "off">, [Light, string]> = {
+  at_fenders: ["ok", "AT FENDERS"],
+  no_fender: ["caution", "NO FENDER"],
+  past_end: ["caution", "PAST END"],
+  touched: ["caution", "TOUCHED"],
+  over_rated: ["alarm", "FENDER LIMIT"],
+  structure: ["alarm", "STRUCTURE"],
+};
+const LIGHTS: readonly Light[] = ["ok", "caution", "alarm"];
 const STILL_MPS = 0.005;
 
 class End {
@@ -29,19 +39,22 @@ class End {
     );
   }
 
-  show(off_m: number, closing_mps: number, limit_mps: number): Light {
-    const shown = light(closing_mps, off_m, limit_mps);
+  show(end: BerthEnd, off_m: number, closing_mps: number, limit_mps: number): void {
+    const speed = light(closing_mps, off_m, limit_mps);
+    const [place, word] = end === "off" ? [speed, WORDS[speed]] : AT[end];
+    // The worse of the two; of two as bad, what she is at.
+    const shown = LIGHTS.indexOf(speed) > LIGHTS.indexOf(place) ? speed : place;
     setText(this.distance, fixed(off_m, Math.abs(off_m) < 100 ? 1 : 0));
     setText(this.speed, fixed(Math.abs(closing_mps), 2));
     setText(this.way, closing_mps > STILL_MPS ? "▲ closing" : closing_mps < -STILL_MPS ? "▼ opening" : "■ still");
-    setText(this.lamp, off_m < 0.02 && shown === "ok" ? "AT FENDERS" : WORDS[shown]);
-    for (const name of ["ok", "caution", "alarm"] as const) setClass(this.root, name, shown === name);
+    setText(this.lamp, shown === place ? word : WORDS[shown]);
+    for (const name of LIGHTS) setClass(this.root, name, shown === name);
     setAttribute(this.distance, "aria-label", `${this.name} distance`);
     setAttribute(this.speed, "aria-label", `${this.name} speed`);
     // Read by tests and screen readers: closing is positive.
     this.root.dataset.closing = closing_mps.toFixed(3);
     this.root.dataset.off = off_m.toFixed(2);
-    return shown;
+    this.root.dataset.end = end;
   }
 }
 
@@ -96,8 +109,8 @@ export class Docking implements View {
     const berth = now?.berth;
     setClass(this.root, "none", !berth);
     if (!berth || !hello.berth || !body || !quay) return;
-    this.bow.show(berth.bow_m, berth.bow_mps, this.limit_mps);
-    this.stern.show(berth.stern_m, berth.stern_mps, this.limit_mps);
+    this.bow.show(berth.bow, berth.bow_m, berth.bow_mps, this.limit_mps);
+    this.stern.show(berth.stern, berth.stern_m, berth.stern_mps, this.limit_mps);
     this.showLimit(Math.min(berth.bow_m, berth.stern_m));
     // As she lies when one looks at the quay over her side: starboard side to, her bow is to the left.
     const starboardTo = dot(turned(body[2] - quay[2], [0, 1]), hello.berth.facing) < 0;

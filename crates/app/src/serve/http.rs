@@ -1,11 +1,11 @@
 //! HTTP: the page's files, and the way to the websocket.
 
+use std::pin::Pin;
 use std::sync::{Arc, PoisonError};
 use std::time::Duration;
 
-use axum::Router;
 use axum::body::Body;
-use axum::extract::ws::WebSocketUpgrade;
+use axum::extract::ws::{WebSocket, WebSocketUpgrade};
 use axum::extract::{Request, State};
 use axum::http::header::{
     CACHE_CONTROL, CONNECTION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, REFERRER_POLICY,
@@ -14,19 +14,22 @@ use axum::http::header::{
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::{IntoResponse as _, Response};
 use axum::routing::any;
+use axum::{Extension, Router};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use tokio::net::{TcpListener, TcpStream};
-use tokio::sync::Semaphore;
 use tokio::time::timeout;
 
 use super::client;
+use super::crowd::{Crowd, Peer};
 use super::door::Door;
 use super::hub::Hub;
 use super::page::Page;
 
-/// Connections that are not websockets yet, at a time.
+/// Connections that are not websockets yet, at a time: beyond it the one that has waited for longest goes.
 const MOST_CONNECTIONS: usize = 256;
+/// Websockets that are being told why they are closed, at a time.
+const MOST_TURNED_AWAY: usize = 64;
 /// The time for a request's head, and for a whole connection up to its answer or its websocket.
 const HEAD: Duration = Duration::from_secs(5);
 const WHOLE: Duration = Duration::from_secs(30);
@@ -40,15 +43,23 @@ pub(crate) struct Site {
     pub(crate) hub: Arc<Hub>,
     pub(crate) page: Page,
     pub(crate) door: Door,
+    /// Those whose websocket is opened only to be told why it is closed.
+    pub(crate) turned_away: Arc<Crowd>,
+}
+
+impl Site {
+    pub(crate) fn new(hub: Arc<Hub>, page: Page, door: Door) -> Site {
+        Site { hub, page, door, turned_away: Crowd::of(MOST_TURNED_AWAY) }
+    }
 }
 
 /// Serves until the task is dropped.
 pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
     let app = Router::new().route("/live", any(live)).fallback(file).with_state(Arc::clone(&site));
-    let places = Arc::new(Semaphore::new(MOST_CONNECTIONS));
+    let crowd = Crowd::of(MOST_CONNECTIONS);
     loop {
-        let stream = match listener.accept().await {
-            Ok((stream, _)) => stream,
+        let (stream, peer) = match listener.accept().await {
+            Ok((stream, from)) => (stream, Peer::of(from.ip())),
             Err(e) => {
                 // Out of file descriptors, most likely: they come back as connections end.
                 site.hub.log.refused(&format!("cannot accept a connection: {e}"));
@@ -56,22 +67,24 @@ pub(crate) async fn serve(listener: TcpListener, site: Arc<Site>) {
                 continue;
             }
         };
-        let Ok(place) = Arc::clone(&places).try_acquire_owned() else {
-            site.hub.log.refused("refused a connection: too many of them");
-            continue;
-        };
-        let app = app.clone();
+        let place = crowd.enter(peer);
+        let (app, site) = (app.clone(), Arc::clone(&site));
         tokio::spawn(async move {
-            let _ = timeout(WHOLE, connection(stream, app)).await;
-            drop(place);
+            tokio::select! {
+                _ = timeout(WHOLE, connection(stream, app, peer)) => {}
+                () = place.asked_out() => {
+                    site.hub.log.refused("ended a connection: there are too many of them");
+                }
+            }
         });
     }
 }
 
 /// One connection, up to its answer or its websocket.
-async fn connection(stream: TcpStream, app: Router) {
+async fn connection(stream: TcpStream, app: Router, peer: Peer) {
     // Small frames at once.
     let _ = stream.set_nodelay(true);
+    let app = app.layer(Extension(peer));
     let _ = hyper::server::conn::http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(HEAD)
@@ -83,12 +96,18 @@ async fn connection(stream: TcpStream, app: Router) {
 
 fn refused(site: &Site, why: &'static str) -> Response {
     site.hub.log.refused(&format!("refused a request: {why}"));
-    (StatusCode::FORBIDDEN, [(CONNECTION, "close")], why).into_response()
+    plain(StatusCode::FORBIDDEN, why)
+}
+
+/// A line of text, and nothing else that a browser might take it for.
+fn plain(status: StatusCode, text: &'static str) -> Response {
+    (status, [(X_CONTENT_TYPE_OPTIONS, "nosniff"), (CONNECTION, "close")], text).into_response()
 }
 
 /// The websocket: own pages and programs with a token.
 async fn live(
     State(site): State<Arc<Site>>,
+    Extension(peer): Extension<Peer>,
     headers: HeaderMap,
     uri: Uri,
     upgrade: WebSocketUpgrade,
@@ -109,17 +128,34 @@ async fn live(
     };
     let Some(role) = role else {
         site.hub.log.refused("refused a websocket: its token opens nothing");
-        return upgrade.on_upgrade(client::turn_away);
+        return upgrade.on_upgrade(told_and_closed(&site, peer, client::turn_away));
     };
-    let Some(seat) = site.hub.seat(&role) else {
+    let Some(seat) = site.hub.seat(&role, peer) else {
         site.hub.log.refused("refused a client: all seats are taken");
-        return upgrade.on_upgrade(client::full);
+        return upgrade.on_upgrade(told_and_closed(&site, peer, client::full));
     };
     let hub = Arc::clone(&site.hub);
     upgrade.on_upgrade(async move |socket| {
         client::serve(socket, hub, role).await;
         drop(seat);
     })
+}
+
+/// Tells a websocket why it is closed; not longer than there is room for those.
+fn told_and_closed<F: Future<Output = ()> + Send + 'static>(
+    site: &Site,
+    peer: Peer,
+    tell: impl FnOnce(WebSocket) -> F + Send + 'static,
+) -> impl FnOnce(WebSocket) -> Pin<Box<dyn Future<Output = ()> + Send>> + Send + 'static {
+    let place = site.turned_away.enter(peer);
+    move |socket| {
+        Box::pin(async move {
+            tokio::select! {
+                () = tell(socket) => {}
+                () = place.asked_out() => {}
+            }
+        })
+    }
 }
 
 /// A file of the page.
@@ -129,11 +165,10 @@ async fn file(State(site): State<Arc<Site>>, request: Request) -> Response {
         Err(why) => return refused(&site, why),
     };
     if !matches!(*request.method(), Method::GET | Method::HEAD) {
-        return StatusCode::METHOD_NOT_ALLOWED.into_response();
+        return plain(StatusCode::METHOD_NOT_ALLOWED, "pages are only read");
     }
     let Some(file) = site.page.file(request.uri().path()) else {
-        return (StatusCode::NOT_FOUND, [(CONNECTION, "close")], "there is no such file")
-            .into_response();
+        return plain(StatusCode::NOT_FOUND, "there is no such file");
     };
     // Nothing from elsewhere: no script, no frame, no form. The websocket's address is named, as older browsers do
     // not count it as one's own. Styles are set by scripts, on elements.

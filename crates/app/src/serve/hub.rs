@@ -6,10 +6,13 @@ use std::sync::{Arc, RwLock};
 
 use fenderline_live::message::{EventNow, Role};
 use fenderline_live::{Refusal, Request};
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc, watch};
+use tokio::sync::{mpsc, watch};
 
 use super::claims::ClientId;
+use super::crowd::Peer;
 use super::log::Log;
+use super::opening::Outcome;
+use super::seats::{Seat, Seats};
 use super::tokens::Tokens;
 use super::wire::Said;
 
@@ -42,6 +45,8 @@ pub(crate) enum Told {
     Leave { client: ClientId },
     /// It said something.
     Said { client: ClientId, id: Option<i64>, request: Result<Request, Refusal> },
+    /// Something that was done beside the simulation's thread is done.
+    Done(Outcome),
     /// The program is to end.
     Stop,
 }
@@ -56,8 +61,8 @@ pub(crate) struct Hub {
     /// What the instruments say.
     pub(crate) said: watch::Sender<Said>,
     pub(crate) tokens: RwLock<Tokens>,
-    watching: Arc<Semaphore>,
-    steering: Arc<Semaphore>,
+    watching: Arc<Seats>,
+    steering: Arc<Seats>,
     pub(crate) log: Log,
 }
 
@@ -71,16 +76,16 @@ impl Hub {
             predictions: watch::Sender::new(None),
             said: watch::Sender::new(None),
             tokens: RwLock::new(Tokens::default()),
-            watching: Arc::new(Semaphore::new(MOST_WATCHING)),
-            steering: Arc::new(Semaphore::new(MOST_STEERING)),
+            watching: Seats::of(MOST_WATCHING),
+            steering: Seats::of(MOST_STEERING),
             log: Log::new(),
         }
     }
 
-    /// A seat for a role, free again when it is dropped; `None` where all are taken.
-    pub(crate) fn seat(&self, role: &Role) -> Option<OwnedSemaphorePermit> {
+    /// A seat for a role, free again when it is dropped; `None` where all are taken, or all that one address gets.
+    pub(crate) fn seat(&self, role: &Role, peer: Peer) -> Option<Seat> {
         let seats = if *role == Role::Observer { &self.watching } else { &self.steering };
-        Arc::clone(seats).try_acquire_owned().ok()
+        Seats::take(seats, peer)
     }
 
     /// A number that no client had.

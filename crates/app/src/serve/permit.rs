@@ -60,7 +60,11 @@ pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
 /// # Errors
 /// Why not.
 pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal> {
-    let own = matches!(conduct, Conduct::Claim { .. } | Conduct::Release { .. });
+    // Whose an alarm is the alarm book knows.
+    let own = matches!(
+        conduct,
+        Conduct::Claim { .. } | Conduct::Release { .. } | Conduct::Acknowledge { .. }
+    );
     if own || *role == Role::Instructor {
         return Ok(());
     }

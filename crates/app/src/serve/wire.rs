@@ -6,13 +6,14 @@ use std::time::Duration;
 
 use tokio::io::AsyncWriteExt as _;
 use tokio::net::{TcpListener, TcpStream, UdpSocket};
-use tokio::sync::{Semaphore, watch};
+use tokio::sync::watch;
 use tokio::time::timeout;
 
+use super::crowd::{Crowd, Peer};
 use super::hub::Hub;
 
-/// Chart programs at a time, and how long one may take nothing.
-const MOST: usize = 16;
+/// Chart programs at a time, the one that has been there for longest goes beyond it; and how long one may take nothing.
+const MOST: usize = 32;
 const SLOW: Duration = Duration::from_secs(10);
 
 /// The sentences of the last second.
@@ -20,20 +21,19 @@ pub(crate) type Said = Option<Arc<[String]>>;
 
 /// Serves who connects; a connection that takes nothing is closed.
 pub(crate) async fn tcp(listener: TcpListener, hub: Arc<Hub>) {
-    let places = Arc::new(Semaphore::new(MOST));
+    let crowd = Crowd::of(MOST);
     loop {
-        let Ok((stream, _)) = listener.accept().await else {
+        let Ok((stream, from)) = listener.accept().await else {
             tokio::time::sleep(Duration::from_millis(100)).await;
             continue;
         };
-        let Ok(place) = Arc::clone(&places).try_acquire_owned() else {
-            hub.log.refused("refused a chart program: too many of them");
-            continue;
-        };
-        let said = hub.said.subscribe();
+        let place = crowd.enter(Peer::of(from.ip()));
+        let hub = Arc::clone(&hub);
         tokio::spawn(async move {
-            tell(stream, said).await;
-            drop(place);
+            tokio::select! {
+                () = tell(stream, hub.said.subscribe()) => {}
+                () = place.asked_out() => hub.log.refused("ended a chart program: there are too many of them"),
+            }
         });
     }
 }

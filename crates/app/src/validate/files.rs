@@ -73,20 +73,29 @@ fn csv_text(rows: &[Row]) -> String {
         "error",
         "tolerance",
         "tolerance_kind",
+        "uncertainty",
+        "uncertainty_from",
         "ok",
         "known_mismatch",
         "note",
     ];
     let records = rows.iter().map(|row| {
-        let (kind, published, ours, error, (tolerance_kind, tolerance)) = match &row.compared {
-            Compared::Number { published, ours, error, tolerance, .. } => {
-                let (kind, bound) = tolerance_parts(*tolerance);
-                ("number", full(*published), full(*ours), full(*error), (kind, full(bound)))
+        let none = String::new;
+        let (kind, published, ours, error) = match &row.compared {
+            Compared::Number { published, ours, error, .. } => {
+                ("number", full(*published), full(*ours), full(*error))
             }
             Compared::Statement { rule, ours, .. } => {
                 let ours: Vec<String> = ours.iter().map(|v| full(*v)).collect();
-                ("statement", rule_text(*rule), ours.join(" "), String::new(), ("", String::new()))
+                ("statement", rule_text(*rule), ours.join(" "), none())
             }
+        };
+        let (tolerance_kind, tolerance, uncertainty, from) = match &row.compared {
+            Compared::Number { tolerance, uncertainty, .. } => {
+                let (kind, bound) = tolerance_parts(*tolerance);
+                (kind, full(bound), full(uncertainty.size), uncertainty.from.clone())
+            }
+            Compared::Statement { .. } => ("", none(), none(), none()),
         };
         [
             row.subject.clone(),
@@ -101,6 +110,8 @@ fn csv_text(rows: &[Row]) -> String {
             error,
             tolerance,
             tolerance_kind.to_owned(),
+            uncertainty,
+            from,
             row.is_ok.to_string(),
             row.is_known_mismatch().to_string(),
             row.note.clone(),
@@ -131,7 +142,7 @@ fn json_text(rows: &[Row]) -> String {
 }
 
 fn number_json(row: &Row) -> Option<Value> {
-    let Compared::Number { published, ours, error, tolerance, reason, known_mismatch } =
+    let Compared::Number { published, ours, error, tolerance, reason, uncertainty, known_mismatch } =
         &row.compared
     else {
         return None;
@@ -150,6 +161,8 @@ fn number_json(row: &Row) -> Option<Value> {
         "tolerance": tolerance,
         "tolerance_kind": tolerance_kind,
         "reason": reason,
+        "uncertainty": uncertainty.size,
+        "uncertainty_from": uncertainty.from,
         "ok": row.is_ok,
         "known_mismatch": known_mismatch,
         "note": row.note,

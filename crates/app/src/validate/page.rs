@@ -4,7 +4,9 @@ use maud::{Markup, html};
 
 use super::figures;
 use super::play::names;
-use super::printed::{error_text, four_digits, list, ok_text, tolerance_text, with_unit};
+use super::printed::{
+    error_text, four_digits, list, ok_text, tolerance_text, uncertainty_text, with_unit,
+};
 use super::published::Source;
 use super::row::{Compared, Row, Runs, count};
 use crate::plot::{page, plain, significant};
@@ -122,11 +124,12 @@ fn numbers(sources: &[Source], rows: &[Row]) -> Markup {
                 th class="number" scope="col" { "Ours" }
                 th class="number" scope="col" { "Error" }
                 th class="number" scope="col" { "Tolerance" }
+                th class="number" scope="col" { "Uncertainty" }
                 th scope="col" { "OK" }
             } }
             @for source in sources {
                 tbody {
-                    tr { th colspan="7" scope="rowgroup" {
+                    tr { th colspan="8" scope="rowgroup" {
                         (source.subject) ": " (source.short) " [" (source.standing.text()) "]"
                     } }
                     @for row in rows.iter().filter(|row| is_of(row, source)) {
@@ -137,6 +140,12 @@ fn numbers(sources: &[Source], rows: &[Row]) -> Markup {
         }
         h3 { "Why these tolerances" }
         (reasons(rows))
+        h3 { "Where the uncertainties come from" }
+        p {
+            "An uncertainty says how far the reference may be from what it stands for. A row is refused whose "
+            "tolerance is not below twice of it."
+        }
+        (uncertainties(sources, rows))
     }
 }
 
@@ -145,7 +154,8 @@ fn is_of(row: &Row, source: &Source) -> bool {
 }
 
 fn number_row(row: &Row) -> Markup {
-    let Compared::Number { published, ours, error, tolerance, .. } = &row.compared else {
+    let Compared::Number { published, ours, error, tolerance, uncertainty, .. } = &row.compared
+    else {
         return html! {};
     };
     html! {
@@ -156,7 +166,30 @@ fn number_row(row: &Row) -> Markup {
             td class="number" { (with_unit(&four_digits(*ours), &row.unit)) }
             td class="number" { (error_text(*error, *tolerance)) }
             td class="number" { (tolerance_text(*tolerance, &row.unit)) }
+            td class="number" { (uncertainty_text(uncertainty, *tolerance, &row.unit)) }
             td { (ok_text(row.is_ok)) }
+        }
+    }
+}
+
+/// Where the uncertainties of each source come from, each said once.
+fn uncertainties(sources: &[Source], rows: &[Row]) -> Markup {
+    let of = |source: &Source| {
+        let mut said: Vec<&str> = Vec::new();
+        for row in rows.iter().filter(|row| is_of(row, source)) {
+            if let Compared::Number { uncertainty, .. } = &row.compared
+                && !said.contains(&uncertainty.from.as_str())
+            {
+                said.push(&uncertainty.from);
+            }
+        }
+        said
+    };
+    html! {
+        ul class="plain" {
+            @for source in sources {
+                @for from in of(source) { li { (source.subject) ", " (source.short) ": " (from) } }
+            }
         }
     }
 }

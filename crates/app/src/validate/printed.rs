@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use super::published::Tolerance;
+use super::published::{Tolerance, Uncertainty};
 use super::row::{Compared, Row, count};
 use crate::plot::{plain, significant};
 
@@ -25,8 +25,26 @@ pub(super) fn tables(rows: &[Row]) -> String {
         known => format!("; {known} known not to match"),
     };
     let (within, compared) = count(rows, true);
+    let widest = rows.iter().filter_map(width_in_uncertainties).fold(0.0, f64::max);
+    let _ = writeln!(
+        text,
+        "every tolerance is below twice its uncertainty: at most {} times",
+        plain(widest, 3)
+    );
     let _ = writeln!(text, "{within} of {compared} rows within tolerance{known}");
     text
+}
+
+/// A row's tolerance over its uncertainty.
+fn width_in_uncertainties(row: &Row) -> Option<f64> {
+    match &row.compared {
+        Compared::Number { tolerance, uncertainty, .. } => match tolerance {
+            Tolerance::Relative(width) | Tolerance::Absolute(width) => {
+                Some(width / uncertainty.size)
+            }
+        },
+        Compared::Statement { .. } => None,
+    }
 }
 
 fn is_number(row: &Row) -> bool {
@@ -37,8 +55,8 @@ fn is_number(row: &Row) -> bool {
 const THEIRS: &str = "theirs";
 
 /// Longest lines of the columns of cases and of places: what is longer goes on in the next line [characters].
-const CASE: usize = 36;
-const PLACE: usize = 20;
+const CASE: usize = 31;
+const PLACE: usize = 16;
 
 /// A table for each subject.
 fn numbers(rows: &[Row]) -> String {
@@ -52,12 +70,14 @@ fn table_of_subject(rows: &[&Row]) -> String {
     let mut cells = Vec::new();
     let mut before: Option<&Row> = None;
     for &row in rows {
-        let Compared::Number { published, ours, error, tolerance, .. } = &row.compared else {
+        let Compared::Number { published, ours, error, tolerance, uncertainty, .. } = &row.compared
+        else {
             continue;
         };
         if before.is_none_or(|before| before.source != row.source) {
             let source = format!("{} [{}]", row.source, row.standing.text());
-            let names = ["place", THEIRS, "ours", "error", "tolerance", "ok"].map(str::to_owned);
+            let names = ["place", THEIRS, "ours", "error", "tolerance", "uncertain", "ok"]
+                .map(str::to_owned);
             add_row(&mut cells, &source, names);
         }
         before = Some(row);
@@ -67,12 +87,14 @@ fn table_of_subject(rows: &[&Row]) -> String {
             with_unit(&four_digits(*ours), &row.unit),
             error_text(*error, *tolerance),
             tolerance_text(*tolerance, &row.unit),
+            uncertainty_text(uncertainty, *tolerance, &row.unit),
             ok_text(row.is_ok).to_owned(),
         ];
         add_row(&mut cells, &row.case, values);
     }
     let mut text = format!("{}\n\n", rows[0].subject.to_uppercase());
-    for (index, (line, cells)) in aligned(&cells, &[2, 3, 4, 5]).lines().zip(&cells).enumerate() {
+    for (index, (line, cells)) in aligned(&cells, &[2, 3, 4, 5, 6]).lines().zip(&cells).enumerate()
+    {
         if cells[2] == THEIRS && index > 0 {
             text.push('\n');
         }
@@ -82,7 +104,7 @@ fn table_of_subject(rows: &[&Row]) -> String {
 }
 
 /// Adds a row, with lines below it where its case or its place is long.
-fn add_row(cells: &mut Vec<[String; 7]>, case: &str, [place, values @ ..]: [String; 6]) {
+fn add_row(cells: &mut Vec<[String; 8]>, case: &str, [place, values @ ..]: [String; 7]) {
     let (mut case, mut place) =
         (wrapped(case, CASE).into_iter(), wrapped(&place, PLACE).into_iter());
     let mut values = Some(values);
@@ -91,9 +113,9 @@ fn add_row(cells: &mut Vec<[String; 7]>, case: &str, [place, values @ ..]: [Stri
         if of_case.is_none() && of_place.is_none() && of_values.is_none() {
             return;
         }
-        let [theirs, ours, error, tolerance, ok] = of_values.unwrap_or_default();
+        let [theirs, ours, error, tolerance, uncertainty, ok] = of_values.unwrap_or_default();
         let [case, place] = [of_case, of_place].map(Option::unwrap_or_default);
-        cells.push([case, place, theirs, ours, error, tolerance, ok]);
+        cells.push([case, place, theirs, ours, error, tolerance, uncertainty, ok]);
     }
 }
 
@@ -207,6 +229,21 @@ pub(super) fn tolerance_text(tolerance: Tolerance, unit: &str) -> String {
         }
         Tolerance::Absolute(bound) => format!("±{bound:e}").replace('-', "\u{2212}"),
     }
+}
+
+/// An uncertainty, in the terms of the row's tolerance.
+pub(super) fn uncertainty_text(
+    uncertainty: &Uncertainty,
+    tolerance: Tolerance,
+    unit: &str,
+) -> String {
+    tolerance_text(
+        match tolerance {
+            Tolerance::Relative(_) => Tolerance::Relative(uncertainty.size),
+            Tolerance::Absolute(_) => Tolerance::Absolute(uncertainty.size),
+        },
+        unit,
+    )
 }
 
 #[cfg(test)]

@@ -77,6 +77,8 @@ pub(super) struct Number {
     pub(super) tolerance: Tolerance,
     /// Why this tolerance.
     pub(super) reason: String,
+    /// How far the reference itself may be off.
+    pub(super) uncertainty: Uncertainty,
     /// It is out of the tolerance, and the note says why.
     pub(super) known_mismatch: bool,
     pub(super) note: String,
@@ -89,6 +91,34 @@ pub(super) enum Tolerance {
     Relative(f64),
     /// In the unit of the value.
     Absolute(f64),
+}
+
+impl Tolerance {
+    /// The same bound in the unit of a value of this size.
+    fn absolute(self, published: f64) -> f64 {
+        match self {
+            Tolerance::Relative(share) => share * published.abs(),
+            Tolerance::Absolute(bound) => bound,
+        }
+    }
+}
+
+/// How far a reference may be from what it stands for, and how that is known. A tolerance must be below twice of it:
+/// a wider one would pass what the reference can tell apart.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Uncertainty {
+    /// In the terms of the row's tolerance: a share, or in its unit.
+    pub(super) size: f64,
+    /// Where it comes from: repeated trials, printed digits, steps of either program.
+    pub(super) from: String,
+}
+
+/// An uncertainty that several rows of a file share.
+#[derive(Clone, Debug)]
+struct SharedUncertainty {
+    name: String,
+    size: Tolerance,
+    from: String,
 }
 
 /// Something that a source says without a number of its own.
@@ -146,15 +176,27 @@ impl Source {
     pub(super) fn parse(text: &str) -> Result<Vec<Source>, String> {
         let document = DeTable::parse(text).map_err(|e| e.to_string())?.into_inner();
         let file = Table { name: "file".to_owned(), table: &document };
-        file.allow(&["subject", "reference", "number", "statement"])?;
+        file.allow(&["subject", "reference", "uncertainty", "number", "statement"])?;
         let subject = file.text("subject")?;
         let references = file.tables("reference")?;
         let mut sources = references
             .iter()
             .map(|reference| reference_of(reference, &subject))
             .collect::<Result<Vec<Source>, String>>()?;
-        for table in file.tables("number")? {
-            cited(&table, &mut sources)?.numbers.push(number(&table)?);
+        let shared = file.tables("uncertainty")?;
+        let shared = shared
+            .iter()
+            .map(shared_uncertainty)
+            .collect::<Result<Vec<SharedUncertainty>, String>>()?;
+        let numbers = file.tables("number")?;
+        for table in &numbers {
+            cited(table, &mut sources)?.numbers.push(number(table, &shared)?);
+        }
+        let is_used = |one: &&SharedUncertainty| {
+            numbers.iter().any(|table| table.text("uncertainty").is_ok_and(|name| name == one.name))
+        };
+        if let Some(idle) = shared.iter().find(|one| !is_used(one)) {
+            return Err(format!("uncertainty \"{}\": no row names it", idle.name));
         }
         for table in file.tables("statement")? {
             cited(&table, &mut sources)?.statements.push(statement(&table)?);
@@ -177,6 +219,54 @@ fn reference_of(table: &Table<'_, '_>, subject: &str) -> Result<Source, String> 
     })
 }
 
+fn shared_uncertainty(table: &Table<'_, '_>) -> Result<SharedUncertainty, String> {
+    table.allow(&["name", "share", "absolute", "from"])?;
+    let size = if table.has("absolute") {
+        Tolerance::Absolute(table.float("absolute")?)
+    } else {
+        Tolerance::Relative(table.float("share")?)
+    };
+    Ok(SharedUncertainty { name: table.text("name")?, size, from: table.text("from")? })
+}
+
+/// The uncertainty of a row: one of the file's, by its name, or its own, a number in the terms of the tolerance with
+/// `uncertainty_from`. The tolerance must be below twice of it.
+fn uncertainty(
+    table: &Table<'_, '_>,
+    shared: &[SharedUncertainty],
+    published: f64,
+    tolerance: Tolerance,
+) -> Result<Uncertainty, String> {
+    let (size, from) = match table.text("uncertainty") {
+        Ok(name) => {
+            let found = shared.iter().find(|one| one.name == name);
+            let found = found.ok_or_else(|| {
+                table.error(&format!("uncertainty: \"{name}\" is none of this file"))
+            })?;
+            (found.size.absolute(published), found.from.clone())
+        }
+        Err(_) => {
+            let size = table.float("uncertainty")?;
+            let size = match tolerance {
+                Tolerance::Relative(_) => Tolerance::Relative(size),
+                Tolerance::Absolute(_) => Tolerance::Absolute(size),
+            };
+            (size.absolute(published), table.text("uncertainty_from")?)
+        }
+    };
+    let widest = tolerance.absolute(published);
+    if size.is_nan() || size <= 0.0 || widest >= 2.0 * size {
+        return Err(table.error(&format!(
+            "tolerance: {widest} is not below twice the uncertainty of {size}, in the unit of the row"
+        )));
+    }
+    let size = match tolerance {
+        Tolerance::Relative(_) => size / published.abs(),
+        Tolerance::Absolute(_) => size,
+    };
+    Ok(Uncertainty { size, from })
+}
+
 /// The source that a case names; the only one of the file where it names none.
 fn cited<'s>(table: &Table<'_, '_>, sources: &'s mut [Source]) -> Result<&'s mut Source, String> {
     if sources.len() == 1 && !table.has("source") {
@@ -187,7 +277,7 @@ fn cited<'s>(table: &Table<'_, '_>, sources: &'s mut [Source]) -> Result<&'s mut
     found.ok_or_else(|| table.error(&format!("source: \"{short}\" is no reference of this file")))
 }
 
-fn number(table: &Table<'_, '_>) -> Result<Number, String> {
+fn number(table: &Table<'_, '_>, shared: &[SharedUncertainty]) -> Result<Number, String> {
     table.allow(&[
         "case",
         "source",
@@ -201,6 +291,8 @@ fn number(table: &Table<'_, '_>) -> Result<Number, String> {
         "tolerance",
         "tolerance_absolute",
         "reason",
+        "uncertainty",
+        "uncertainty_from",
         "known_mismatch",
         "note",
     ])?;
@@ -222,6 +314,7 @@ fn number(table: &Table<'_, '_>) -> Result<Number, String> {
         unit,
         tolerance,
         reason: table.text("reason")?,
+        uncertainty: uncertainty(table, shared, published, tolerance)?,
         known_mismatch,
         note,
     })
@@ -375,7 +468,8 @@ impl<'t, 'i> Table<'t, 'i> {
             let tables = value.as_array()?.iter().map(Spanned::get_ref).map(|item| {
                 let table = item.as_table()?;
                 let unnamed = Table { name: key.to_owned(), table };
-                let name = unnamed.text("case").unwrap_or(unnamed.name);
+                let named = unnamed.text("case").or_else(|_| unnamed.text("name"));
+                let name = named.unwrap_or(unnamed.name);
                 Some(Table { name, table })
             });
             tables.collect()
@@ -411,7 +505,7 @@ mod tests {
         let good = "subject = 'x'\n[[reference]]\nshort = 's'\ncitation = 'c'\n\
                     standing = 'published'\n[[number]]\ncase = 'depth'\nplace = 'p'\n\
                     run = 'r'\nquantity = 'peak_depth'\npublished = 1\nunit = 'm'\n\
-                    tolerance = 0.1\nreason = 'x'\n";
+                    tolerance = 0.1\nreason = 'x'\nuncertainty = 0.06\nuncertainty_from = 'y'\n";
         assert!(Source::parse(good).is_ok());
         let table = [
             ("unit = 'm'", "unit = 'kN'", "depth: unit: \"kN\" where \"m\" is meant"),
@@ -420,6 +514,16 @@ mod tests {
             ("published = 1\n", "published = 0\n", "depth: tolerance: a share of zero"),
             ("tolerance = 0.1\n", "", "depth: tolerance is missing"),
             ("'peak_depth'", "'depth'", "depth: no quantity is called depth"),
+            ("uncertainty = 0.06\n", "", "depth: uncertainty is missing"),
+            ("uncertainty_from = 'y'\n", "", "depth: uncertainty_from is missing"),
+            ("0.06", "'trials'", "depth: uncertainty: \"trials\" is none of this file"),
+            ("0.06", "0.05", "depth: tolerance: 0.1 is not below twice the uncertainty of 0.05"),
+            ("0.06", "0", "depth: tolerance: 0.1 is not below twice the uncertainty of 0"),
+            (
+                "[[number]]",
+                "[[uncertainty]]\nname = 'z'\nshare = 0.1\nfrom = 'w'\n[[number]]",
+                "uncertainty \"z\": no row names it",
+            ),
             ("'published'", "'sure'", "reference: standing: \"sure\" is none"),
             ("place = 'p'", "place = 'p'\nsource = 't'", "depth: source: \"t\" is no reference"),
             ("place = 'p'", "place = 'p'\ncomputed = 't'", "depth: run: a computed value has none"),
@@ -429,5 +533,29 @@ mod tests {
             let got = Source::parse(&good.replacen(from, to, 1)).expect_err(message);
             assert!(got.starts_with(message), "{got}");
         }
+    }
+
+    #[test]
+    fn a_shared_uncertainty_serves_rows_in_their_own_terms() {
+        let file = |size: &str, row: &str| {
+            format!(
+                "subject = 'x'\n[[reference]]\nshort = 's'\ncitation = 'c'\nstanding = 'published'\n\
+                 [[uncertainty]]\nname = 'trials'\n{size}\nfrom = 'two runs'\n[[number]]\ncase = 'speed'\n\
+                 place = 'p'\ncomputed = 'v'\npublished = -4\nunit = 'm/s'\n{row}\nreason = 'x'\n\
+                 uncertainty = 'trials'\n"
+            )
+        };
+        let size_of = |size: &str, row: &str| {
+            let sources = Source::parse(&file(size, row))?;
+            Ok::<f64, String>(sources[0].numbers[0].uncertainty.size)
+        };
+        assert_eq!(size_of("share = 0.05", "tolerance = 0.09"), Ok(0.05));
+        assert_eq!(size_of("share = 0.05", "tolerance_absolute = 0.3"), Ok(0.2));
+        assert_eq!(size_of("absolute = 0.2", "tolerance = 0.09"), Ok(0.05));
+        assert!(size_of("absolute = 0.2", "tolerance = 0.11").is_err(), "0.44 m/s");
+        assert!(
+            size_of("share = 0.05", "tolerance_absolute = 0.4").is_err(),
+            "not below twice 0.2 m/s"
+        );
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::computed::Values;
 use super::play::Played;
-use super::published::{Number, Origin, Rule, Source, Standing, Statement, Tolerance};
+use super::published::{Number, Origin, Rule, Source, Standing, Statement, Tolerance, Uncertainty};
 
 /// What the scenarios gave, by name.
 pub(super) type Runs = BTreeMap<&'static str, Played>;
@@ -39,6 +39,8 @@ pub(super) enum Compared {
         error: f64,
         tolerance: Tolerance,
         reason: String,
+        /// Of the reference, in the terms of the tolerance.
+        uncertainty: Uncertainty,
         known_mismatch: bool,
     },
     /// Something said in words.
@@ -127,6 +129,7 @@ fn number_row(source: &Source, number: &Number, runs: &Runs, values: &Values) ->
             error,
             tolerance: number.tolerance,
             reason: number.reason.clone(),
+            uncertainty: number.uncertainty.clone(),
             known_mismatch: number.known_mismatch,
         },
         // NaN is out of every tolerance.

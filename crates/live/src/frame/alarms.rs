@@ -1,10 +1,11 @@
-//! Alarms: what a person at a control has to know at once. One stands for one thing; it goes when its reason
-//! goes.
+//! Causes of alarms: what a person at a control has to know at once. One stands for one thing; how long it is shown
+//! is the alarm book's.
 
 use fenderline_sim::Simulation;
 
+use crate::alarm_book::{Alarm, Level, TOUCH};
 use crate::info::Info;
-use crate::message::{Alarm, ContactNow, FenderNow, LineNow, TugNow, VesselNow};
+use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 
 /// A fender at this part of its rating is a caution; at all of it an alarm, because that is what it is rated for.
 const FENDER_CAUTION: f64 = 0.8;
@@ -34,8 +35,8 @@ pub(super) struct Shown<'a> {
     pub(super) tugs: &'a [TugNow],
 }
 
-/// All alarms that stand, alarms before cautions.
-pub(super) fn alarms(of: &Shown<'_>) -> Vec<Alarm> {
+/// All that stand.
+pub(super) fn causes(of: &Shown<'_>) -> Vec<Alarm> {
     let mut all = Vec::new();
     vessels(of, &mut all);
     fenders(of, &mut all);
@@ -44,24 +45,28 @@ pub(super) fn alarms(of: &Shown<'_>) -> Vec<Alarm> {
     for (tug, now) in of.info.tugs.iter().zip(of.tugs) {
         if now.limited {
             let text = format!("Tug {} cannot give what is ordered", tug.name);
-            all.push(caution(format!("tug {}", tug.name), text));
+            all.push(caution("tug", &[&tug.name], text));
         }
     }
-    // Stable: within a level in the order above.
-    all.sort_by_key(|alarm| alarm.level != "alarm");
     all
 }
 
-fn alarm(key: String, text: String) -> Alarm {
-    Alarm { level: "alarm", key, text }
+/// Of a kind, about some things: its key is made of both.
+fn of_level(level: Level, kind: &str, about: &[&str], text: String) -> Alarm {
+    let key = format!("{kind} {}", about.join(" "));
+    Alarm { level, key, text, about: about.iter().map(|&name| name.to_owned()).collect() }
 }
 
-fn caution(key: String, text: String) -> Alarm {
-    Alarm { level: "caution", key, text }
+fn alarm(kind: &str, about: &[&str], text: String) -> Alarm {
+    of_level(Level::Alarm, kind, about, text)
 }
 
-fn of_level(is_alarm: bool, key: String, text: String) -> Alarm {
-    if is_alarm { alarm(key, text) } else { caution(key, text) }
+fn caution(kind: &str, about: &[&str], text: String) -> Alarm {
+    of_level(Level::Caution, kind, about, text)
+}
+
+fn alarm_if(is_alarm: bool) -> Level {
+    if is_alarm { Level::Alarm } else { Level::Caution }
 }
 
 /// Closing speed that is no alarm at a distance [m/s].
@@ -73,12 +78,12 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     for (vessel, now) in of.info.vessels.iter().zip(of.vessels) {
         let name = &vessel.name;
         if now.aground {
-            all.push(alarm(format!("aground {name}"), format!("{name} is aground")));
+            all.push(alarm("aground", &[name], format!("{name} is aground")));
         } else if let Some(clear_m) = now.under_keel_m
             && clear_m < UNDER_KEEL_SHARE * vessel.draught_m
         {
             let text = format!("{name}: {clear_m:.1} m under the keel");
-            all.push(caution(format!("under keel {name}"), text));
+            all.push(caution("under keel", &[name], text));
         }
         for fault in &now.faults {
             let what = match fault {
@@ -87,7 +92,7 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
                 crate::Fault::ThrustersLost => "thrusters lost",
                 crate::Fault::Blackout => "blackout",
             };
-            all.push(alarm(format!("{what} {name}"), format!("{name}: {what}")));
+            all.push(alarm(what, &[name], format!("{name}: {what}")));
         }
         let (Some(berth), Some(near), false) = (&of.info.berth, &now.berth, vessel.is_tug) else {
             continue;
@@ -107,7 +112,7 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
                     "{name}: {end} closes at {closing_mps:.2} m/s, {off_m:.0} m off (limit {allowed_mps:.2})"
                 );
                 let too_fast = closing_mps > allowed_mps;
-                all.push(of_level(too_fast, format!("approach {name} {end}"), text));
+                all.push(of_level(alarm_if(too_fast), &format!("approach {end}"), &[name], text));
             }
         }
     }
@@ -115,13 +120,12 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
 
 fn fenders(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     for (fender, now) in of.info.fenders.iter().zip(of.fenders) {
-        let key = format!("fender {}", fender.name);
-        let share = now.of_energy.max(now.of_reaction);
+        let (name, share) = (&*fender.name, now.of_energy.max(now.of_reaction));
         if now.failed {
-            all.push(alarm(key, format!("Fender {} has failed", fender.name)));
+            all.push(alarm("fender", &[name], format!("Fender {name} has failed")));
         } else if share >= FENDER_CAUTION {
-            let text = format!("Fender {}: {:.0} % of its rating", fender.name, 100.0 * share);
-            all.push(of_level(share >= 1.0, key, text));
+            let text = format!("Fender {name}: {:.0} % of its rating", 100.0 * share);
+            all.push(of_level(alarm_if(share >= 1.0), "fender", &[name], text));
         }
     }
 }
@@ -130,22 +134,22 @@ fn fenders(of: &Shown<'_>, all: &mut Vec<Alarm>) {
 fn contacts(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     for contact in of.contacts.iter().filter(|contact| contact.fender.is_none()) {
         let [one, two] = contact.bodies.map(|body| &*of.info.bodies[body].name);
-        let key = format!("touch {one} {two}");
-        if all.iter().all(|other| other.key != key) {
-            all.push(alarm(key, format!("{one} touches {two} without a fender")));
+        let text = format!("{one} touches {two} without a fender");
+        let touch = alarm(TOUCH, &[one, two], text);
+        if all.iter().all(|other| other.key != touch.key) {
+            all.push(touch);
         }
     }
 }
 
 fn lines(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     for (line, now) in of.info.lines.iter().zip(of.lines) {
-        let key = format!("line {}", line.name);
-        let share = now.tension_n / line.working_n;
+        let (name, share) = (&*line.name, now.tension_n / line.working_n);
         if now.state == "parted" {
-            all.push(alarm(key, format!("Line {} has parted", line.name)));
+            all.push(alarm("line", &[name], format!("Line {name} has parted")));
         } else if now.state == "fast" && share >= LINE_CAUTION {
-            let text = format!("Line {}: {:.0} % of its working load", line.name, 100.0 * share);
-            all.push(of_level(share >= 1.0, key, text));
+            let text = format!("Line {name}: {:.0} % of its working load", 100.0 * share);
+            all.push(of_level(alarm_if(share >= 1.0), "line", &[name], text));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What there is to see after a tick.
 
 mod alarms;
+mod board;
 mod seen;
 mod vessel;
 
@@ -9,44 +10,56 @@ use fenderline_sim::mooring::WinchOrder;
 use fenderline_sim::tug::TugOrder;
 use fenderline_sim::{Mooring, MooringSetup, Simulation, TugAtWork};
 
+use crate::alarm_book::{Alarm, AlarmBook};
+use crate::berth::Berth;
 use crate::info::Info;
-use crate::message::{BranchNow, CurrentNow, Frame, LineNow, RunState, TugNow, WavesNow, WindNow};
+use crate::message::{
+    BranchNow, ContactNow, CurrentNow, FenderNow, Frame, LineNow, RunState, TugNow, VesselNow,
+    WavesNow, WindNow,
+};
 use crate::session::{Branch, Session};
 
 pub(crate) use seen::Seen;
 
+/// What the docking board is made of.
+struct Context<'a> {
+    simulation: &'a Simulation,
+    contacts: &'a [ContactNow],
+    fenders: &'a [FenderNow],
+    book: &'a AlarmBook,
+}
+
 impl Session {
-    /// The frame of this tick. Of `run` the owner of the session says what it knows: whether it is paused, its pace,
-    /// its clients; branches are filled in here.
+    /// What gives cause for alarm after this tick, for the alarm book.
     #[must_use]
-    pub fn frame(&self, info: &Info, at_ms: u64, run: RunState) -> Frame {
+    pub fn causes_for_alarm(&self, info: &Info) -> Vec<Alarm> {
+        let now = self.now();
+        let simulation = &now.simulation;
+        alarms::causes(&alarms::Shown {
+            simulation,
+            info,
+            vessels: &vessels(simulation, info),
+            fenders: &now.seen.fenders(simulation),
+            contacts: now.seen.contacts(),
+            lines: &lines(simulation),
+            tugs: &tugs(simulation),
+        })
+    }
+
+    /// The frame of this tick. Of `run` the owner of the session says what it knows: whether it is paused, its pace,
+    /// its clients; branches are filled in here. Alarms are those of the owner's book.
+    #[must_use]
+    pub fn frame(&self, info: &Info, at_ms: u64, run: RunState, book: &AlarmBook) -> Frame {
         let now = self.now();
         let simulation = &now.simulation;
         let (states, t_s) = (simulation.states(), simulation.time_s());
-        let fenders = now.seen.fenders(simulation);
-        let lines: Vec<LineNow> = {
-            let setups = simulation.setup().world.lines.iter();
-            simulation
-                .lines()
-                .iter()
-                .zip(setups)
-                .map(|(line, of)| line_now(line, of, t_s))
-                .collect()
-        };
-        let tugs: Vec<TugNow> = simulation.tugs().iter().map(tug_now).collect();
+        let (fenders, contacts) = (now.seen.fenders(simulation), now.seen.contacts());
         let own = self.cast().own;
-        let vessels: Vec<_> = (0..simulation.vessels().len())
-            .map(|index| vessel::now(simulation, index, info.berth.as_ref()))
-            .collect();
-        let alarms = alarms::alarms(&alarms::Shown {
-            simulation,
-            info,
-            vessels: &vessels,
-            fenders: &fenders,
-            contacts: now.seen.contacts(),
-            lines: &lines,
-            tugs: &tugs,
-        });
+        let mut vessels = vessels(simulation, info);
+        if let Some(berth) = &info.berth {
+            let of = Context { simulation, contacts, fenders: &fenders, book };
+            show_ends(&of, berth, &mut vessels);
+        }
         let bodies = states.iter().map(|state| {
             let [position, velocity] = [state.position_m, state.velocity_mps];
             let turn = state.yaw_rate_radps;
@@ -69,13 +82,38 @@ impl Session {
             bodies: bodies.collect(),
             vessels,
             fenders,
-            contacts: now.seen.contacts().to_vec(),
-            lines,
-            tugs,
+            contacts: contacts.to_vec(),
+            lines: lines(simulation),
+            tugs: tugs(simulation),
             wind: wind_now(simulation, t_s),
             current: current_now(simulation, t_s, place),
             waves: waves_now(simulation),
-            alarms,
+            alarms: book.told(),
+        }
+    }
+}
+
+fn vessels(simulation: &Simulation, info: &Info) -> Vec<VesselNow> {
+    let all = 0..simulation.vessels().len();
+    all.map(|index| vessel::now(simulation, index, info.berth.as_ref())).collect()
+}
+
+fn lines(simulation: &Simulation) -> Vec<LineNow> {
+    let setups = simulation.setup().world.lines.iter();
+    let all = simulation.lines().iter().zip(setups);
+    all.map(|(line, of)| line_now(line, of, simulation.time_s())).collect()
+}
+
+fn tugs(simulation: &Simulation) -> Vec<TugNow> {
+    simulation.tugs().iter().map(tug_now).collect()
+}
+
+/// What the docking board says of each vessel that has a distance to the berth.
+fn show_ends(of: &Context<'_>, berth: &Berth, vessels: &mut [VesselNow]) {
+    for (index, vessel) in vessels.iter_mut().enumerate() {
+        let ends = board::ends(of, berth, index, vessel);
+        if let Some(lies) = &mut vessel.berth {
+            [lies.bow, lies.stern] = ends;
         }
     }
 }

@@ -32,8 +32,8 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
             "squat",
             Kind::Choice(&SQUATS),
             Means("\"icorels\" where `depth` is given"),
-            "How much deeper a vessel under way sits in shallow water. The formulas are recalled, not read in their \
-             sources. They are for the deepest point of the hull; it is taken for the whole: she does not trim.",
+            "How much deeper a vessel under way sits in shallow water, by formulas as PIANC has them for open water. \
+             They are for the deepest point of the hull; it is taken for the whole: she does not trim.",
             &["\"icorels\""],
         ),
         key(

@@ -8,7 +8,8 @@ const GRAVITY_MPS2: f64 = 9.806_65;
 /// Froude number of depth up to which a displacement ship goes in shallow water, and from which on squat is held.
 const FASTEST_FROUDE: f64 = 0.9;
 
-/// A formula for squat; all are recalled, and held against numbers that were calculated apart only.
+/// A formula for squat, as PIANC has it for open water (`shallow/squat_formulas.rs`); held against numbers that were
+/// calculated apart, not against trials.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Squat {
     /// Barrass in open water, [`barrass_squat_m`]: the same at every depth, made for 1.1 to 1.4 draughts.
@@ -31,7 +32,7 @@ impl Squat {
         }
     }
 
-    /// Depths over the draught that it was made for; recalled. `None`: any in shallow water.
+    /// Depths over the draught that it was made for, as they are handed on: recalled. `None`: any in shallow water.
     #[must_use]
     pub fn depth_ratios(self) -> Option<[f64; 2]> {
         match self {

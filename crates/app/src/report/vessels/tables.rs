@@ -134,7 +134,7 @@ fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> M
                 @if let Some(squat) = environment.squat {
                     "; largest squat " (fixed(totals.squat_m.value, 2)) " m at "
                     (plain(totals.squat_m.at_s, 6)) " s, by " (squat.name())
-                    ", a formula that is recalled and " strong { "not validated" }
+                    ", a formula of open water that is " strong { "not validated" }
                 }
                 "."
             }

@@ -1,0 +1,72 @@
+//! Seats of those who have a link. A link that is passed on must not fill them all from one place.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::crowd::Peer;
+
+/// What one address may have of them: three of four.
+const OF_ONE: (usize, usize) = (3, 4);
+
+/// So many seats.
+#[derive(Debug)]
+pub(crate) struct Seats {
+    most: usize,
+    taken: Mutex<BTreeMap<Peer, usize>>,
+}
+
+/// A seat, free again when it is dropped.
+#[derive(Debug)]
+pub(crate) struct Seat {
+    seats: Arc<Seats>,
+    peer: Peer,
+}
+
+impl Seats {
+    pub(crate) fn of(most: usize) -> Arc<Seats> {
+        Arc::new(Seats { most, taken: Mutex::default() })
+    }
+
+    /// A seat; `None` where all are taken, or all that this address gets.
+    pub(crate) fn take(self: &Arc<Seats>, peer: Peer) -> Option<Seat> {
+        let mut taken = self.taken.lock().unwrap_or_else(PoisonError::into_inner);
+        let (all, own): (usize, usize) =
+            (taken.values().sum(), taken.get(&peer).copied().unwrap_or(0));
+        if all >= self.most || own >= self.most * OF_ONE.0 / OF_ONE.1 {
+            return None;
+        }
+        taken.insert(peer, own + 1);
+        drop(taken);
+        Some(Seat { seats: Arc::clone(self), peer })
+    }
+}
+
+impl Drop for Seat {
+    fn drop(&mut self) {
+        let mut taken = self.seats.taken.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(own) = taken.get_mut(&self.peer) {
+            *own -= 1;
+            if *own == 0 {
+                taken.remove(&self.peer);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_address_leaves_seats_for_others() {
+        let peer = |text: &str| Peer::of(text.parse().expect("an address"));
+        let seats = Seats::of(8);
+        let mut crowd: Vec<Seat> = (0..6).filter_map(|_| seats.take(peer("192.0.2.1"))).collect();
+        assert!(crowd.len() == 6 && seats.take(peer("192.0.2.1")).is_none());
+        let other = seats.take(peer("192.0.2.2")).expect("a seat is free");
+        assert!(seats.take(peer("192.0.2.3")).is_some());
+        drop(other);
+        crowd.pop();
+        assert!(seats.take(peer("192.0.2.1")).is_some());
+    }
+}

@@ -1,0 +1,104 @@
+//! What the docking board says of each end of a ship: from contacts and from where the berth is, never from a distance
+//! alone. A hull behind the line of the fenders may lie at a fender, at none, or on the quay.
+
+use fenderline_contact::{Rotation, Vec2, vec2};
+
+use crate::berth::{Berth, Ends};
+use crate::message::{BerthEnd, ContactNow, FenderNow, Pair, VesselNow};
+
+use super::Context;
+
+/// At the fenders is who is nearer than this and carried by one [m]: what a docking laser resolves.
+const AT_FENDERS_M: f64 = 0.02;
+
+/// Bow and stern of a vessel.
+pub(super) fn ends(
+    of: &Context<'_>,
+    berth: &Berth,
+    vessel: usize,
+    now: &VesselNow,
+) -> [BerthEnd; 2] {
+    let Some(lies) = &now.berth else { return [BerthEnd::Off; 2] };
+    let setup = of.simulation.setup();
+    let body = setup.world.vessels[vessel].body;
+    let states = of.simulation.states();
+    let outline = &setup.bodies[body].outline;
+    let ends = berth.ends(&states[berth.body], outline, &states[body]);
+    let ours: Vec<_> = of.contacts.iter().filter(|c| c.bodies.contains(&body)).collect();
+    let at_berth = |contact: &ContactNow| contact.bodies.contains(&berth.body);
+    let is_carried = ours.iter().any(|contact| contact.fender.is_some() && at_berth(contact));
+    let is_structure = |other: usize| other == berth.body || setup.bodies[other].is_fixed();
+    let on_structure = |name: &str| {
+        setup.bodies.iter().enumerate().any(|(other, of)| of.name == name && is_structure(other))
+    };
+    let was_touched = of.book.has_open_touch(&setup.bodies[body].name, on_structure);
+    let quay = Rotation::from_angle(states[berth.body].heading_rad);
+    let failed: Vec<Vec2> = setup
+        .fenders
+        .iter()
+        .zip(of.fenders)
+        .filter(|(fender, now)| fender.body == berth.body && now.failed)
+        .map(|(fender, _)| states[berth.body].position_m + quay.apply(fender.position_m))
+        .collect();
+    let by_place = [lies.bow_m, lies.stern_m];
+    std::array::from_fn(|end| {
+        let mut worst = BerthEnd::Off;
+        if by_place[end] < AT_FENDERS_M && is_carried {
+            worst = BerthEnd::AtFenders;
+        } else if by_place[end] < -AT_FENDERS_M {
+            worst = BerthEnd::NoFender;
+        }
+        if is_past_the_end(berth, &ends, end) {
+            worst = worst.max(BerthEnd::PastEnd);
+        }
+        if was_touched {
+            worst = worst.max(BerthEnd::Touched);
+        }
+        // A fender that has failed is none to come alongside at, be it touched or not.
+        if failed.iter().any(|&at_m| is_at(&ends, end, at_m)) {
+            worst = worst.max(BerthEnd::OverRated);
+        }
+        for contact in ours.iter().filter(|contact| is_at(&ends, end, of_pair(contact.at_m))) {
+            let told = match contact.fender {
+                // On the quay or on a rock; a tug at her side is none of the board's.
+                None if contact.bodies.iter().any(|&other| is_structure(other)) => {
+                    BerthEnd::Structure
+                }
+                Some(fender) if is_over_rated(&of.fenders[fender]) => BerthEnd::OverRated,
+                _ => BerthEnd::Off,
+            };
+            worst = worst.max(told);
+        }
+        worst
+    })
+}
+
+fn is_over_rated(fender: &FenderNow) -> bool {
+    fender.failed || fender.of_energy.max(fender.of_reaction) >= 1.0
+}
+
+/// What is not in the other end's third of the side is this end's: what is in the middle, and a
+/// patch along the whole side whose point is there, is both ends'.
+fn is_at(ends: &Ends, end: usize, at_m: Vec2) -> bool {
+    let [this, other] = [ends.at_m[end], ends.at_m[1 - end]];
+    let side = this - other;
+    (at_m - other).dot(side) > side.dot(side) / 3.0
+}
+
+fn of_pair(at: Pair) -> Vec2 {
+    vec2(at[0], at[1])
+}
+
+/// Is an end farther past the last fender than the fenders are apart? There the line that distances are measured to has
+/// nothing on it. Between dolphins a ship's ends are past them as a rule, and by less. At a single fender both ends are
+/// past it, and she is off the berth where it is not abreast of her side.
+fn is_past_the_end(berth: &Berth, ends: &Ends, end: usize) -> bool {
+    let [bow_m, stern_m] = ends.along_m;
+    match berth.apart_m {
+        Some(apart_m) => {
+            let at_m = ends.along_m[end];
+            at_m < -apart_m || at_m > ends.length_m + apart_m
+        }
+        None => bow_m.min(stern_m) > 0.0 || bow_m.max(stern_m) < 0.0,
+    }
+}

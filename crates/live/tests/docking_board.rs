@@ -1,0 +1,112 @@
+//! What the docking board says of a ship's ends, over a sweep of poses: from contacts and the berth, not from a
+//! distance alone.
+
+mod support;
+
+use fenderline_live::message::{BerthEnd, BerthNow, Role, RunState};
+use fenderline_live::{AlarmBook, Info, Session};
+
+/// The line of the fenders of the scenario is at this east coordinate [m], and the concrete 1.9 m behind it.
+const FENDERS_M: f64 = 28.5;
+/// The eight fenders are from −98 m to 42 m, 20 m apart: with her midship here her parallel side lies at them.
+const MIDDLE_M: f64 = 0.0;
+
+/// The ship at rest with her parallel side so far off the fenders, her midship at a place along the quay.
+fn lying(along_m: f64, off_m: f64, heading_deg: f64) -> Session {
+    let half_beam_m = {
+        let setup_of = support::harbour();
+        setup_of.simulation().setup().bodies[0].outline.bounds().1.y
+    };
+    let east_m = FENDERS_M - off_m - half_beam_m;
+    support::open(
+        "scenarios/berth/alongside_with_two_tugs.toml",
+        &[
+            &format!("body.ship.position=[{along_m}, {east_m}]"),
+            &format!("body.ship.heading=\"{heading_deg} deg\""),
+            "body.ship.velocity={ surge = \"0 kn\" }",
+        ],
+    )
+}
+
+/// A run as the server has it: alarms are noted every tick.
+struct Run {
+    session: Session,
+    info: Info,
+    book: AlarmBook,
+}
+
+impl Run {
+    fn of(session: Session) -> Run {
+        let info = Info::of(session.simulation().setup(), session.cast());
+        Run { session, info, book: AlarmBook::default() }
+    }
+
+    fn step(&mut self) -> BerthNow {
+        support::go(&mut self.session, 1);
+        let causes = self.session.causes_for_alarm(&self.info);
+        self.book.note(causes, self.session.simulation().time_s());
+        self.berth()
+    }
+
+    fn berth(&self) -> BerthNow {
+        let frame = self.session.frame(&self.info, 0, RunState::default(), &self.book);
+        frame.vessels[0].berth.expect("there is a berth")
+    }
+}
+
+#[test]
+fn the_board_says_what_each_end_is_at() {
+    use BerthEnd::{AtFenders, Off, OverRated, PastEnd, Structure};
+    for (pose, along_m, off_m, heading_deg, bow, stern) in [
+        ("off", MIDDLE_M, 10.0, 0.0, Off, Off),
+        ("off at an angle", MIDDLE_M, 60.0, 8.0, Off, Off),
+        ("alongside, starboard side to", MIDDLE_M, -0.3, 0.0, AtFenders, AtFenders),
+        ("a fender beyond its rating", MIDDLE_M, -1.35, 0.0, OverRated, OverRated),
+        ("steel on concrete", MIDDLE_M, -2.0, 0.0, Structure, Structure),
+        ("far past the quay's end", 400.0, 19.9, 0.0, PastEnd, PastEnd),
+        ("her bow past the last fender", 80.0, 10.0, 0.0, PastEnd, Off),
+        ("past the end and behind the line", 400.0, -5.0, 0.0, PastEnd, PastEnd),
+    ] {
+        let now = Run::of(lying(along_m, off_m, heading_deg)).step();
+        assert_eq!((now.bow, now.stern), (bow, stern), "{pose}: {now:?}");
+    }
+}
+
+/// Until neither end says this any more.
+fn until_over(run: &mut Run, what: BerthEnd) {
+    for _ in 0..6000 {
+        let now = run.berth();
+        if now.bow != what && now.stern != what {
+            return;
+        }
+        run.step();
+    }
+    panic!("still there after ten minutes: {:?}", run.berth());
+}
+
+#[test]
+fn the_docking_board_said_green_with_steel_on_concrete() {
+    let mut run = Run::of(lying(MIDDLE_M, -2.0, 0.0));
+    let now = run.step();
+    assert!(now.bow_m < 0.0 && now.bow == BerthEnd::Structure, "{now:?}");
+    // She is pressed off the concrete; the fenders have failed, and stay so.
+    until_over(&mut run, BerthEnd::Structure);
+    let now = run.berth();
+    assert_eq!((now.bow, now.stern), (BerthEnd::OverRated, BerthEnd::OverRated), "{now:?}");
+}
+
+#[test]
+fn a_touch_of_the_quay_stays_on_the_board_until_somebody_has_acknowledged_it() {
+    // Along the quay where no fender is.
+    let mut run = Run::of(lying(190.0, -2.0, 0.0));
+    let now = run.step();
+    assert_eq!((now.bow, now.stern), (BerthEnd::Structure, BerthEnd::Structure), "{now:?}");
+    until_over(&mut run, BerthEnd::Structure);
+    let now = run.berth();
+    assert_eq!((now.bow, now.stern), (BerthEnd::Touched, BerthEnd::Touched), "{now:?}");
+    let (key, told) = ("touch ship quay", run.book.told());
+    assert!(told.iter().any(|alarm| alarm.key == key && !alarm.stands), "{told:?}");
+    run.book.acknowledge(key, &Role::Pilot).expect("a pilot acknowledges it");
+    let now = run.berth();
+    assert!(now.bow < BerthEnd::Touched && now.stern < BerthEnd::Touched, "{now:?}");
+}
