@@ -147,6 +147,8 @@ export interface RunState {
   /** The last tick of this branch: beyond `tick` while rewound. */
   last_tick: number;
   clients: number;
+  /** What the instructor is having opened while this goes on: `reads` it, or `plays` a recording again; how much of that. */
+  opening: { file: string; at: "reads" | "plays"; share: number } | null;
 }
 
 /** [north, east, heading, velocity north, velocity east, yaw rate]. */
@@ -328,7 +330,9 @@ export type Action =
   /** Go on from where it is rewound to, as a new branch. */
   | { do: "branch" }
   | { do: "show_branch"; id: number }
+  /** Answered when it begins; `run.opening` tells how far it is, `refused` without a number why it came to nothing. */
   | { do: "load"; file: string }
+  | { do: "stop_opening" }
   | { do: "save"; name: string }
   // An alarm was seen: by pilot and instructor, and by a tugmaster his own tug's.
   | { do: "acknowledge"; key: string }

@@ -167,11 +167,10 @@ fn the_instructor_pauses_rewinds_branches_and_loads() {
         }
         assert_eq!(instructor.ask(json!({ "do": "save", "name": "mine" })).await["type"], "ack");
         assert!(server.sessions().join("mine.session.jsonl").is_file());
-        let loaded = instructor.ask_and_see(json!({ "do": "load", "file": "harbour.toml" })).await;
+        let loaded = instructor.load("harbour.toml").await;
         assert_eq!((&loaded["tick"], &loaded["run"]["paused"]), (&json!(0), &json!(true)));
         // The saved session goes on where it ended.
-        let loaded =
-            instructor.ask_and_see(json!({ "do": "load", "file": "mine.session.jsonl" })).await;
+        let loaded = instructor.load("mine.session.jsonl").await;
         assert_eq!(loaded["run"]["branches"].as_array().map(Vec::len), Some(2));
         server.stop_and_check();
     });

@@ -2,7 +2,7 @@
 //!
 //! A [`Session`] has a scenario ([`Source`]) and a log of commands, each with the tick in which it counts and
 //! who gave it; from these two alone every state can be made again, bit for bit. So it can be rewound, branched
-//! from any tick, recorded line by line and replayed ([`Recording`]). What the pages are shown is made here too
+//! from any tick, recorded line by line ([`RecordingReader`]) and played again ([`Replay`]). What the pages are shown is made here too
 //! ([`message`]), and what they say is read here ([`Request`]).
 //!
 //! Whoever owns a session decides when it steps: `fenderline serve` paces it to wall time.
@@ -17,10 +17,12 @@ mod cast;
 mod checkpoints;
 mod frame;
 mod info;
+mod limits;
 pub mod message;
 mod prediction;
 mod recording;
 mod refusal;
+mod replay;
 mod request;
 mod session;
 mod source;
@@ -29,9 +31,14 @@ pub use action::{Action, Fault, TugWord, WinchWord};
 pub use alarm_book::{Alarm, AlarmBook, Level};
 pub use cast::{Cast, Helm};
 pub use info::Info;
+pub use limits::{Full, LARGEST_RECORDING_BYTES};
 pub use prediction::Prediction;
-pub use recording::{Line, Recording, RecordingError};
+pub use recording::{
+    CopyError, Ending, Fault as RecordingFault, Line, Outline, RecordingError, RecordingReader,
+    begins_recording, copy_kept,
+};
 pub use refusal::Refusal;
+pub use replay::{Replay, ReplayError, Replayed};
 pub use request::{Conduct, Control, Request};
-pub use session::{Branch, Session, SessionError};
+pub use session::{Branch, Session, SessionError, StepError};
 pub use source::Source;

@@ -177,6 +177,14 @@ pub struct RunState {
     pub branches: Vec<BranchNow>,
     pub last_tick: u64,
     pub clients: usize,
+    pub opening: Option<OpeningNow>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OpeningNow {
+    pub file: String,
+    pub at: &'static str,
+    pub share: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -41,8 +41,10 @@ pub enum Conduct {
     Branch {},
     /// Go to the end of another branch.
     ShowBranch { id: usize },
-    /// Another scenario, or a saved session.
+    /// Another scenario, or a saved session; frames tell how far that is until it is there.
     Load { file: String },
+    /// What is being opened shall not be.
+    StopOpening {},
     /// An alarm was seen.
     Acknowledge { key: String },
     /// Keep a copy of the recording under a name.
@@ -65,7 +67,7 @@ enum Message {
     Command { id: i64, action: Value },
 }
 
-const CONDUCT: [&str; 12] = [
+const CONDUCT: [&str; 13] = [
     "claim",
     "release",
     "pause",
@@ -76,6 +78,7 @@ const CONDUCT: [&str; 12] = [
     "branch",
     "show_branch",
     "load",
+    "stop_opening",
     "acknowledge",
     "save",
 ];

@@ -11,16 +11,10 @@ use crate::carry_out::{InHand, carry_out};
 use crate::cast::Cast;
 use crate::checkpoints::Checkpoints;
 use crate::frame::Seen;
-use crate::recording::{Line, Recording};
+use crate::limits::{Full, LONGEST_HEADER_BYTES, MARKS, MOST_BRANCHES, MOST_COMMANDS, MOST_TICKS};
+use crate::recording::{Line, Writer};
 use crate::refusal::Refusal;
 use crate::source::Source;
-
-/// The most commands that a session takes: ten a second for a day.
-const MOST_COMMANDS: usize = 864_000;
-/// The most branches.
-const MOST_BRANCHES: usize = 1000;
-/// Ticks from one `reached` line of the recording to the next.
-const MARKS: u64 = 10;
 
 /// Commands from a tick on, and where they leave what was before.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,10 +48,11 @@ pub struct Session {
     branches: Vec<Branch>,
     shown: usize,
     commands: usize,
+    /// Of all branches together.
+    ticks: u64,
     now: Now,
     checkpoints: Checkpoints<Now>,
-    /// Lines of the recording that the owner has not taken yet.
-    lines: String,
+    writer: Writer,
     /// Texts of events since the owner last took them, with their time [s].
     events: Vec<(f64, String)>,
 }
@@ -69,15 +64,17 @@ pub enum SessionError {
     Scenario(Box<ScenarioError>),
     /// The simulation refuses it.
     Setup(SetupError),
-    /// A step could not be made.
-    Step(SimError),
-    /// A line of a recording that cannot be: its number and why.
-    Line {
-        /// From 1.
-        line: usize,
-        /// What is wrong.
-        why: String,
-    },
+    /// With all the files that it names it is more than a recording's first line holds.
+    TooLarge,
+}
+
+/// Why there is no next step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StepError {
+    /// The simulation could not make it.
+    Simulation(SimError),
+    /// The session has come to a limit.
+    Full(Full),
 }
 
 impl fmt::Display for SessionError {
@@ -85,26 +82,35 @@ impl fmt::Display for SessionError {
         match self {
             SessionError::Scenario(error) => error.fmt(f),
             SessionError::Setup(error) => error.fmt(f),
-            SessionError::Step(error) => error.fmt(f),
-            SessionError::Line { line, why } => write!(f, "line {line} of the recording: {why}"),
+            SessionError::TooLarge => write!(
+                f,
+                "with all the files that it names it is larger than {} MiB: it cannot be recorded",
+                LONGEST_HEADER_BYTES >> 20
+            ),
         }
     }
 }
 
 impl std::error::Error for SessionError {}
 
-impl From<SimError> for SessionError {
-    fn from(error: SimError) -> SessionError {
-        SessionError::Step(error)
+impl fmt::Display for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            StepError::Simulation(error) => error.fmt(f),
+            StepError::Full(full) => full.fmt(f),
+        }
     }
 }
 
+impl std::error::Error for StepError {}
+
 impl Session {
-    /// Ready for its first step.
+    /// Ready for its first step; the recording's first line can be taken.
     ///
     /// # Errors
-    /// A scenario that is none, or that cannot be simulated.
+    /// A scenario that is none, that cannot be simulated, or that is too large to be recorded.
     pub fn open(source: Source) -> Result<Session, SessionError> {
+        let writer = Writer::begin(&source).ok_or(SessionError::TooLarge)?;
         let scenario = source.scenario().map_err(|e| SessionError::Scenario(Box::new(e)))?;
         let simulation = Simulation::new(scenario.setup).map_err(SessionError::Setup)?;
         let cast = Cast::of(simulation.setup());
@@ -118,69 +124,12 @@ impl Session {
             branches: vec![first],
             shown: 0,
             commands: 0,
+            ticks: 0,
             checkpoints: Checkpoints::new(now.clone()),
             now,
-            lines: String::new(),
+            writer,
             events: Vec::new(),
         })
-    }
-
-    /// Plays a recording from its start, all branches, and stands at the end of the last one. The number is of the
-    /// states that were found to have the recorded bits.
-    ///
-    /// # Errors
-    /// A command that cannot be carried out, a branch from nowhere, or a state with other bits than recorded: another
-    /// version of the program may have made it, or another hand.
-    pub fn replay(recording: &Recording) -> Result<(Session, u64), SessionError> {
-        let mut session = Session::open(recording.source.clone())?;
-        let mut same = 0;
-        for (number, line) in &recording.lines {
-            let wrong =
-                |why: &dyn fmt::Display| SessionError::Line { line: *number, why: why.to_string() };
-            match line {
-                Line::Branch { id, parent, from_tick } => {
-                    if *id != session.branches.len() || *parent >= *id {
-                        return Err(wrong(&"branches are numbered as they come"));
-                    }
-                    session.show(*parent).map_err(|e| wrong(&e))?;
-                    if *from_tick > session.branches[*parent].ends_tick {
-                        session.go_on(*parent, *from_tick).map_err(|e| wrong(&e))?;
-                    }
-                    session.rewind(*from_tick).map_err(|e| wrong(&e))?;
-                    session.branch_off();
-                }
-                Line::Command { branch, tick, action, .. } => {
-                    session.go_on(*branch, *tick).map_err(|e| wrong(&e))?;
-                    session.command("", 0, action.clone()).map_err(|e| wrong(&e))?;
-                }
-                Line::Reached { branch, tick, bits } => {
-                    session.go_on(*branch, *tick).map_err(|e| wrong(&e))?;
-                    let ours = session.bits();
-                    if ours != *bits {
-                        let message = format!("{ours} here, {bits} recorded at tick {tick}");
-                        return Err(wrong(&message));
-                    }
-                    same += 1;
-                }
-            }
-            session.lines.clear();
-            session.events.clear();
-        }
-        Ok((session, same))
-    }
-
-    /// For a replay: steps the end of a branch up to a tick.
-    fn go_on(&mut self, branch: usize, tick: u64) -> Result<(), Refusal> {
-        if branch != self.shown || self.is_rewound() {
-            self.show(branch)?;
-        }
-        if tick < self.now.tick {
-            return Err(Refusal::new(format_args!("tick {tick} has gone by")));
-        }
-        while self.now.tick < tick {
-            self.step().map_err(Refusal::new)?;
-        }
-        Ok(())
     }
 
     /// Where it began.
@@ -238,7 +187,7 @@ impl Session {
     /// The state's fingerprint, in hexadecimal.
     #[must_use]
     pub fn bits(&self) -> String {
-        format!("{:016x}", fingerprint(&self.now.simulation))
+        bits(&self.now.simulation)
     }
 
     /// Carries a command out, from the next step on; the tick in which it counts. `at_ms` is for the recording
@@ -255,18 +204,18 @@ impl Session {
         if self.commands >= MOST_COMMANDS {
             return Err(Refusal::new(format_args!("{MOST_COMMANDS} commands are enough")));
         }
-        let Now { simulation, in_hand, tick, .. } = &mut self.now;
+        let (branch, tick) = (self.shown, self.now.tick);
+        let line =
+            Line::Command { branch, tick, who: who.to_owned(), at_ms, action: action.clone() };
+        let line = self.writer.prepare(&line).map_err(Refusal::new)?;
+        let Now { simulation, in_hand, .. } = &mut self.now;
         let forgotten = carry_out(&action, simulation, in_hand)?;
-        let tick = *tick;
         if forgotten {
             let text = "in hand: the scenario's own orders to this control are off".to_owned();
             self.events.push((self.now.simulation.time_s(), text));
         }
         self.commands += 1;
-        let branch = self.shown;
-        self.lines +=
-            &Line::Command { branch, tick, who: who.to_owned(), at_ms, action: action.clone() }
-                .text();
+        self.writer.put(&line);
         self.branches[branch].commands.push((tick, action));
         Ok(tick)
     }
@@ -274,13 +223,15 @@ impl Session {
     /// Takes one step: at the end of a branch with what hands have just ordered, before it with what is recorded.
     ///
     /// # Errors
-    /// A run that blew up; it stays where it is.
-    pub fn step(&mut self) -> Result<(), SimError> {
+    /// A run that blew up, or a session at its limits; it stays where it is.
+    pub fn step(&mut self) -> Result<(), StepError> {
         let rewound = self.is_rewound();
         if rewound {
             self.apply_recorded();
+        } else {
+            self.has_room().map_err(StepError::Full)?;
         }
-        self.advance()?;
+        self.advance().map_err(StepError::Simulation)?;
         let tick = self.now.tick;
         if rewound {
             if !self.is_rewound() {
@@ -290,10 +241,19 @@ impl Session {
         }
         let branch = self.shown;
         self.branches[branch].ends_tick = tick;
+        self.ticks += 1;
         if tick.is_multiple_of(MARKS) {
             self.mark();
         }
         Ok(())
+    }
+
+    /// For one more tick.
+    fn has_room(&self) -> Result<(), Full> {
+        if self.ticks >= MOST_TICKS {
+            return Err(Full::Ticks);
+        }
+        if self.writer.has_room() { Ok(()) } else { Err(Full::Bytes) }
     }
 
     /// One step of the simulation, and what there was to see.
@@ -309,7 +269,7 @@ impl Session {
     }
 
     /// Gives the recorded commands of this tick again.
-    fn apply_recorded(&mut self) {
+    pub(crate) fn apply_recorded(&mut self) {
         let at = self.now.tick;
         let (segment, _) = self.segment(self.shown, at);
         let commands = &self.branches[segment].commands;
@@ -354,23 +314,35 @@ impl Session {
     /// Goes to a tick that the branch that is shown has; what is shown now may be of another.
     fn go_to(&mut self, tick: u64) {
         self.restore(tick);
-        let events = std::mem::take(&mut self.events);
         while self.now.tick < tick {
-            self.apply_recorded();
-            let again = self.advance();
-            assert!(again.is_ok(), "it was stepped before from this state: {again:?}");
+            self.step_again();
         }
-        self.events = events;
         if !self.is_rewound() {
             self.apply_recorded();
         }
     }
 
+    /// For a replay: begins to go to a tick that a branch has. What is missing is as many [`Session::step_again`] as
+    /// the session is before that tick, and at the end of the branch its commands there.
+    pub(crate) fn turn_to(&mut self, branch: usize, tick: u64) {
+        self.shown = branch;
+        self.restore(tick);
+    }
+
+    /// Makes a step that was made before, without telling again what there was to see.
+    pub(crate) fn step_again(&mut self) {
+        let events = self.events.len();
+        self.apply_recorded();
+        let again = self.advance();
+        assert!(again.is_ok(), "it was stepped before from this state: {again:?}");
+        self.events.truncate(events);
+    }
+
     /// Notes in the recording how far the branch that is shown has come, where it is at its end.
     pub fn mark(&mut self) {
         if !self.is_rewound() {
-            let (branch, tick) = (self.shown, self.now.tick);
-            self.lines += &Line::Reached { branch, tick, bits: self.bits() }.text();
+            let now = &self.now;
+            self.writer.mark(self.shown, now.tick, || bits(&now.simulation));
         }
     }
 
@@ -394,7 +366,8 @@ impl Session {
     /// Goes on from here as a new branch, whose number is returned.
     ///
     /// # Errors
-    /// There is nothing to leave: it is at the end of its branch; or there are too many branches.
+    /// There is nothing to leave: it is at the end of its branch; or there are too many branches, or the recording is
+    /// full.
     pub fn branch(&mut self) -> Result<usize, Refusal> {
         if !self.is_rewound() {
             return Err(Refusal::new("the run is at its end: rewind it first"));
@@ -402,17 +375,10 @@ impl Session {
         if self.branches.len() >= MOST_BRANCHES {
             return Err(Refusal::new(format_args!("{MOST_BRANCHES} branches are enough")));
         }
-        Ok(self.branch_off())
-    }
-
-    fn branch_off(&mut self) -> usize {
-        let (id, from_tick) = (self.branches.len(), self.now.tick);
-        // Commands of this very tick may have been given already at the branch's end: they are the parent's.
-        if !self.is_rewound() {
-            self.restore_before_commands();
-        }
-        let parent = self.shown;
-        self.lines += &Line::Branch { id, parent, from_tick }.text();
+        let (id, parent, from_tick) = (self.branches.len(), self.shown, self.now.tick);
+        let line = Line::Branch { id, parent, from_tick };
+        let line = self.writer.prepare(&line).map_err(Refusal::new)?;
+        self.writer.put(&line);
         self.branches.push(Branch {
             parent: Some(parent),
             from_tick,
@@ -420,18 +386,7 @@ impl Session {
             commands: Vec::new(),
         });
         self.shown = id;
-        id
-    }
-
-    /// For a replay that branches off where its recording ends: the state without the commands of this tick.
-    fn restore_before_commands(&mut self) {
-        let tick = self.now.tick;
-        self.restore(tick);
-        while self.now.tick < tick {
-            self.apply_recorded();
-            let again = self.advance();
-            assert!(again.is_ok(), "it was stepped before from this state: {again:?}");
-        }
+        Ok(id)
     }
 
     /// Shows another branch, at its end.
@@ -448,13 +403,61 @@ impl Session {
         Ok(())
     }
 
-    /// Lines for the recording since this was asked last, to be added to its file.
+    /// Lines for the recording since this was asked last, to be added to its file; the first ones begin it.
     pub fn take_lines(&mut self) -> String {
-        std::mem::take(&mut self.lines)
+        self.writer.take()
+    }
+
+    /// The line that ends the recording after all that was taken and is to be taken: for its file when the session is
+    /// over, and for a copy at any time.
+    #[must_use]
+    pub fn end_line(&self) -> String {
+        self.writer.end_line()
+    }
+
+    /// Length of the recording so far, without its end [bytes].
+    #[must_use]
+    pub fn recorded_bytes(&self) -> u64 {
+        self.writer.bytes()
+    }
+
+    /// For a replay: what is recorded from here on goes on after lines that stand already.
+    pub(crate) fn record_with(&mut self, writer: Writer) {
+        self.writer = writer;
     }
 
     /// What happened since this was asked last: time [s] and text.
     pub fn take_events(&mut self) -> Vec<(f64, String)> {
         std::mem::take(&mut self.events)
+    }
+}
+
+fn bits(simulation: &Simulation) -> String {
+    format!("{:016x}", fingerprint(simulation))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_session_at_its_limit_of_ticks_goes_on_no_more_and_can_be_rewound() {
+        let text = include_str!("../../../scenarios/berth/alongside_with_two_tugs.toml");
+        let none = |name: &str| Err(format!("{name}: none is needed"));
+        let (source, _) =
+            Source::collect("a.toml", text.to_owned(), vec![], none).expect("a scenario");
+        let mut session = Session::open(source).expect("a set-up");
+        session.ticks = MOST_TICKS - 20;
+        for _ in 0..20 {
+            session.step().expect("a step");
+        }
+        assert_eq!(session.step(), Err(StepError::Full(Full::Ticks)));
+        let bits = session.bits();
+        session.rewind(10).expect("it is there");
+        while session.is_rewound() {
+            session.step().expect("a step that is recorded");
+        }
+        assert_eq!(session.bits(), bits);
+        assert_eq!(session.step(), Err(StepError::Full(Full::Ticks)));
     }
 }

@@ -11,6 +11,8 @@ const roleOf = (role: Role): string => (role.name === "tugmaster" ? `Tugmaster o
 export class Session implements View {
   private readonly claimRows = h("ul", { class: "rows claims", "aria-label": "Who holds what" });
   private readonly count = h("p", { class: "summary" });
+  private readonly opening = h("span", { role: "status" });
+  private readonly openingRow: HTMLElement;
   readonly root: HTMLElement;
 
   constructor(private readonly page: Page, hello: Hello) {
@@ -20,6 +22,7 @@ export class Session implements View {
       if (text === "") page.say("Give the session a name to save it under.", "refusal");
       else void page.order({ do: "save", name: text });
     });
+    this.openingRow = h("div", { class: "row hidden" }, this.opening, button("Stop opening", () => void page.order({ do: "stop_opening" })));
     this.root = h(
       "div",
       { class: "session" },
@@ -29,6 +32,7 @@ export class Session implements View {
       h("h3", {}, "Links to hand out"),
       this.links(hello),
       h("h3", {}, "Scenarios"),
+      this.openingRow,
       h("ul", { class: "rows gallery" }, ...hello.gallery.map((entry) => this.scenario(entry, entry.file === hello.file))),
       h("h3", {}, "Keep this session"),
       h("form", { class: "row", onsubmit: (event) => event.preventDefault() }, name, save),
@@ -61,6 +65,9 @@ export class Session implements View {
 
   tick(frame: Frame): void {
     setText(this.count, `${frame.run.clients} connected`);
+    const { opening } = frame.run;
+    setClass(this.openingRow, "hidden", opening === null);
+    if (opening) setText(this.opening, `Opening ${opening.file}: ${opening.at === "reads" ? "read" : "played again"} ${Math.floor(100 * opening.share)} %`);
   }
 
   claims(hello: Hello): void {

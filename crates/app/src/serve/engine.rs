@@ -8,26 +8,30 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use fenderline_live::message::{self, EventNow, Hello, Link, Role, RunState, Told as Answer};
-use fenderline_live::{AlarmBook, Conduct, Control, Info, Refusal, Request, Session};
+use fenderline_live::message::{
+    self, EventNow, GalleryEntry, Hello, Link, Role, RunState, Told as Answer,
+};
+use fenderline_live::{AlarmBook, Conduct, Control, Info, Refusal, Request, Session, StepError};
 use fenderline_nautical::{ChartOrigin, Moment};
 use tokio::sync::{mpsc, watch};
 
 use super::claims::{Claims, ClientId};
-use super::gallery::{self, Gallery, Opened};
+use super::gallery::{Gallery, Opened};
 use super::hub::{Hub, Shown, Text, Told};
 use super::instruments;
+use super::opening::{Asked, Outcome, Work};
 use super::pacer::Pacer;
 use super::permit::{self, Needs};
-use super::recorder::Recorder;
+use super::recorder::{ENDING, Recorder};
 use crate::terminal::tell;
 
 /// Events that a frame carries for those who missed some.
 const EVENTS: usize = 64;
 /// Frames are not shown more often than this, however fast the simulation runs.
 const BETWEEN_FRAMES: Duration = Duration::from_millis(33);
-/// While paused a frame is shown so often.
+/// While paused a frame is shown so often; and while something is being opened, to show how far that is.
 const BETWEEN_SIGNS: Duration = Duration::from_secs(1);
+const BETWEEN_SIGNS_OF_OPENING: Duration = Duration::from_millis(200);
 /// Wall time between two predictions, how far they look and how often they tell a place.
 const BETWEEN_PREDICTIONS: Duration = Duration::from_secs(1);
 const AHEAD_S: f64 = 300.0;
@@ -54,6 +58,8 @@ pub(crate) struct Engine {
     recorder: Recorder,
     /// Told once.
     recording_failed: bool,
+    /// What is done beside this thread: a scenario or a session is opened, or one is saved.
+    work: Option<Work>,
     pacer: Pacer,
     paused: bool,
     /// Paused until somebody comes.
@@ -80,14 +86,15 @@ impl Engine {
     /// The recording's file cannot be written, or there are no random numbers.
     pub(crate) fn new(
         hub: Arc<Hub>,
-        opened: Opened,
+        mut opened: Opened,
         gallery: Gallery,
         sessions: PathBuf,
         paused: bool,
         chart: Option<ChartOrigin>,
     ) -> Result<Engine, String> {
-        let Opened { session, recorded, .. } = opened;
-        let recorder = Recorder::begin(&sessions, &session.source().file, &recorded)?;
+        let file = opened.session.source().file.clone();
+        let recorder = Recorder::begin(&sessions, &file, &mut opened)?;
+        let session = opened.session;
         let info = Info::of(session.simulation().setup(), session.cast());
         let now = Instant::now();
         let mut engine = Engine {
@@ -99,6 +106,7 @@ impl Engine {
             sessions,
             recorder,
             recording_failed: false,
+            work: None,
             paused: true,
             waits_for_somebody: !paused,
             claims: Claims::default(),
@@ -150,7 +158,7 @@ impl Engine {
                 Ok(message) => self.hear(message),
                 Err(RecvTimeoutError::Timeout) => {
                     // Nothing moves, but the server is there: pages tell the two apart.
-                    if self.paused && self.shown_at.elapsed() >= BETWEEN_SIGNS {
+                    if self.paused && self.shown_at.elapsed() >= self.between_signs() {
                         self.show();
                     }
                 }
@@ -164,20 +172,30 @@ impl Engine {
             self.predict(now);
             self.say(now);
         }
-        self.session.mark();
-        self.record();
+        self.end_recording();
+        if let Some(work) = self.work.take() {
+            work.finish();
+        }
     }
 
     fn wait(&self) -> Duration {
         let now = Instant::now();
-        if self.paused { Duration::from_millis(500) } else { self.pacer.wait(now) }
+        if self.paused { self.between_signs() / 2 } else { self.pacer.wait(now) }
+    }
+
+    fn between_signs(&self) -> Duration {
+        if self.work.is_some() { BETWEEN_SIGNS_OF_OPENING } else { BETWEEN_SIGNS }
     }
 
     fn tick(&mut self) {
         let was_rewound = self.session.is_rewound();
         if let Err(e) = self.session.step() {
             self.paused = true;
-            self.tell_all(&format!("The simulation cannot go on: {e}. Rewind it."));
+            let hint = match &e {
+                StepError::Simulation(_) => "Rewind it.",
+                StepError::Full(_) => "Save it, and open its scenario anew.",
+            };
+            self.tell_all(&format!("The simulation cannot go on: {e}. {hint}"));
         }
         if was_rewound && !self.session.is_rewound() {
             self.paused = true;
@@ -216,6 +234,17 @@ impl Engine {
         }
     }
 
+    /// Nothing follows in the recording.
+    fn end_recording(&mut self) {
+        self.session.mark();
+        self.record();
+        if !self.recording_failed
+            && let Err(why) = self.recorder.add(&self.session.end_line())
+        {
+            tell(&format!("the recording could not be ended: {why}"));
+        }
+    }
+
     /// Shows everybody the state.
     fn show(&mut self) {
         for (t_s, text) in self.session.take_events() {
@@ -231,6 +260,7 @@ impl Engine {
             late_ticks,
             latest_ms,
             clients: self.clients.len(),
+            opening: self.work.as_ref().and_then(Work::now),
             ..RunState::default()
         };
         let frame =
@@ -287,6 +317,7 @@ impl Engine {
                 self.hub.taken();
                 self.answer(client, id, request);
             }
+            Told::Done(outcome) => self.done(outcome),
             Told::Stop => {}
         }
     }
@@ -338,6 +369,7 @@ impl Engine {
     fn answer(&mut self, client: ClientId, id: Option<i64>, request: Result<Request, Refusal>) {
         let Some(from) = self.clients.get(&client) else { return };
         let (role, label) = (from.role.clone(), from.label.clone());
+        let asked = Asked { client, label: label.clone(), id };
         let done = request.and_then(|request| match request {
             Request::Action(action) => {
                 let needs = permit::for_action(&role, &action, self.session.cast())?;
@@ -356,23 +388,28 @@ impl Engine {
                 if self.paused {
                     self.predicted_at = None;
                 }
-                Ok((tick, self.paused))
+                Ok(Some((tick, self.paused)))
             }
             Request::Conduct(conduct) => {
                 permit::for_conduct(&role, &conduct)?;
-                self.conduct(client, &role, &label, conduct)?;
+                if let Conduct::Save { name } = conduct {
+                    self.save(asked, &name)?;
+                    return Ok(None);
+                }
+                self.conduct(asked, &role, conduct)?;
                 self.record();
-                Ok((self.session.tick(), true))
+                Ok(Some((self.session.tick(), true)))
             }
         });
         let answer = match (done, id) {
-            (Ok((tick, show)), Some(id)) => {
+            (Ok(Some((tick, show))), Some(id)) => {
                 if show {
                     self.show();
                 }
                 Answer::Ack { id, tick }
             }
-            (Ok(_), None) => return,
+            // Answered later, or by nobody's wish.
+            (Ok(_), _) => return,
             (Err(refusal), id) => {
                 let reason = refusal.to_string();
                 self.hub.log.refused(&format!("refused {label}: {reason}"));
@@ -382,14 +419,9 @@ impl Engine {
         self.tell_one(client, &answer);
     }
 
-    fn conduct(
-        &mut self,
-        client: ClientId,
-        role: &Role,
-        label: &str,
-        conduct: Conduct,
-    ) -> Result<(), Refusal> {
+    fn conduct(&mut self, asked: Asked, role: &Role, conduct: Conduct) -> Result<(), Refusal> {
         let now = Instant::now();
+        let (client, label) = (asked.client, asked.label.as_str());
         match conduct {
             Conduct::Claim { control } => self.claim(client, role, label, control)?,
             Conduct::Release { control } => {
@@ -441,7 +473,12 @@ impl Engine {
                 self.greet_all();
                 self.tell_all(&format!("{label} shows branch {id}"));
             }
-            Conduct::Load { file } => self.load(label, &file)?,
+            Conduct::Load { file } => self.load(asked, file)?,
+            Conduct::StopOpening {} => {
+                if !self.work.as_ref().is_some_and(Work::stop) {
+                    return Err(Refusal::new("nothing is being opened"));
+                }
+            }
             Conduct::Acknowledge { key } => {
                 let text = self.alarms.acknowledge(&key, role)?;
                 let t_s = self.session.simulation().time_s();
@@ -449,14 +486,7 @@ impl Engine {
                 self.events.push_back((self.next_event, EventNow { t_s, text }));
                 self.next_event += 1;
             }
-            Conduct::Save { name } => {
-                self.session.mark();
-                self.record();
-                let path = self.recorder.save(&name).map_err(Refusal::new)?;
-                self.gallery.add(&path);
-                self.greet_all();
-                self.tell_all(&format!("saved as {name}"));
-            }
+            Conduct::Save { name } => self.save(asked, &name)?,
         }
         Ok(())
     }
@@ -485,28 +515,102 @@ impl Engine {
         Ok(())
     }
 
-    fn load(&mut self, label: &str, file: &str) -> Result<(), Refusal> {
-        let path = self.gallery.path(file);
+    /// Begins to open an entry of the gallery; what is shown goes on until that is there.
+    fn load(&mut self, asked: Asked, file: String) -> Result<(), Refusal> {
+        self.is_free()?;
+        let path = self.gallery.path(&file);
         let path = path.ok_or_else(|| Refusal::new("there is no such scenario in the gallery"))?;
-        let Opened { session, recorded, notices } =
-            gallery::open(path, &[]).map_err(Refusal::new)?;
-        let recorder = Recorder::begin(&self.sessions, file, &recorded).map_err(Refusal::new)?;
+        let (hub, path, sessions) = (Arc::clone(&self.hub), path.to_owned(), self.sessions.clone());
+        self.work = Some(Work::open(hub, asked, file, path, sessions).map_err(Refusal::new)?);
+        Ok(())
+    }
+
+    /// Begins to save a copy of the session as it is now.
+    fn save(&mut self, asked: Asked, name: &str) -> Result<(), Refusal> {
+        self.is_free()?;
         self.session.mark();
         self.record();
-        self.session = session;
+        if self.recording_failed {
+            return Err(Refusal::new("the session is no longer recorded"));
+        }
+        let copy = self.recorder.copy(name, self.session.end_line()).map_err(Refusal::new)?;
+        self.work = Some(Work::save(Arc::clone(&self.hub), asked, copy).map_err(Refusal::new)?);
+        Ok(())
+    }
+
+    fn is_free(&self) -> Result<(), Refusal> {
+        match &self.work {
+            None => Ok(()),
+            Some(work) => Err(Refusal::new(match work.now() {
+                Some(opening) => format!("{} is still being opened", opening.file),
+                None => "the session is still being saved".to_owned(),
+            })),
+        }
+    }
+
+    /// Something that was done beside this thread is done.
+    fn done(&mut self, outcome: Outcome) {
+        let Some(work) = self.work.take() else { return };
+        let done = match outcome {
+            Outcome::Opened(opened) => match *opened {
+                Ok((_, recorder)) if work.is_stopped() => {
+                    recorder.discard();
+                    Err("it is not opened: stopped".to_owned())
+                }
+                Ok((opened, recorder)) => self.take_over(&work.asked, opened, recorder),
+                Err(why) => Err(why),
+            },
+            Outcome::Saved(saved) => {
+                saved.map(|(path, entry)| self.saved(&work.asked, &path, entry))
+            }
+            Outcome::Lost => Err("a mistake of this program: see its standard error".to_owned()),
+        };
+        if let Err(reason) = done {
+            let Asked { client, label, id } = work.asked;
+            self.hub.log.refused(&format!("refused {label}: {reason}"));
+            // That it was begun to be opened has been acknowledged already.
+            let id = id.filter(|_| work.file.is_none());
+            self.tell_one(client, &Answer::Refused { id, reason });
+        }
+        self.show();
+    }
+
+    fn saved(&mut self, asked: &Asked, path: &std::path::Path, entry: Option<GalleryEntry>) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if let Some(entry) = entry {
+            self.gallery.put(path, entry);
+        }
+        if let Some(id) = asked.id {
+            self.tell_one(asked.client, &Answer::Ack { id, tick: self.session.tick() });
+        }
+        self.greet_all();
+        let name = name.strip_suffix(ENDING).unwrap_or(&name);
+        self.tell_all(&format!("saved as {name}"));
+    }
+
+    /// Goes on with what was opened.
+    fn take_over(
+        &mut self,
+        asked: &Asked,
+        opened: Opened,
+        recorder: Recorder,
+    ) -> Result<(), String> {
+        self.end_recording();
+        self.session = opened.session;
         self.recorder = recorder;
         self.recording_failed = false;
         self.info = Info::of(self.session.simulation().setup(), self.session.cast());
         self.claims.clear();
         self.restart_alarms();
-        self.make_tokens().map_err(Refusal::new)?;
+        self.make_tokens().map_err(|e| e.to_string())?;
         self.events.clear();
         self.predicted_at = None;
         self.paused = true;
         self.pacer.set_step(self.session.simulation().setup().step_s, Instant::now());
         self.greet_all();
+        let label = &asked.label;
         self.tell_all(&format!("{label} has loaded {}; it is paused", self.session.title()));
-        notices.iter().for_each(|notice| self.tell_all(notice));
+        opened.notices.iter().for_each(|notice| self.tell_all(notice));
         Ok(())
     }
 

@@ -11,6 +11,7 @@ use tokio::sync::{mpsc, watch};
 use super::claims::ClientId;
 use super::crowd::Peer;
 use super::log::Log;
+use super::opening::Outcome;
 use super::seats::{Seat, Seats};
 use super::tokens::Tokens;
 use super::wire::Said;
@@ -44,6 +45,8 @@ pub(crate) enum Told {
     Leave { client: ClientId },
     /// It said something.
     Said { client: ClientId, id: Option<i64>, request: Result<Request, Refusal> },
+    /// Something that was done beside the simulation's thread is done.
+    Done(Outcome),
     /// The program is to end.
     Stop,
 }

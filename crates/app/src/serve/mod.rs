@@ -1,7 +1,8 @@
 //! `fenderline serve`: a scenario in real time, steered from browsers.
 //!
 //! `engine` is the simulation's thread and the only one that touches the session; `pacer` is its clock, `claims` and
-//! `permit` decide who may do what, `recorder` writes the session down, `gallery` opens scenarios and sessions. `http`
+//! `permit` decide who may do what, `recorder` writes the session down, `gallery` opens scenarios and sessions, `saved`
+//! reads recordings, `opening` does both beside the simulation. `interrupt` hears Ctrl-C. `http`
 //! answers requests, `door` and `tokens` let people in, `page` is what browsers get; `client` is the task of one
 //! websocket. `hub` is what lies between: the latest frame for everybody, no queue that grows. `instruments` is what
 //! ships say to chart programs, `wire` how.
@@ -15,12 +16,15 @@ mod gallery;
 mod http;
 mod hub;
 mod instruments;
+mod interrupt;
 mod log;
+mod opening;
 mod pacer;
 mod page;
 mod permit;
 mod rate;
 mod recorder;
+mod saved;
 mod seats;
 mod tokens;
 mod wire;
@@ -30,8 +34,6 @@ use std::path::Path;
 use std::sync::{Arc, mpsc};
 
 use fenderline_live::message::{Link, Role};
-use fenderline_live::{Recording, Session};
-use fenderline_scenario::read_text as read;
 use tokio::net::{TcpListener, TcpSocket, UdpSocket};
 use tokio::runtime::Runtime;
 
@@ -41,8 +43,10 @@ use self::gallery::Gallery;
 use self::http::Site;
 use self::hub::{Hub, Told};
 use self::page::Page;
+use self::saved::{Played, Unplayed, Way};
 use crate::cli::{ReplayArgs, ServeArgs};
 use crate::failure::Failure;
+use crate::progress::Progress;
 use crate::terminal::{say, tell};
 
 /// Threads for the network. The simulation has its own.
@@ -68,8 +72,13 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         )));
     }
     let set: Vec<String> = args.set.clone();
-    let opened = gallery::open(&args.scenario, &set)
-        .map_err(|why| Failure::input(format_args!("error: {why}")))?;
+    let mut bar = None;
+    let opened = gallery::open(&args.scenario, &set, &mut |way| {
+        show(&mut bar, way);
+        Ok(())
+    });
+    drop(bar);
+    let opened = opened.map_err(|why| Failure::input(format_args!("error: {why}")))?;
     for notice in &opened.notices {
         tell(&format!("notice: {notice}"));
     }
@@ -124,11 +133,13 @@ pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
         .map_err(|e| Failure::case(format_args!("error: no thread for the simulation: {e}")))?;
     let door = Door { remote, names: args.host.clone() };
     let site = Arc::new(Site::new(Arc::clone(&hub), page, door));
+    let interrupted = interrupt::heard()
+        .map_err(|e| Failure::case(format_args!("error: Ctrl-C cannot be heard: {e}")))?;
     say(&greeting(address, &links, &wires, &recording))?;
     runtime.block_on(async {
         tokio::select! {
             () = http::serve(listener, site) => {}
-            _ = tokio::signal::ctrl_c() => {}
+            _ = interrupted => {}
             _ = ended => {}
         }
     });
@@ -189,8 +200,9 @@ fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &str) -
         Role::Observer => "observer".to_owned(),
     };
     let width = links.iter().map(|link| name(&link.role).len()).max().unwrap_or(0);
-    let mut text =
-        format!("fenderline is on http://{shown} (Ctrl-C ends it). Open one of these:\n");
+    let mut text = format!(
+        "fenderline is on http://{shown} (Ctrl-C ends it, once more at once). Open one of these:\n"
+    );
     for Link { role, path } in links {
         text += &format!("  {:width$}  http://{shown}{path}\n", name(role));
     }
@@ -200,25 +212,41 @@ fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &str) -
 /// Plays a recorded session again and holds every recorded state against it.
 ///
 /// # Errors
-/// A file that is no recording; a session that does not come to the same bits.
+/// A file that is no recording or a damaged one; a session that does not come to the same bits.
 pub(crate) fn replay(args: &ReplayArgs) -> Result<(), Failure> {
     let name = args.session.display();
-    let text = read(&args.session)
+    let file = saved::open(&args.session)
         .map_err(|why| Failure::input(format_args!("error: cannot read {why}")))?;
-    let recording =
-        Recording::parse(&text).map_err(|e| Failure::input(format_args!("error: {name}, {e}")))?;
-    if recording.torn_bytes > 0 {
-        tell(&format!(
-            "notice: {name}: {} bytes of a torn last line are dropped",
-            recording.torn_bytes
-        ));
-    }
-    let (session, same) = Session::replay(&recording)
-        .map_err(|e| Failure::case(format_args!("error: {name}, {e}")))?;
-    let ticks: u64 = session.branches().iter().map(|b| b.ends_tick - b.from_tick).sum();
+    let file = file
+        .ok_or_else(|| Failure::input(format_args!("error: {name}: it is no recorded session")))?;
+    let mut bar = None;
+    let played = saved::play(file, &mut |way| {
+        show(&mut bar, way);
+        Ok(())
+    });
+    drop(bar);
+    let Played { session, same, outline, .. } = played.map_err(|why| match why {
+        Unplayed::Differs(error) => Failure::case(format_args!("error: {name}, {error}")),
+        other => Failure::input(format_args!("error: {name}, {other}")),
+    })?;
+    let whole = match saved::told_of_end(outline.ending) {
+        None => "whole",
+        Some(told) => {
+            tell(&format!("notice: {name}: {told}"));
+            "without its end"
+        }
+    };
     say(&format!(
-        "{}: {} branches, {ticks} ticks; the same bits in all {same} recorded states\n",
+        "{}: {} branches, {} ticks, {whole}; the same bits in all {same} recorded states\n",
         session.title(),
-        session.branches().len(),
+        outline.branches,
+        outline.ticks,
     ))
+}
+
+/// Shows on the terminal how far a replay is.
+fn show(bar: &mut Option<Progress>, way: Way) {
+    if let Way::Plays(done, of) = way {
+        bar.get_or_insert_with(|| Progress::new(of)).advance(done);
+    }
 }

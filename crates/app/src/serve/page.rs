@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::SystemTime;
 
+use fenderline_scenario::{FileFault, read_bytes};
 use maud::{DOCTYPE, html};
 
 use crate::terminal::tell;
@@ -95,10 +96,13 @@ fn read_folder(
         if kind.is_dir() {
             read_folder(&entry.path(), &path, files, left)?;
         } else if kind.is_file() {
-            let bytes = fs::read(entry.path()).map_err(told)?;
-            *left = left
-                .checked_sub(bytes.len() as u64)
-                .ok_or_else(|| format!("the page has more than {} MiB", LARGEST >> 20))?;
+            let bytes = read_bytes(&entry.path(), *left).map_err(|e| match e.fault {
+                FileFault::TooLarge { .. } => {
+                    format!("{}: the page has more than {} MiB", folder.display(), LARGEST >> 20)
+                }
+                _ => e.to_string(),
+            })?;
+            *left -= bytes.len() as u64;
             files.insert(path, PageFile { content_type: content_type(&name), bytes });
         }
     }

@@ -1,8 +1,13 @@
 //! The recording's file: begun with a session, added to as commands come.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write as _};
+use std::io::{self, BufReader, BufWriter, Read as _, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
+
+use fenderline_live::{LARGEST_RECORDING_BYTES, copy_kept};
+use fenderline_scenario::open_regular;
+
+use super::gallery::Opened;
 
 /// The end of a recording's file name.
 pub(crate) const ENDING: &str = ".session.jsonl";
@@ -13,30 +18,49 @@ pub(crate) struct Recorder {
     folder: PathBuf,
     path: PathBuf,
     file: File,
+    /// That were written.
+    bytes: u64,
 }
 
 impl Recorder {
-    /// Begins a file named after the scenario, with the next free number, in a folder that is made if need be.
+    /// Begins a file named after the scenario, with the next free number, in a folder that is made if need be, with what
+    /// the session began with.
     ///
     /// # Errors
-    /// As the file system has it, with the path.
-    pub(crate) fn begin(folder: &Path, scenario: &str, text: &str) -> Result<Recorder, String> {
-        let told = |path: &Path, e: &io::Error| format!("{}: {e}", path.display());
+    /// As the file system has it, with the path; a recording that was changed since it was played. There is no file
+    /// then.
+    pub(crate) fn begin(
+        folder: &Path,
+        scenario: &str,
+        opened: &mut Opened,
+    ) -> Result<Recorder, String> {
         fs::create_dir_all(folder).map_err(|e| told(folder, &e))?;
-        let stem = scenario.strip_suffix(ENDING).unwrap_or(scenario);
-        let stem = Path::new(stem).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        for number in 1..100_000 {
-            let path = folder.join(format!("{stem}-{number:03}{ENDING}"));
-            match OpenOptions::new().append(true).create_new(true).open(&path) {
-                Ok(mut file) => {
-                    file.write_all(text.as_bytes()).map_err(|e| told(&path, &e))?;
-                    return Ok(Recorder { folder: folder.to_owned(), path, file });
-                }
-                Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {}
-                Err(e) => return Err(told(&path, &e)),
+        let (path, file) = next_free(folder, scenario)?;
+        let mut recorder = Recorder { folder: folder.to_owned(), path, file, bytes: 0 };
+        match recorder.begin_with(opened) {
+            Ok(()) => Ok(recorder),
+            Err(why) => {
+                recorder.discard();
+                Err(why)
             }
         }
-        Err(format!("{}: no number is free for {stem}", folder.display()))
+    }
+
+    fn begin_with(&mut self, opened: &mut Opened) -> Result<(), String> {
+        if let Some((file, outline)) = opened.recorded.take() {
+            (&file).rewind().map_err(|e| e.to_string())?;
+            let mut output = BufWriter::new(&self.file);
+            copy_kept(BufReader::new(&file), &outline, &mut output)
+                .map_err(|e| format!("{}: the recording cannot go on: {e}", self.path.display()))?;
+            output.flush().map_err(|e| told(&self.path, &e))?;
+            self.bytes = outline.kept_bytes;
+        }
+        self.add(&opened.session.take_lines())
+    }
+
+    /// A session that never was: its file goes.
+    pub(crate) fn discard(self) {
+        let _ = fs::remove_file(&self.path);
     }
 
     /// Where it is written.
@@ -49,23 +73,73 @@ impl Recorder {
     /// # Errors
     /// As the file system has it, with the path.
     pub(crate) fn add(&mut self, lines: &str) -> Result<(), String> {
-        self.file.write_all(lines.as_bytes()).map_err(|e| format!("{}: {e}", self.path.display()))
+        self.file.write_all(lines.as_bytes()).map_err(|e| told(&self.path, &e))?;
+        self.bytes += lines.len() as u64;
+        Ok(())
     }
 
-    /// Keeps a copy under a name of letters, digits, `-` and `_`.
+    /// A copy of all that was written, under a name of letters, digits, `-` and `_`; `end_line` ends it.
     ///
     /// # Errors
-    /// A name that is none, or is taken; as the file system has it.
-    pub(crate) fn save(&self, name: &str) -> Result<PathBuf, String> {
+    /// A name that is none, or is taken.
+    pub(crate) fn copy(&self, name: &str, end_line: String) -> Result<Copy, String> {
         let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if name.is_empty() || name.len() > 60 || !name.chars().all(letter) {
             return Err("a name has 1 to 60 letters, digits, - and _".to_owned());
         }
-        let path = self.folder.join(format!("{name}{ENDING}"));
-        if path.exists() {
+        let to = self.folder.join(format!("{name}{ENDING}"));
+        if to.symlink_metadata().is_ok() {
             return Err(format!("there is a session named {name} already"));
         }
-        fs::copy(&self.path, &path).map_err(|e| format!("{}: {e}", path.display()))?;
-        Ok(path)
+        Ok(Copy { from: self.path.clone(), bytes: self.bytes, end_line, to })
     }
+}
+
+/// A copy of a recording that is to be made.
+#[derive(Debug)]
+pub(crate) struct Copy {
+    from: PathBuf,
+    bytes: u64,
+    end_line: String,
+    to: PathBuf,
+}
+
+impl Copy {
+    /// Makes it; its path.
+    ///
+    /// # Errors
+    /// As the file system has it. There is no copy then.
+    pub(crate) fn make(self) -> Result<PathBuf, String> {
+        let from = open_regular(&self.from, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
+        let to = OpenOptions::new().write(true).create_new(true).open(&self.to);
+        let mut to = to.map_err(|e| told(&self.to, &e))?;
+        let written = io::copy(&mut from.take(self.bytes), &mut to).and_then(|bytes| {
+            let lacks = io::Error::other("the recording is shorter than what was written to it");
+            if bytes < self.bytes { Err(lacks) } else { to.write_all(self.end_line.as_bytes()) }
+        });
+        if let Err(e) = written {
+            let _ = fs::remove_file(&self.to);
+            return Err(told(&self.to, &e));
+        }
+        Ok(self.to)
+    }
+}
+
+fn told(path: &Path, e: &io::Error) -> String {
+    format!("{}: {e}", path.display())
+}
+
+/// A new file of the next number.
+fn next_free(folder: &Path, scenario: &str) -> Result<(PathBuf, File), String> {
+    let stem = scenario.strip_suffix(ENDING).unwrap_or(scenario);
+    let stem = Path::new(stem).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    for number in 1..100_000 {
+        let path = folder.join(format!("{stem}-{number:03}{ENDING}"));
+        match OpenOptions::new().append(true).create_new(true).open(&path) {
+            Ok(file) => return Ok((path, file)),
+            Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(e) => return Err(told(&path, &e)),
+        }
+    }
+    Err(format!("{}: no number is free for {stem}", folder.display()))
 }

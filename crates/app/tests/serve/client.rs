@@ -122,6 +122,15 @@ impl Client {
         self.next("frame").await
     }
 
+    /// Has a scenario or a session opened; a frame of it.
+    pub(crate) async fn load(&mut self, file: &str) -> Value {
+        let answer = self.ask(json!({ "do": "load", "file": file })).await;
+        assert_eq!(answer["type"], "ack", "{file}: {answer}");
+        self.notice("has loaded").await;
+        self.next("frame").await;
+        self.next("frame").await
+    }
+
     /// The first frame at a tick or later.
     pub(crate) async fn frame_after(&mut self, tick: u64) -> Value {
         loop {

@@ -22,11 +22,11 @@ pub(crate) struct Server {
     pub(crate) nmea: Option<SocketAddr>,
 }
 
-fn program() -> Command {
+pub(crate) fn program() -> Command {
     Command::new(env!("CARGO_BIN_EXE_fenderline"))
 }
 
-fn scenario() -> PathBuf {
+pub(crate) fn scenario() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/berth/alongside_with_two_tugs.toml")
 }
 
@@ -108,6 +108,16 @@ impl Server {
         fs::read_to_string(&self.recording).expect("a recording")
     }
 
+    /// Interrupts it as Ctrl-C does; its recording.
+    #[cfg(unix)]
+    pub(crate) fn interrupt(mut self) -> (PathBuf, String) {
+        let id = self.child.id().to_string();
+        let told = Command::new("kill").args(["-INT", &id]).status().expect("kill");
+        assert!(told.success());
+        assert_eq!(self.child.wait().expect("it ends").code(), Some(0));
+        self.kill()
+    }
+
     /// Kills it; its recording.
     pub(crate) fn kill(mut self) -> (PathBuf, String) {
         let text = self.end();
@@ -141,9 +151,14 @@ impl Drop for Server {
 
 /// What `fenderline replay` says of a session.
 pub(crate) fn replay(session: &Path) -> String {
+    replayed(session).1
+}
+
+/// What `fenderline replay` says of a session, and its exit code.
+pub(crate) fn replayed(session: &Path) -> (Option<i32>, String) {
     let output = program().arg("replay").arg(session).output().expect("it runs");
     let text = [output.stdout, output.stderr].concat();
-    String::from_utf8_lossy(&text).into_owned()
+    (output.status.code(), String::from_utf8_lossy(&text).into_owned())
 }
 
 /// What it says when it does not start.

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use fenderline_live::{Action, Session, Source};
+use fenderline_live::{Action, Outline, Replay, Replayed, Session, Source};
 
 /// A path of the repository.
 pub(crate) fn repository(path: &str) -> PathBuf {
@@ -43,4 +43,23 @@ pub(crate) fn rudder(angle_rad: f64) -> Action {
 
 pub(crate) fn engine(share: f64) -> Action {
     Action::Engine { vessel: "ship".into(), share }
+}
+
+/// The recording of a session up to now, as it is when it is saved.
+pub(crate) fn saved(session: &mut Session) -> String {
+    session.mark();
+    session.take_lines() + &session.end_line()
+}
+
+/// Checks a recording and plays it to its end.
+pub(crate) fn replay(text: &str) -> Result<Replayed, String> {
+    let outline = outline(text)?;
+    let mut replay = Replay::begin(text.as_bytes(), outline).map_err(|e| e.to_string())?;
+    while !replay.play(1000).map_err(|e| e.to_string())? {}
+    replay.finish().map_err(|e| e.to_string())
+}
+
+/// Checks a recording.
+pub(crate) fn outline(text: &str) -> Result<Outline, String> {
+    Outline::read(text.as_bytes(), |_| Ok(())).map_err(|e| e.to_string())
 }

@@ -1,0 +1,118 @@
+//! Reads a recording line by line, however large it is.
+
+use std::io::BufRead;
+
+use super::error::{Fault, RecordingError};
+use super::outline::Ending;
+use super::sealed::{Sealed, SealedLines};
+use super::shape::Shape;
+use super::{BEGINNING, Chain, FORMAT, Header, Line};
+use crate::limits::{LONGEST_HEADER_BYTES, LONGEST_LINE_BYTES};
+use crate::source::Source;
+
+/// A recording that is being read. Each line is checked by itself and against those before it.
+#[derive(Debug)]
+pub struct RecordingReader<R> {
+    lines: SealedLines<R>,
+    header: Header,
+    shape: Shape,
+    ending: Option<Ending>,
+    /// The length of what a session that goes on keeps [bytes], and its sum: all whole lines but the end.
+    kept: (u64, Chain),
+}
+
+impl<R: BufRead> RecordingReader<R> {
+    /// Reads the first line.
+    ///
+    /// # Errors
+    /// The file is no recording, or of another format, or damaged.
+    pub fn open(input: R) -> Result<RecordingReader<R>, RecordingError> {
+        let mut lines = SealedLines::new(input);
+        let Sealed::Object(first) = lines.raw(LONGEST_HEADER_BYTES)? else {
+            return Err(RecordingError { line: 1, fault: Fault::NoRecording });
+        };
+        let number = first.strip_prefix(BEGINNING).map(|rest| {
+            let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+            rest[..digits.min(10)].to_owned()
+        });
+        match number {
+            None => return Err(lines.error(Fault::NoRecording)),
+            Some(number) if number != FORMAT.to_string() => {
+                return Err(lines.error(Fault::Format(number)));
+            }
+            Some(_) => {}
+        }
+        let header = serde_json::from_str(lines.unsealed()?);
+        let header = header.map_err(|e| lines.error(Fault::NotOurs(e.to_string())))?;
+        let kept = (lines.bytes, lines.chain);
+        Ok(RecordingReader { lines, header, shape: Shape::new(), ending: None, kept })
+    }
+
+    /// The version of the program that recorded it.
+    #[must_use]
+    pub fn version(&self) -> &str {
+        &self.header.version
+    }
+
+    /// Where it began.
+    #[must_use]
+    pub fn source(&self) -> &Source {
+        &self.header.source
+    }
+
+    /// The number of the line that was read last, from 1.
+    #[must_use]
+    pub fn line_number(&self) -> usize {
+        self.lines.line
+    }
+
+    /// Length of what has been read [bytes].
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.lines.bytes
+    }
+
+    /// The next line; `None` at the end, and for a last line that was torn off.
+    ///
+    /// # Errors
+    /// A line that is damaged, or that no session says after those before it.
+    pub fn next_line(&mut self) -> Result<Option<Line>, RecordingError> {
+        if self.ending.is_some() {
+            return Ok(None);
+        }
+        let object = match self.lines.next(LONGEST_LINE_BYTES)? {
+            Sealed::Object(object) => object,
+            Sealed::Torn(bytes) => return Ok(self.end(Ending::Torn { bytes })),
+            Sealed::Nothing => return Ok(self.end(Ending::Open)),
+        };
+        let line = serde_json::from_str::<Line>(object).map_err(|e| e.to_string());
+        let line = line.and_then(|line| self.shape.take(&line).map(|()| line));
+        let line = line.map_err(|why| self.lines.error(Fault::NotOurs(why)))?;
+        if line == (Line::End {}) {
+            let Sealed::Nothing = self.lines.raw(LONGEST_LINE_BYTES)? else {
+                return Err(self.lines.error(Fault::AfterEnd));
+            };
+            return Ok(self.end(Ending::Whole));
+        }
+        self.kept = (self.lines.bytes, self.lines.chain);
+        Ok(Some(line))
+    }
+
+    fn end(&mut self, ending: Ending) -> Option<Line> {
+        self.ending = Some(ending);
+        None
+    }
+
+    /// How it ends, when all of it has been read.
+    pub(super) fn ending(&self) -> Option<Ending> {
+        self.ending
+    }
+
+    pub(super) fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    pub(crate) fn kept(&self) -> (u64, Chain) {
+        self.kept
+    }
+}

@@ -1,0 +1,281 @@
+//! Recordings that are large, torn, damaged or absurd.
+
+#[path = "support/damage.rs"]
+mod damage;
+mod support;
+
+use std::time::{Duration, Instant};
+
+use damage::{damaged, forged, objects, sealed};
+use fenderline_live::{Ending, RecordingFault, Session, copy_kept};
+use support::{engine, go, harbour, outline, replay, rudder, saved, say};
+
+/// What a damaged recording may take at most until it is refused.
+const LONGEST: Duration = Duration::from_secs(10);
+
+/// A number from the environment, for longer attacks than those of every test.
+fn parameter(name: &str, default: u64) -> u64 {
+    let text = std::env::var(name);
+    text.map_or(default, |text| text.parse().unwrap_or_else(|e| panic!("{name}={text}: {e}")))
+}
+
+/// Some minutes with two branches, and commands by hands of several names.
+fn played() -> (Session, String) {
+    let mut session = harbour();
+    for turn in 0..12 {
+        let who = if turn % 3 == 0 { "pilot 2" } else { "master of forward 3" };
+        let at_ms = 1_790_000_000_000 + 4000 * turn;
+        let angle_rad = 0.05 * turn as f64;
+        session.command(who, at_ms, rudder(angle_rad)).expect("a good command");
+        go(&mut session, 37);
+    }
+    session.rewind(123).expect("it is there");
+    session.branch().expect("a branch");
+    say(&mut session, engine(-0.3));
+    go(&mut session, 95);
+    let text = saved(&mut session);
+    (session, text)
+}
+
+/// The fault of a recording that is refused before anything is played.
+fn fault(text: &[u8]) -> (usize, RecordingFault) {
+    let error = fenderline_live::Outline::read(text, |_| Ok(())).expect_err("it is refused");
+    (error.line, error.fault)
+}
+
+#[test]
+fn a_recording_that_was_ended_is_whole_and_comes_to_the_same_bits() {
+    let (session, text) = played();
+    let outline = outline(&text).expect("sound");
+    assert_eq!(outline.ending, Ending::Whole);
+    assert_eq!((outline.branches, outline.commands), (2, 13));
+    assert_eq!(outline.ticks, 12 * 37 + 95);
+    let end = session.end_line().len();
+    assert_eq!(outline.kept_bytes as usize, text.len() - end);
+    assert_eq!(session.recorded_bytes() as usize, text.len() - end);
+    let again = replay(&text).expect("the same bits");
+    assert_eq!(again.session.bits(), session.bits());
+    assert!(again.same > 50, "{}", again.same);
+}
+
+#[test]
+fn a_torn_last_line_is_told_as_torn_and_dropped_and_the_session_goes_on() {
+    let (_, text) = played();
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    let all = lines.len();
+    // Within the line that ends it, and within the one before.
+    for (torn, part) in [(all - 1, 1), (all - 1, 30), (all - 2, 1), (all - 2, 50)] {
+        let kept: String = lines[..torn].concat();
+        for part in [part, lines[torn].len() - 1] {
+            let cut = kept.clone() + &lines[torn][..part];
+            let told = outline(&cut).expect("its lines are as they were written");
+            assert_eq!(told.ending, Ending::Torn { bytes: part as u64 });
+            assert_eq!(told.kept_bytes as usize, kept.len());
+            // What goes on after the lines that are kept is one recording with them.
+            let mut again = replay(&cut).expect("the same bits").session;
+            go(&mut again, 25);
+            let mut more = Vec::new();
+            copy_kept(cut.as_bytes(), &told, &mut more).expect("copied");
+            assert_eq!(more, kept.as_bytes());
+            let more = kept.clone() + &saved(&mut again);
+            assert_eq!(outline(&more).expect("sound").ending, Ending::Whole);
+            assert_eq!(replay(&more).expect("the same bits").session.bits(), again.bits());
+        }
+    }
+    // The first line is needed whole.
+    assert_eq!(fault(&text.as_bytes()[..50]), (1, RecordingFault::NoRecording));
+}
+
+#[test]
+fn a_recording_whose_last_lines_are_gone_is_not_called_whole() {
+    let (_, text) = played();
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    for count in 1..lines.len() {
+        let cut: String = lines[..count].concat();
+        assert_eq!(outline(&cut).expect("its lines are sound").ending, Ending::Open);
+    }
+}
+
+#[test]
+fn a_bit_that_flips_in_a_title_a_name_or_a_time_is_found() {
+    let (_, text) = played();
+    for place in ["title = ", "\"who\":\"pilot", "\"at_ms\":17", "\"version\":\"", "\"file\":"] {
+        let start = text.find(place).unwrap_or_else(|| panic!("{place} in {text}"));
+        for at in start..start + place.len() {
+            for bit in 0..8 {
+                let mut bytes = text.clone().into_bytes();
+                bytes[at] ^= 1 << bit;
+                let (_, fault) = fault(&bytes);
+                assert_eq!(fault, RecordingFault::Damaged, "{place}: byte {at} bit {bit}");
+            }
+        }
+    }
+}
+
+/// `cargo test -p fenderline-live --test recordings damaged`, with `FENDERLINE_DAMAGED=100000` for more of them and
+/// `FENDERLINE_SEED=7` for others.
+#[test]
+fn of_a_thousand_damaged_recordings_none_is_called_sound() {
+    let (_, text) = played();
+    let sound = text.as_bytes();
+    let (count, first) = (parameter("FENDERLINE_DAMAGED", 1000), parameter("FENDERLINE_SEED", 1));
+    let (mut refused, mut cut, mut slowest) = (0, 0, Duration::ZERO);
+    for seed in first..first + count {
+        let (what, bytes) = damaged(sound, seed);
+        let start = Instant::now();
+        let told = fenderline_live::Outline::read(bytes.as_slice(), |_| Ok(()));
+        slowest = slowest.max(start.elapsed());
+        match told {
+            Err(_) => refused += 1,
+            Ok(outline) => {
+                assert_ne!(outline.ending, Ending::Whole, "seed {seed}, {what}: called sound");
+                let kept = outline.kept_bytes as usize;
+                assert_eq!(bytes[..kept], sound[..kept], "seed {seed}, {what}: other lines");
+                cut += 1;
+            }
+        }
+    }
+    println!("{count} damaged from seed {first}: {refused} refused, {cut} told as cut off or torn");
+    println!("the slowest took {slowest:?}");
+    assert!(slowest < LONGEST, "{slowest:?}");
+}
+
+/// `FENDERLINE_FORGED=10000` for more of them.
+#[test]
+fn recordings_with_absurd_numbers_and_right_sums_are_refused_or_played_in_time() {
+    let (_, text) = played();
+    let (count, first) = (parameter("FENDERLINE_FORGED", 60), parameter("FENDERLINE_SEED", 1));
+    let (mut refused, mut slowest) = (0, Duration::ZERO);
+    for seed in first..first + count {
+        let forged = forged(&text, seed);
+        let start = Instant::now();
+        refused += u64::from(replay(&forged).is_err());
+        slowest = slowest.max(start.elapsed());
+    }
+    println!("{count} forged from seed {first}: {refused} refused; the slowest took {slowest:?}");
+    assert!(slowest < LONGEST, "{slowest:?}");
+}
+
+/// A recording with other lines after the first one's.
+fn with_lines(lines: &[&str]) -> String {
+    let header = objects(&harbour().take_lines()).remove(0);
+    sealed([header.as_str()].into_iter().chain(lines.iter().copied()))
+}
+
+fn refused(lines: &[&str]) -> (usize, String) {
+    match fault(with_lines(lines).as_bytes()) {
+        (line, RecordingFault::NotOurs(why)) => (line, why),
+        (line, other) => panic!("line {line}: {other}"),
+    }
+}
+
+#[test]
+fn a_line_that_says_reached_at_a_far_tick_is_refused_before_anything_is_played() {
+    let reached =
+        r#"{"line":"reached","branch":0,"tick":1000000000000000000,"bits":"0000000000000000"}"#;
+    let (line, why) = refused(&[reached]);
+    assert!(line == 2 && why.contains("from tick 0 to 1000000000000000000"), "{why}");
+    let command = r#"{"line":"command","branch":0,"tick":11,"who":"","at_ms":0,"action":{"do":"hands","vessel":"ship"}}"#;
+    let (line, why) = refused(&[command]);
+    assert!(line == 2 && why.contains("from tick 0 to 11"), "{why}");
+    let last = u64::MAX;
+    let far =
+        format!("{{\"line\":\"reached\",\"branch\":0,\"tick\":{last},\"bits\":\"{:016x}\"}}", 0);
+    assert_eq!(refused(&[&far]).0, 2);
+}
+
+#[test]
+fn branches_from_far_ticks_and_two_hundred_thousand_branches_are_refused_before_anything_is_played()
+{
+    let far = r#"{"line":"branch","id":1,"parent":0,"from_tick":1000000000000000000}"#;
+    assert!(refused(&[far]).1.contains("ends at tick 0"));
+    let command = r#"{"line":"command","branch":0,"tick":1,"who":"","at_ms":0,"action":{"do":"hands","vessel":"ship"}}"#;
+    let branches: Vec<String> = (1..=200_000)
+        .map(|id| format!("{{\"line\":\"branch\",\"id\":{id},\"parent\":0,\"from_tick\":0}}"))
+        .collect();
+    let lines: Vec<&str> =
+        [command].into_iter().chain(branches.iter().map(String::as_str)).collect();
+    let start = Instant::now();
+    let (line, why) = refused(&lines);
+    assert!(line == 1002 && why.contains("more than 1000 branches"), "line {line}: {why}");
+    assert!(start.elapsed() < LONGEST);
+    // Nor do branches come from nowhere, or out of turn.
+    for bad in [
+        r#"{"line":"branch","id":2,"parent":0,"from_tick":0}"#,
+        r#"{"line":"branch","id":1,"parent":1,"from_tick":0}"#,
+        r#"{"line":"branch","id":1,"parent":0,"from_tick":1}"#,
+        r#"{"line":"reached","branch":1,"tick":1,"bits":"0000000000000000"}"#,
+        r#"{"line":"reached","branch":0,"tick":0,"bits":"0000000000000000"}"#,
+        r#"{"line":"reached","branch":0,"tick":1,"bits":"x"}"#,
+        r#"{"line":"reached","branch":0,"tick":-1,"bits":"0000000000000000"}"#,
+        r#"{"line":"fly"}"#,
+    ] {
+        assert_eq!(refused(&[command, bad]).0, 3, "{bad}");
+    }
+}
+
+#[test]
+fn a_recording_that_somebody_forged_is_told_at_its_line() {
+    let (_, text) = played();
+    let forge = |from: &str, to: &str| {
+        let objects: Vec<String> =
+            objects(&text).iter().map(|object| object.replace(from, to)).collect();
+        replay(&sealed(objects.iter().map(String::as_str)))
+    };
+    let why = forge("\"angle_rad\":0.25", "\"angle_rad\":0.35").expect_err("other bits");
+    assert!(why.contains("recorded at tick"), "{why}");
+    let why = forge("\"vessel\":\"ship\"", "\"vessel\":\"shop\"").expect_err("no such ship");
+    assert!(why.contains("line 2: there is no vessel `shop`"), "{why}");
+    let why = forge("\"angle_rad\":", "\"angle\":").expect_err("no such field");
+    assert!(why.contains("line 2: no session says this"), "{why}");
+    let why = forge("\"fenderline_session\":2", "\"fenderline_session\":1").expect_err("old");
+    assert!(why.contains("format 1, but this program reads 2"), "{why}");
+    let more = text.clone() + "{}";
+    assert_eq!(fault(more.as_bytes()).1, RecordingFault::AfterEnd);
+    let long = text.lines().next().expect("a line").to_owned() + "\n" + &"x".repeat(100_000);
+    assert_eq!(fault(long.as_bytes()), (2, RecordingFault::TooLong(65_536)));
+}
+
+#[test]
+fn four_hands_for_fifteen_minutes_are_recorded_and_played_again() {
+    let mut session = harbour();
+    let mut text = String::new();
+    // Thirty commands a second each, as the server permits.
+    for tick in 0..9000_u32 {
+        for hand in 0..12 {
+            let share = f64::from((tick * 12 + hand) % 1999) / 1999.0;
+            let action = fenderline_live::Action::Thruster {
+                vessel: "ship".into(),
+                thruster: "bow".into(),
+                share: 0.7 * share,
+            };
+            let who = format!("master of forward {hand}");
+            session.command(&who, 1_790_000_000_000, action).expect("a good command");
+        }
+        go(&mut session, 1);
+        text += &session.take_lines();
+    }
+    text += &saved(&mut session);
+    assert!(text.len() > 16 << 20, "{} bytes", text.len());
+    let again = replay(&text).expect("the same bits");
+    assert_eq!(again.session.bits(), session.bits());
+    assert_eq!(outline(&text).expect("sound").commands, 108_000);
+}
+
+#[test]
+fn a_session_that_was_shown_to_and_fro_is_played_without_going_to_and_fro() {
+    let mut session = harbour();
+    go(&mut session, 400);
+    session.rewind(100).expect("it is there");
+    session.branch().expect("a branch");
+    go(&mut session, 300);
+    for _ in 0..40 {
+        session.show(0).expect("it is there");
+        session.show(1).expect("it is there");
+    }
+    let text = saved(&mut session);
+    let again = replay(&text).expect("the same bits");
+    assert_eq!(again.session.bits(), session.bits());
+    assert_eq!((again.session.shown(), again.session.tick()), (1, 400));
+    assert!(again.same > 100, "each mark was held against the state: {}", again.same);
+}
