@@ -25,6 +25,8 @@ struct Part {
 enum Kind {
     /// A test of a package, by its file and the start of its name.
     Test { package: &'static str, file: &'static str, test: &'static str },
+    /// The same for a test that is told how many: so many a second by each key, on a machine as slow as ours.
+    Counted { package: &'static str, file: &'static str, counts: &'static [(&'static str, u64)] },
     /// The live server with steering and hostile clients.
     LiveLoad,
     /// The fuzz targets.
@@ -35,7 +37,7 @@ const fn test(package: &'static str, file: &'static str, test: &'static str) -> 
     Kind::Test { package, file, test }
 }
 
-const PARTS: [Part; 6] = [
+const PARTS: [Part; 8] = [
     Part {
         name: "files",
         what: "scenarios with something changed, checked and run",
@@ -45,6 +47,24 @@ const PARTS: [Part; 6] = [
         name: "odd-files",
         what: "pipes, devices, folders, links and sockets in every place for a file",
         attack: test("fenderline", "attack_files", "what_is_no_file"),
+    },
+    Part {
+        name: "recordings",
+        what: "recordings damaged and forged, in memory",
+        attack: Kind::Counted {
+            package: "fenderline-live",
+            file: "recordings",
+            counts: &[("FENDERLINE_DAMAGED", 2000), ("FENDERLINE_FORGED", 200)],
+        },
+    },
+    Part {
+        name: "recording-files",
+        what: "recordings damaged and forged, by `fenderline replay`",
+        attack: Kind::Counted {
+            package: "fenderline",
+            file: "recordings",
+            counts: &[("FENDERLINE_DAMAGED_FILES", 40)],
+        },
     },
     Part {
         name: "server",
@@ -118,6 +138,14 @@ fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
             command.args(["--", "--nocapture", "--include-ignored", test]);
             command.env("FENDERLINE_ATTACK_SECONDS", seconds.to_string());
             run(command.env("FENDERLINE_ATTACK_SEED", seed.to_string()))
+        }
+        Kind::Counted { package, file, counts } => {
+            let mut command = cargo(["test", "--quiet", "--package", package, "--test", file]);
+            command.args(["--", "--nocapture", "damaged", "forged", "absurd"]);
+            for (key, a_second) in counts {
+                command.env(key, (a_second * seconds).to_string());
+            }
+            run(command.env("FENDERLINE_SEED", seed.to_string()))
         }
         // Times are told: other programs may have the processor too.
         Kind::LiveLoad => live_load::live_load(seconds, true),
