@@ -176,7 +176,7 @@ def cable():
 
 def added_mass():
     """Clarke, Gedling & Hine (1983) by 1/2 rho L^3 and 1/2 rho L^5, read in clarke83.m of the MSS toolbox; and the regression
-    of Zhou, Sheng & Feng (1983) on Motora's charts as it is handed on, recalled: no print could be read. Shares of the
+    of Zhou, Sheng & Feng (1983) on Motora's charts, as in public programs that agree; no print was read. Shares of the
     displacement, and of the moment of inertia at a gyradius of 0.25 L. Container ship, and the tug of 32 x 13 x 4.5 m."""
     def zhou(l, b, d, cb):
         surge = (0.398 + 11.97 * cb * (1 + 3.73 * d / b) - 2.89 * cb * l / b * (1 + 1.13 * d / b)

@@ -183,7 +183,7 @@ fn a_line_that_parts_and_a_tug_that_pushes_are_said_plainly() {
     let estimate = &summary["vessels"][0]["estimate"];
     assert_eq!(estimate["errors"].as_array().map(Vec::len), Some(4), "{estimate}");
     let wake = estimated.iter().find(|estimate| estimate["group"] == "wake").expect("the wake");
-    assert_eq!((&wake["figures"]["w"], &wake["standing"]), (&"0.3000".into(), &"recalled".into()));
+    assert_eq!((&wake["figures"]["w"], &wake["standing"]), (&"0.3000".into(), &"found".into()));
 }
 
 #[test]

@@ -140,7 +140,8 @@ impl ReactionFactors {
 
     /// The factor of a contact that begins at a speed [m/s] and an angle [rad].
     pub(crate) fn at(&self, speed_mps: f64, angle_rad: f64, rated_deflection_m: f64) -> f64 {
-        // A fender is compressed at 0.74 of the speed of first touch in the mean: fenders.md.
+        // Velocity factors are tabulated by the time at 0.74 of the speed of first touch, as a public calculator for cone
+        // fenders has it.
         let time_s = rated_deflection_m / (0.74 * speed_mps.max(1e-9));
         self.constant * held(&self.by_compression_time, time_s) * self.of_angle(angle_rad)
     }

@@ -262,14 +262,14 @@ fn a_vessel_from_main_particulars_says_everything_that_is_estimated() {
     let vessel = built_in("bulk-carrier");
     let estimates: Vec<_> = vessel.origin.estimates().collect();
     for (group, standing) in [
-        ("added mass", Standing::Recalled),
+        ("added mass", Standing::Found),
         ("hull under way", Standing::Found),
         ("resistance ahead", Standing::Recalled),
         ("resistance astern", Standing::Assumed),
-        ("cross-flow drag", Standing::Recalled),
-        ("wake", Standing::Recalled),
-        ("thrust deduction", Standing::Recalled),
-        ("lift gradient of the rudder", Standing::Recalled),
+        ("cross-flow drag", Standing::Found),
+        ("wake", Standing::Found),
+        ("thrust deduction", Standing::Found),
+        ("lift gradient of the rudder", Standing::Found),
         ("wake in a turn", Standing::Derived),
         ("flow straightening", Standing::Found),
         ("rudder and hull", Standing::Found),

@@ -2,7 +2,8 @@
 //! that reproduces it, imorules.com, not in IMO's own print).
 //!
 //! They are for ships of 100 m and more, and chemical tankers and gas carriers of any length, at full load
-//! on an even keel, at the test speed, in deep and sheltered water; that part is recalled.
+//! on an even keel, at the test speed, in sheltered water of more than four draughts (MSC/Circ.1053, 2.1, likewise); the
+//! kinds of ships are recalled.
 
 /// Advance at 90° with the rudder hard over [L].
 pub(super) const ADVANCE: f64 = 4.5;

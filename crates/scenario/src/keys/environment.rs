@@ -115,7 +115,7 @@ static CONSTITUENT: TableSpec = TableSpec {
             "period",
             Kind::Quantity(Quantity { measure: &unit::TIME, low: 60.0, high: 1e9 }),
             Refused,
-            "Period; 12.4206 h is that of M2 (recalled).",
+            "Period; 12.4206 h is that of M2.",
             &["\"12.4206 h\""],
         ),
         key(

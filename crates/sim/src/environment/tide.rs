@@ -29,7 +29,7 @@ pub enum Tide {
 pub struct TideConstituent {
     /// Amplitude [m].
     pub amplitude_m: f64,
-    /// Period [s]; 44 714 s for M2 (12.4206 h, recalled).
+    /// Period [s]; 44 714 s for M2 (12.4206012 h, as programs for tides list it).
     pub period_s: f64,
     /// Phase lag at t = 0 [rad].
     pub lag_rad: f64,

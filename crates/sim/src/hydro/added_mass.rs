@@ -1,7 +1,7 @@
 //! Added mass in surge, sway and yaw from main particulars.
 //!
 //! Everything here is an estimate, to be shown as such. Clarke's formula was read in a public toolbox; the
-//! regression on Motora's charts is recalled. Both are held against potential flow by `fenderline validate`
+//! regression on Motora's charts in public programs. Both are held against potential flow by `fenderline validate`
 //! (validation/added_mass.toml).
 
 use std::f64::consts::PI;
@@ -40,7 +40,8 @@ impl AddedMass {
     }
 }
 
-/// Regression of Zhou, Sheng & Feng (1983) on Motora's charts, as it is handed on: recalled, no print was read.
+/// Regression of Zhou, Sheng & Feng (1983) on Motora's charts, as several public programs have it that agree (sway and
+/// yaw: nikpau/mmgdynamics); no print was read.
 ///
 /// # Errors
 /// [`HydroError::NegativeAddedMass`] where the hull is outside the charts.

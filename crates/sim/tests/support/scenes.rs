@@ -59,7 +59,7 @@ fn mirrored(half: &[(f64, f64)]) -> Outline {
     outline(&half.iter().map(|&(x, y)| vec2(x, y)).chain(port).collect::<Vec<_>>())
 }
 
-/// A cone fender's curve (fenders.md), of a height and a rated reaction.
+/// A cone fender's curve (fenders/cone.toml), of a height and a rated reaction.
 pub(crate) fn cone(height_m: f64, rated_reaction_n: f64) -> FenderLaw {
     let reactions =
         [0.0, 0.20, 0.39, 0.58, 0.76, 0.90, 0.98, 1.00, 0.98, 0.94, 0.90, 0.88, 0.88, 0.90, 0.96];

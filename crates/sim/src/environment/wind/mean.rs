@@ -26,14 +26,15 @@ pub struct MeanWind {
 pub enum WindProfile {
     /// The same at every height.
     Uniform,
-    /// U(z) = U₁₀ (z/10)^exponent; 1/7 is customary, 0.11 to 0.14 over the open sea (recalled).
+    /// U(z) = U₁₀ (z/10)^exponent; 1/7 is customary on land. Over open water 0.10 in neutral air, 0.06 where it is unstable,
+    /// 0.27 where it is stable (Hellmann's exponents as the library pvlib lists them).
     Power {
         /// Exponent.
         exponent: f64,
     },
-    /// U(z) = U₁₀ ln(z/z₀)/ln(10/z₀), the logarithmic law (textbooks; recalled).
+    /// U(z) = U₁₀ ln(z/z₀)/ln(10/z₀), the logarithmic law.
     Logarithmic {
-        /// z₀ [m]; 0.0002 m over open sea (recalled).
+        /// z₀ [m]; 0.0002 m over open sea (class 1 of Davenport and Wieringa, read in the crate wind-profile).
         roughness_m: f64,
     },
 }

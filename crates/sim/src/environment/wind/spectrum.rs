@@ -20,8 +20,8 @@ pub enum GustSpectrum {
     },
     /// Ochi & Shin 1988, over the sea: f S/u*² = 583f*, 420f*^0.70/(1+f*^0.35)^11.5 or
     /// 838f*/(1+f*^0.35)^11.5, up to f* = 0.003, 0.1 and beyond; u*² = C₁₀U². Source: found (the same) for
-    /// the three branches, which meet at their ends; f* = 10 m·f/U is recalled (that code leaves the 10 m
-    /// out).
+    /// the three branches, which meet at their ends; f* = 10 m·f/U in a second public code (the library leaves the
+    /// 10 m out), which has the branches' ends there.
     OchiShin {
         /// C₁₀, 0.0005 to 0.05; [`surface_drag`].
         surface_drag: f64,

@@ -4,14 +4,14 @@
 //!
 //! | what | by | standing |
 //! |---|---|---|
-//! | added mass | Zhou's regression | *recalled* |
+//! | added mass | Zhou's regression | found in public programs |
 //! | hull under way, rudder and hull | [`Route`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, signs by KCS and KVLCC2 |
 //! | hull of any other vessel | [`Route`]: Clarke, Gedling & Hine (1983) with cross-flow drag | found in a public toolbox |
-//! | cross-flow drag | Hoerner's midship section | *recalled* |
+//! | cross-flow drag | Hoerner's midship section | found in a public toolbox |
 //! | resistance | C_T = 0.004 on Mumford's wetted surface; astern as Esso Osaka | *recalled* |
-//! | wake, thrust deduction | w = 0.5 Cb − 0.05 (Taylor), t = 0.6 w | *recalled* |
+//! | wake, thrust deduction | w = 0.5 Cb − 0.05 (Taylor), t = 0.6 w | found in public programs |
 //! | propeller | Wageningen B4-70 | as [`super::Propeller`] |
-//! | rudder | f_α = 6.13Λ/(2.25 + Λ) | *recalled* |
+//! | rudder | f_α = 6.13Λ/(2.25 + Λ) | found in public programs |
 //!
 //! `fenderline validate` holds both routes against six ships, measure by measure (`validation/estimated_ships.toml`).
 
@@ -101,8 +101,8 @@ fn added_mass(ship: &Particulars, all: &mut Vec<Source>) -> Result<AddedMass, Hy
             Figure::of("m_y/m", added.sway_m3 / ship.volume_m3, ""),
             Figure::of("J_z/I_z", added.yaw_m5 / ship.yaw_inertia_m5(), ""),
         ],
-        "regression of Zhou, Sheng & Feng on Motora's charts",
-        Standing::Recalled,
+        "regression of Zhou, Sheng & Feng on Motora's charts, as in public programs",
+        Standing::Found,
     ));
     Ok(added)
 }
@@ -138,7 +138,7 @@ fn hull(
             "cross-flow drag",
             vec![Figure::of("C_D", hull.low_speed.cross_flow.drag_coefficient, "")],
             "Hoerner's drag of the midship section as in Fossen's MSS toolbox; the yaw rate counts as it is",
-            Standing::Recalled,
+            Standing::Found,
         ));
     }
     hull

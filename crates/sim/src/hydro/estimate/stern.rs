@@ -144,15 +144,15 @@ pub(super) fn propulsion(
         all.push(told(
             "propeller, and its torque",
             figures,
-            "Wageningen B4-70, Roddy et al. (2006), from a transcription",
-            Standing::Recalled,
+            "Wageningen B4-70, Roddy et al. (2006), from a public transcription",
+            Standing::Found,
         ));
     } else {
         all.push(told(
             "propeller outside its first quadrant, and its torque",
             Vec::new(),
-            "Wageningen B4-70 of the nearest pitch, Roddy et al. (2006), from a transcription",
-            Standing::Recalled,
+            "Wageningen B4-70 of the nearest pitch, Roddy et al. (2006), from a public transcription",
+            Standing::Found,
         ));
     }
     let mut missing = Missing { all };
@@ -161,7 +161,7 @@ pub(super) fn propulsion(
         own.wake,
         ("wake", "w"),
         taylor,
-        ("w = 0.5 Cb − 0.05, Taylor", Standing::Recalled),
+        ("w = 0.5 Cb − 0.05, Taylor, as in public programs", Standing::Found),
     );
     let usual = Interaction::by(route, ship, wake);
     let by = usual.source;
@@ -176,7 +176,7 @@ pub(super) fn propulsion(
         own.thrust_deduction,
         ("thrust deduction", "t"),
         0.6 * wake,
-        ("t = 0.6 w", Standing::Recalled),
+        ("t = 0.6 w, as in public programs", Standing::Found),
     );
     let thrust_deduction_astern = missing.number(
         own.thrust_deduction_astern,
@@ -198,7 +198,7 @@ pub(super) fn propulsion(
             own.lift_gradient,
             ("lift gradient of the rudder", "f_α"),
             fujii,
-            ("6.13 Λ/(2.25 + Λ), Fujii", Standing::Recalled),
+            ("6.13 Λ/(2.25 + Λ), Fujii, as in public programs", Standing::Found),
         ),
         propeller_to_span: gear.propeller_to_span.min(1.0),
         wake_ratio: missing.number(
