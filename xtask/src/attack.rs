@@ -26,7 +26,12 @@ enum Kind {
     /// A test of a package, by its file and the start of its name.
     Test { package: &'static str, file: &'static str, test: &'static str },
     /// The same for a test that is told how many: so many a second by each key, on a machine as slow as ours.
-    Counted { package: &'static str, file: &'static str, counts: &'static [(&'static str, u64)] },
+    Counted {
+        package: &'static str,
+        file: &'static str,
+        tests: &'static [&'static str],
+        counts: &'static [(&'static str, u64)],
+    },
     /// The live server with steering and hostile clients.
     LiveLoad,
     /// The fuzz targets.
@@ -37,7 +42,7 @@ const fn test(package: &'static str, file: &'static str, test: &'static str) -> 
     Kind::Test { package, file, test }
 }
 
-const PARTS: [Part; 8] = [
+const PARTS: [Part; 9] = [
     Part {
         name: "files",
         what: "scenarios with something changed, checked and run",
@@ -49,11 +54,22 @@ const PARTS: [Part; 8] = [
         attack: test("fenderline", "attack_files", "what_is_no_file"),
     },
     Part {
+        name: "one-folder",
+        what: "eight runs at once into one folder, on slowed files",
+        attack: Kind::Counted {
+            package: "fenderline",
+            file: "one_folder",
+            tests: &["of_eight_runs"],
+            counts: &[("FENDERLINE_ROUNDS", 1)],
+        },
+    },
+    Part {
         name: "recordings",
         what: "recordings damaged and forged, in memory",
         attack: Kind::Counted {
             package: "fenderline-live",
             file: "recordings",
+            tests: &["damaged", "forged", "absurd"],
             counts: &[("FENDERLINE_DAMAGED", 2000), ("FENDERLINE_FORGED", 200)],
         },
     },
@@ -63,6 +79,7 @@ const PARTS: [Part; 8] = [
         attack: Kind::Counted {
             package: "fenderline",
             file: "recordings",
+            tests: &["damaged", "forged", "absurd"],
             counts: &[("FENDERLINE_DAMAGED_FILES", 40)],
         },
     },
@@ -139,9 +156,9 @@ fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
             command.env("FENDERLINE_ATTACK_SECONDS", seconds.to_string());
             run(command.env("FENDERLINE_ATTACK_SEED", seed.to_string()))
         }
-        Kind::Counted { package, file, counts } => {
+        Kind::Counted { package, file, tests, counts } => {
             let mut command = cargo(["test", "--quiet", "--package", package, "--test", file]);
-            command.args(["--", "--nocapture", "damaged", "forged", "absurd"]);
+            command.args(["--", "--nocapture"]).args(tests);
             for (key, a_second) in counts {
                 command.env(key, (a_second * seconds).to_string());
             }

@@ -1,6 +1,7 @@
 //! `fenderline check` and `fenderline schema`.
 
 use clap::ValueEnum;
+use fenderline_scenario::printable_number;
 use fenderline_sim::Simulation;
 
 use crate::cli::CheckArgs;
@@ -8,7 +9,7 @@ use crate::failure::Failure;
 use crate::load::load;
 use crate::plot::counted;
 use crate::run::error;
-use crate::terminal::{say, tell};
+use crate::terminal::{say, say_json, tell};
 use crate::vessels::estimates;
 
 /// Checks a scenario as `run` would, and writes nothing.
@@ -28,7 +29,7 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         counted(setup.bodies.len() as u64, "body", "bodies"),
         counted(setup.pairs.len() as u64, "pair", "pairs"),
         counted(simulation.steps_total(), "step", "steps"),
-        setup.step_s
+        printable_number(setup.step_s)
     ))?;
     for vessel in &setup.world.vessels {
         say(&estimates(&setup.bodies[vessel.body].name, &vessel.origin))?;
@@ -57,5 +58,5 @@ pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
         SchemaOf::Fenders => fenderline_scenario::fender_schema(),
         SchemaOf::Vessels => fenderline_scenario::vessel_schema(),
     };
-    say(&format!("{schema:#}\n"))
+    say_json(&format!("{schema:#}\n"))
 }

@@ -13,7 +13,8 @@ use crate::output::Format;
 
 /// Ship, fender, quay and tug contact: run, check and validate scenarios.
 ///
-/// Exit codes: 0 done, 1 the case failed, 2 bad input.
+/// Exit codes: 0 done, 1 the case failed, 2 bad input, 130 a run that was interrupted by Ctrl-C, with its results so
+/// far.
 #[derive(Debug, Parser)]
 #[command(name = "fenderline", version, propagate_version = true)]
 pub(crate) struct Cli {

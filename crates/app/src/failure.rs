@@ -4,6 +4,9 @@ use core::fmt;
 
 use crate::output::OutputError;
 
+/// The exit code of a run that was interrupted.
+pub(crate) const INTERRUPTED: u8 = 130;
+
 /// The end of a command that did not succeed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Failure {
@@ -11,6 +14,8 @@ pub(crate) enum Failure {
     Input(String),
     /// The input is good and the case failed: exit code 1.
     Case(String),
+    /// The user interrupted it; what there is was written: exit code 130, as of a program that SIGINT ended.
+    Interrupted,
     /// Who reads our output has gone, as `head` does: no failure of ours, exit code 0.
     ReaderGone,
 }
@@ -31,6 +36,7 @@ impl Failure {
         match self {
             Failure::Input(_) => 2,
             Failure::Case(_) => 1,
+            Failure::Interrupted => INTERRUPTED,
             Failure::ReaderGone => 0,
         }
     }
@@ -39,13 +45,13 @@ impl Failure {
     pub(crate) fn message(&self) -> Option<&str> {
         match self {
             Failure::Input(text) | Failure::Case(text) => Some(text),
-            Failure::ReaderGone => None,
+            Failure::Interrupted | Failure::ReaderGone => None,
         }
     }
 }
 
 impl From<OutputError> for Failure {
     fn from(error: OutputError) -> Failure {
-        Failure::case(error)
+        if error.is_refused() { Failure::input(error) } else { Failure::case(error) }
     }
 }

@@ -1,7 +1,6 @@
 //! `fenderline fender fit`: curves of a test bench, a catalogue or a finite-element analysis to a fender file.
 
 use core::fmt::Write as _;
-use std::fs;
 
 use fenderline_scenario::{
     FenderCurves, FenderLibrary, FitOptions, FittedFender, LoadingCurve, Standing, read_text,
@@ -10,6 +9,7 @@ use maud::html;
 
 use crate::cli::{FenderCommand, FitArgs, FitStanding};
 use crate::failure::Failure;
+use crate::output::write_whole;
 use crate::plot::{Axis, Chart, Point, Series, fixed, page};
 use crate::terminal::say;
 
@@ -37,14 +37,9 @@ fn fit(args: &FitArgs) -> Result<(), Failure> {
     let toml = fitted.to_toml();
     let out = args.out.display().to_string();
     FenderLibrary::built_in().with_file(&toml, &out).map_err(Failure::input)?;
-    let write = |path: &std::path::Path, text: &str| {
-        fs::write(path, text).map_err(|why| {
-            Failure::case(format_args!("error: cannot write {}: {why}", path.display()))
-        })
-    };
-    write(&args.out, &toml)?;
+    write_whole(&args.out, toml.as_bytes())?;
     if let Some(path) = &args.plot {
-        write(path, &plotted(&fitted, args))?;
+        write_whole(path, plotted(&fitted, args).as_bytes())?;
     }
     say(&printed(&fitted, &out))
 }

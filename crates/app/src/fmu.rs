@@ -9,6 +9,7 @@ use fenderline_scenario::read_bytes;
 use crate::cli::{FmiVersion, FmuArgs, FmuKind};
 use crate::failure::Failure;
 use crate::load::load;
+use crate::output::write_whole;
 use crate::terminal::{say, tell};
 
 /// Libraries above this size are not read; ours has about 10 MiB, some 100 with debug information [bytes].
@@ -41,9 +42,9 @@ pub(crate) fn fmu(args: &FmuArgs) -> Result<(), Failure> {
     let library_path = library(args.library.as_deref())?;
     let library = read(&library_path)?;
     let packed = pack(&plan, fmi, &stem, &library).map_err(Failure::case)?;
-    write(&args.out, &packed.fmu)?;
+    write_whole(&args.out, &packed.fmu)?;
     let osp_path = args.out.with_file_name(&packed.osp_name);
-    write(&osp_path, packed.osp.as_bytes())?;
+    write_whole(&osp_path, packed.osp.as_bytes())?;
     say(&format!(
         "{}: {} of \"{}\", FMI {}, {} variables, {} KiB\n{}: its groups of variables, for OSP\n",
         args.out.display(),
@@ -83,12 +84,4 @@ fn library(told: Option<&Path>) -> Result<PathBuf, Failure> {
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     read_bytes(path, LARGEST_LIBRARY)
         .map_err(|e| Failure::case(format_args!("error: cannot read {e}")))
-}
-
-/// Complete or absent.
-fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let error = |e| Failure::case(format_args!("error: cannot write {}: {e}", path.display()));
-    let part = path.with_added_extension("part");
-    fs::write(&part, bytes).map_err(error)?;
-    fs::rename(&part, path).map_err(error)
 }

@@ -1,7 +1,7 @@
 //! fenderline: contact of ships, fenders, quays and tugs from a scenario file.
 //!
 //! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre`, `vessels`, `fender` and `fmu` are the commands;
-//! `load` reads a scenario;
+//! `load` reads a scenario; `interrupt` hears Ctrl-C;
 //! `output` writes the result files, `report` the page, with the charts of `plot`; `verdict` is
 //! what both say of a fender, `world` of vessels, tugs and lines; `provider` speaks with other
 //! programs that put forces on bodies.
@@ -11,6 +11,7 @@ mod cli;
 mod failure;
 mod fender;
 mod fmu;
+mod interrupt;
 mod load;
 mod manoeuvre;
 mod output;
@@ -26,9 +27,11 @@ mod verdict;
 mod vessels;
 mod world;
 
+use std::borrow::Cow;
 use std::process::ExitCode;
 
 use clap::Parser as _;
+use fenderline_scenario::printable_text;
 
 use cli::{Cli, Command};
 
@@ -37,7 +40,14 @@ fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(e) => {
             // Help and version come this way too, with exit code 0; wrong usage has 2.
-            let _ = e.print();
+            let plain = e.render().to_string();
+            match printable_text(&plain) {
+                // In colours, where the terminal has them.
+                Cow::Borrowed(_) => {
+                    let _ = e.print();
+                }
+                Cow::Owned(fit_to_print) => terminal::tell(&fit_to_print),
+            }
             return ExitCode::from(u8::try_from(e.exit_code()).unwrap_or(2));
         }
     };

@@ -11,9 +11,10 @@ use fenderline_sim::{FenderSummary, Simulation, StepRecord};
 
 use crate::cli::RunArgs;
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
 use crate::load::load;
 use crate::output::{
-    Events, Folder, Outcome, Tables, integrator_text, method_text, publish, summary,
+    Events, Folder, Interrupted, Outcome, Tables, integrator_text, method_text, publish, summary,
 };
 use crate::progress::Progress;
 use crate::provider::{ProviderNotices, Providers};
@@ -28,7 +29,8 @@ use crate::world::WorldTotals;
 /// for a script that wants to stop at it.
 ///
 /// # Errors
-/// Bad input; a simulation or a file that failed, in which case no result file is left.
+/// Bad input; a simulation or a file that failed, in which case no result file is left. A run that was interrupted,
+/// whose files are complete up to there and say so.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let scenario = load(&args.scenario, &args.changes)?;
     for notice in &scenario.notices {
@@ -37,6 +39,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
     let Scenario { title, setup, .. } = scenario;
     let mut simulation = Simulation::new(setup).map_err(error)?;
+    let interrupt = Interrupt::listen();
     let folder_path = args.out.clone().unwrap_or_else(|| default_folder(&args.scenario));
     let folder = Folder::open(&folder_path)?;
     let facts = facts(&title, &simulation);
@@ -58,7 +61,11 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
             world.add(step);
             Ok(())
         },
+        || interrupt.is_asked(),
     )?;
+    // Nobody has to wait for the others' programs while the files are written.
+    drop(providers);
+    let interrupted = (!simulation.is_done()).then(|| Interrupted::of(&simulation));
 
     let fenders: Vec<FenderSummary> = simulation.fender_summaries().cloned().collect();
     let outcome = Outcome {
@@ -66,7 +73,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         scenario_file: &file_name(&args.scenario),
         setup: simulation.setup(),
         notices: &notices,
-        steps: simulation.steps_total(),
+        steps: simulation.steps_taken(),
+        interrupted,
         states: simulation.states(),
         pairs: simulation.pair_summaries(),
         energy: simulation.energy(),
@@ -81,11 +89,12 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let report = report::render(&outcome, &recorder);
     let tables = tables.finish()?;
     publish(folder, tables, &report, &summary)?;
-    say(&printed::summary(&outcome, &folder_path, &files))
+    say(&printed::summary(&outcome, &folder_path, &files))?;
+    if outcome.interrupted.is_some() { Err(Failure::Interrupted) } else { Ok(()) }
 }
 
-/// Steps `simulation` to its end and shows `each` step; what comes from outside is set `before` each. A bar
-/// shows the progress on a terminal.
+/// Steps `simulation` to its end, or until after a step it `is_stopped`, and shows `each` step; what comes from outside
+/// is set `before` each. A bar shows the progress on a terminal.
 ///
 /// # Errors
 /// A step that the simulation cannot make, or the first error of `each`.
@@ -93,6 +102,7 @@ pub(crate) fn play(
     simulation: &mut Simulation,
     mut before: impl FnMut(&mut Simulation),
     mut each: impl FnMut(&StepRecord<'_>) -> Result<(), Failure>,
+    is_stopped: impl Fn() -> bool,
 ) -> Result<(), Failure> {
     let mut progress = Progress::new(simulation.steps_total());
     while !simulation.is_done() {
@@ -100,6 +110,9 @@ pub(crate) fn play(
         let step = simulation.step().map_err(|e| Failure::case(format_args!("error: {e}")))?;
         each(&step)?;
         progress.advance(step.index + 1);
+        if is_stopped() {
+            break;
+        }
     }
     Ok(())
 }

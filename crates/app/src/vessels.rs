@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 use crate::cli::VesselsArgs;
 use crate::failure::Failure;
 use crate::plot::{fixed, plain};
-use crate::terminal::say;
+use crate::terminal::{say, say_json};
 use crate::validate::{EstimateError, estimate_errors};
 
 /// Lists the vessels, or tells one of them.
@@ -26,7 +26,7 @@ pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
         let all = library.vessels();
         if args.json {
             let all: Vec<Value> = all.iter().map(vessel_json).collect();
-            return say(&format!("{:#}\n", json!(all)));
+            return say_json(&format!("{:#}\n", json!(all)));
         }
         return say(&all.iter().map(line).collect::<String>());
     };
@@ -36,7 +36,7 @@ pub(crate) fn vessels(args: &VesselsArgs) -> Result<(), Failure> {
     }
     let mut json = vessel_json(vessel);
     json["wave_drift"] = drift_json(&drift(vessel));
-    say(&format!("{json:#}\n"))
+    say_json(&format!("{json:#}\n"))
 }
 
 /// The vessels that the program carries in itself, with those of files.

@@ -22,7 +22,7 @@ fn the_same_scenario_gives_the_same_bytes() {
     let place = with_library("fmu_bytes");
     for kind in ["engine", "simulation"] {
         let first = fmu(&place, &["--kind", kind, "-o", "a/x.fmu"]);
-        assert_eq!(first.code, 1, "there is no folder `a`");
+        assert_eq!(first.code, 2, "there is no folder `a`");
         contains_all(&first.stderr, &["error: cannot write", "x.fmu"]);
         place.write("a/here", b"");
         place.write("b/here", b"");

@@ -117,7 +117,7 @@ fn the_report_is_complete_and_the_same_each_time() {
 fn a_folder_that_cannot_be_made_is_told() {
     let place = Workplace::new("validate_no_folder");
     let run = place.run(&["validate", "--out", "tug.toml"]);
-    assert_eq!(run.code, 1);
+    assert_eq!(run.code, 2);
     assert!(run.stderr.contains("cannot write tug.toml"), "{}", run.stderr);
     assert!(run.stdout.contains("rows within tolerance"), "the table is printed all the same");
 }

@@ -26,6 +26,12 @@ pub struct OutOfChart(pub GeoPoint);
 impl fmt::Display for OutOfChart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let GeoPoint { latitude_deg, longitude_deg } = self.0;
+        // No degrees have so many digits: powers of ten then.
+        let shown = |deg: f64| match deg.abs() < 1e6 {
+            true => format!("{deg}"),
+            false => format!("{deg:e}"),
+        };
+        let [latitude_deg, longitude_deg] = [latitude_deg, longitude_deg].map(shown);
         write!(
             f,
             "{latitude_deg}, {longitude_deg} is no origin of a chart: latitude within 85 degrees, longitude within 180"

@@ -80,8 +80,8 @@ pub(crate) fn setup(
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines =
         assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
-    let afloat = Afloat { bodies: &bodies, fenders: &fenders, pairs: &pairs, lines: &lines };
-    let known = WorldNames { vessels: &vessels, tugs: &tugs, afloat };
+    let afloat = Afloat::new(&bodies, &fenders, &pairs, &lines);
+    let known = WorldNames::new(&vessels, &tugs, afloat);
     let orders = assembly.orders(file.given("order").list(), &known, &names)?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
     let berthing = file.item("berthing").map(Item::table);
@@ -108,15 +108,10 @@ pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Chec
     let (files, mut notices) = (Files::default(), Vec::new());
     let assembly = Assembly { sources, files: &files, notices: &mut notices };
     let names = Names::new(&setup.bodies, &setup.materials);
-    let pairs = Pairs { named: setup.pairs.clone(), every_other: setup.every_other_pair };
+    let pairs = Pairs::new(setup.pairs.clone(), setup.every_other_pair);
     let world = &setup.world;
-    let afloat = Afloat {
-        bodies: &setup.bodies,
-        fenders: &setup.fenders,
-        pairs: &pairs,
-        lines: &world.lines,
-    };
-    let known = WorldNames { vessels: &world.vessels, tugs: &world.tugs, afloat };
+    let afloat = Afloat::new(&setup.bodies, &setup.fenders, &pairs, &world.lines);
+    let known = WorldNames::new(&world.vessels, &world.tugs, afloat);
     assembly.order(table, &known, &names)
 }
 
@@ -156,6 +151,24 @@ struct FenderParts<'p> {
 struct Pairs {
     named: Vec<PairSetup>,
     every_other: Option<usize>,
+    /// The bodies of the named ones, the lower index first.
+    touching: BTreeSet<[usize; 2]>,
+}
+
+impl Pairs {
+    fn new(named: Vec<PairSetup>, every_other: Option<usize>) -> Pairs {
+        let touching = named.iter().map(|pair| ordered(pair.bodies)).collect();
+        Pairs { named, every_other, touching }
+    }
+
+    /// Whether two bodies can touch each other.
+    fn may_touch(&self, bodies: [usize; 2]) -> bool {
+        self.every_other.is_some() || self.touching.contains(&ordered(bodies))
+    }
+}
+
+fn ordered([one, other]: [usize; 2]) -> [usize; 2] {
+    [one.min(other), one.max(other)]
 }
 
 struct Assembly<'s, 'a> {
@@ -221,7 +234,7 @@ impl Assembly<'_, '_> {
         })
     }
 
-    fn bodies(&mut self, item: &Item, kinds: &[(String, vessel::Kind)]) -> Checked<Vec<BodySetup>> {
+    fn bodies(&mut self, item: &Item, kinds: &vessel::Kinds) -> Checked<Vec<BodySetup>> {
         let bodies = item.named();
         if bodies.is_empty() {
             let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
@@ -230,13 +243,8 @@ impl Assembly<'_, '_> {
         bodies.iter().map(|(name, table)| self.body(name, table, kinds)).collect()
     }
 
-    fn body(
-        &mut self,
-        name: &str,
-        table: &Table,
-        kinds: &[(String, vessel::Kind)],
-    ) -> Checked<BodySetup> {
-        let kind = table.item("vessel").map(|item| vessel::kind_named(item, kinds));
+    fn body(&mut self, name: &str, table: &Table, kinds: &vessel::Kinds) -> Checked<BodySetup> {
+        let kind = table.item("vessel").map(|item| kinds.named(item));
         let outline = self.outline(table, kind)?;
         let mass = if *table.given("fixed").flag() {
             self.refuse_keys_of_floating_bodies(table)?;
@@ -275,9 +283,8 @@ impl Assembly<'_, '_> {
         };
         let (outline, outline_notices) = Outline::new(&points)
             .map_err(|error| self.sources.error(span, &path, format!("`{path}`: {error}")))?;
-        let place = self.sources.place(span);
         self.notices.extend(outline_notices.iter().map(|notice| Notice {
-            place: place.clone(),
+            place: self.sources.place(span),
             key: path.clone(),
             message: notice.to_string(),
         }));
@@ -291,6 +298,7 @@ impl Assembly<'_, '_> {
                     "it is {} m by {} m, but her vessel is {length_m} m by {beam_m} m",
                     size.x, size.y
                 );
+                let place = self.sources.place(span);
                 self.notices.push(Notice { place, key: path, message });
             }
         }
@@ -368,8 +376,7 @@ impl Assembly<'_, '_> {
     }
 
     fn pairs(&self, pairs: &[Table], bodies: &[BodySetup], names: &Names) -> Checked<Pairs> {
-        let mut read = Pairs { named: Vec::with_capacity(pairs.len()), every_other: None };
-        let mut seen = BTreeSet::new();
+        let mut read = Pairs::new(Vec::with_capacity(pairs.len()), None);
         for table in pairs {
             let item = table.given("bodies");
             let material_item = table.given("material");
@@ -382,7 +389,7 @@ impl Assembly<'_, '_> {
                 continue;
             }
             let [one, other] = self.two_bodies(table, item, bodies, names)?;
-            if !seen.insert([one.min(other), one.max(other)]) {
+            if !read.touching.insert(ordered([one, other])) {
                 let message = format!(
                     "the pair of {} and {} is given twice",
                     quoted(&two[0]),
@@ -493,7 +500,10 @@ impl Assembly<'_, '_> {
             error.with_help(match nearest(name, known.keys().map(String::as_str)) {
                 Some(near) => format!("did you mean \"{near}\"?"),
                 None if known.is_empty() => format!("the scenario has no {kinds}"),
-                None => format!("the scenario has the {kinds} {}", listed(known.keys())),
+                None => format!(
+                    "the scenario has the {kinds} {}",
+                    listed(known.keys().map(String::as_str))
+                ),
             })
         })
     }
@@ -561,9 +571,9 @@ fn velocity(item: &Item) -> BodyVelocity {
 }
 
 /// The first few names, in quotes.
-fn listed<'n>(names: impl ExactSizeIterator<Item = &'n String>) -> String {
+fn listed<'n>(names: impl Iterator<Item = &'n str> + Clone) -> String {
     const SHOWN: usize = 8;
-    let left_out = names.len().saturating_sub(SHOWN);
-    let shown = names.take(SHOWN).map(|name| quoted(name)).collect::<Vec<_>>().join(", ");
+    let left_out = names.clone().count().saturating_sub(SHOWN);
+    let shown = names.take(SHOWN).map(quoted).collect::<Vec<_>>().join(", ");
     if left_out == 0 { shown } else { format!("{shown} and {left_out} more") }
 }

@@ -119,17 +119,30 @@ pub fn read_text_of(path: &Path, largest_bytes: u64) -> Result<String, FileError
     })
 }
 
-/// How files are opened whose names come from others: no pipe, device or terminal makes the opening wait, and
-/// no terminal becomes the program's own.
+/// How files are opened to be read whose names come from others: no pipe, device or terminal makes the opening
+/// wait, and no terminal becomes the program's own.
+fn without_waiting() -> OpenOptions {
+    with_flags(
+        #[cfg(unix)]
+        (libc::O_NONBLOCK | libc::O_NOCTTY),
+    )
+}
+
+/// How files are opened to be written that may have been put there by others: as those to be read, and a symbolic
+/// link is not followed but an error.
 #[must_use]
-pub fn without_waiting() -> OpenOptions {
+pub fn without_following() -> OpenOptions {
+    with_flags(
+        #[cfg(unix)]
+        (libc::O_NONBLOCK | libc::O_NOCTTY | libc::O_NOFOLLOW),
+    )
+}
+
+fn with_flags(#[cfg(unix)] flags: i32) -> OpenOptions {
     #[cfg_attr(not(unix), expect(unused_mut, reason = "only unix has flags to set"))]
     let mut options = OpenOptions::new();
     #[cfg(unix)]
-    {
-        use std::os::unix::fs::OpenOptionsExt as _;
-        options.custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY);
-    }
+    std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, flags);
     options
 }
 

@@ -2,6 +2,7 @@
 //! Empty lines and lines that begin with `#` are left out. Every mistake is an error at its line.
 
 use crate::error::ScenarioError;
+use crate::printable::printable_number as shown;
 use crate::sources::{Sources, Span, quoted};
 use crate::suggest::nearest;
 
@@ -44,7 +45,7 @@ impl<'a> Csv<'a> {
         key: &'a str,
         known: &[&str],
     ) -> Read<Csv<'a>> {
-        let sources = Sources { file_name, text, overrides: &[] };
+        let sources = Sources::new(file_name, text, &[]);
         let mut lines = lines(text);
         let Some((header, cells)) = lines.next() else {
             let error = sources.file_error("the file has no header line");
@@ -138,7 +139,12 @@ impl<'a> Csv<'a> {
         Err(self.cell_error(
             row,
             column,
-            format!("`{name}` must be between {low} and {high}, but is {number}"),
+            format!(
+                "`{name}` must be between {} and {}, but is {}",
+                shown(low),
+                shown(high),
+                shown(number)
+            ),
         ))
     }
 
@@ -201,7 +207,7 @@ impl<'a> Csv<'a> {
     fn place(&self, columns: &[usize], value: impl Fn(usize) -> f64) -> String {
         let named = columns.iter().enumerate();
         let named: Vec<String> = named
-            .map(|(axis, column)| format!("{} = {}", self.columns[*column], value(axis)))
+            .map(|(axis, column)| format!("{} = {}", self.columns[*column], shown(value(axis))))
             .collect();
         match named.is_empty() {
             true => "all of it".to_owned(),
@@ -213,7 +219,9 @@ impl<'a> Csv<'a> {
 /// The lines that say something, each with its cells.
 fn lines(text: &str) -> impl Iterator<Item = (Span, Vec<(&str, Span)>)> {
     let mut start = 0;
-    let all = text.split_inclusive('\n').map(move |line| {
+    // Lines end with LF, with CR LF, or with CR alone, as old spreadsheets write them: the empty line between CR and LF
+    // says nothing.
+    let all = text.split_inclusive(['\n', '\r']).map(move |line| {
         let from = start;
         start += line.len();
         (from, line.trim_end_matches(['\n', '\r']))
@@ -254,6 +262,19 @@ mod tests {
         assert_eq!(grid.axes, [vec![0.0, 1.0], vec![10.0, 20.0]]);
         assert_eq!(grid.rows, [3, 1, 0, 2]);
         assert_eq!(csv.grid(&[]).unwrap_err().line(), Some(5), "all rows are one place");
+    }
+
+    #[test]
+    fn lines_may_end_with_a_carriage_return_alone() {
+        let csv =
+            Csv::parse("# old\ra,b,c\r1,2,3\r4,5,6\r", "f.csv", "key", &["a", "b", "c"]).unwrap();
+        assert_eq!(csv.len(), 2);
+        assert_eq!(csv.number(1, 2, [0.0, 9.0]), Ok(6.0));
+        let said = refused("a,b,c\r1,2,3\r4,x,6\r");
+        assert!(said.contains("f.csv:3:3") && said.contains("4,x,6"), "{said}");
+        assert!(!said.contains("1,2,3"), "{said}");
+        let said = refused("a,b,c\r\n1,2,3\r\n4,x,6\r\n");
+        assert!(said.contains("f.csv:3:3"), "{said}");
     }
 
     #[test]

@@ -119,13 +119,13 @@ impl fmt::Display for ScenarioError {
         let Content { place, message, help, snippet, .. } = &*self.0;
         let line = self.line().map_or(String::new(), |line| line.to_string());
         let indent = " ".repeat(line.len().max(1));
-        write!(f, "error: {message}\n{indent}--> {place}")?;
+        write!(f, "error: {}\n{indent}--> {place}", printable_line(message))?;
         if let Some(Snippet { line: text, before, marked }) = snippet {
             let (space, marks) = (" ".repeat(*before), "^".repeat(*marked));
             write!(f, "\n{indent} |\n{line} | {text}\n{indent} | {space}{marks}")?;
         }
         if let Some(help) = help {
-            write!(f, "\n{indent} = help: {help}")?;
+            write!(f, "\n{indent} = help: {}", printable_line(help))?;
         }
         Ok(())
     }
@@ -153,6 +153,7 @@ pub struct Notice {
 
 impl fmt::Display for Notice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: `{}`: {}", self.place, self.key, self.message)
+        let (key, message) = (printable_line(&self.key), printable_line(&self.message));
+        write!(f, "{}: `{key}`: {message}", self.place)
     }
 }

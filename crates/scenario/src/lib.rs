@@ -65,6 +65,7 @@ mod key_path;
 mod keys;
 mod library;
 mod load;
+mod nesting;
 mod order;
 mod overrides;
 mod printable;
@@ -79,7 +80,7 @@ mod units;
 mod vessels;
 
 pub use bounded_file::{
-    FileError, FileFault, irregular, open_regular, read_bytes, read_text_of, without_waiting,
+    FileError, FileFault, irregular, open_regular, read_bytes, read_text_of, without_following,
 };
 pub use error::{Notice, Place, ScenarioError};
 pub use fenderline_sim::hydro::vessels::Standing;
@@ -91,7 +92,7 @@ pub use library::{
 pub use load::{LoadError, read_text};
 pub use order::order;
 pub use overrides::Override;
-pub use printable::{printable_line, printable_text};
+pub use printable::{escaped_json, printable_line, printable_number, printable_text};
 pub use scenario::Scenario;
 pub use schema::{fender_schema, schema, vessel_schema};
 pub use vessels::{Belting, DeckPoint, Shaft, Stability, VesselData, VesselLibrary};

@@ -26,7 +26,7 @@ use crate::syntax;
 /// # Errors
 /// The first mistake found, as in a scenario.
 pub fn order(text: &str, name: &str, setup: &Setup) -> Result<Order, ScenarioError> {
-    let sources = Sources { file_name: name, text, overrides: &[] };
+    let sources = Sources::new(name, text, &[]);
     let document = syntax::parse(&sources)?;
     let end = text.trim_end().len();
     let table = reader::table(&sources, &ORDER, "order", end..end, &document)?;

@@ -64,7 +64,7 @@ impl Scenario {
         overrides: &[Override],
         read: &mut dyn FnMut(&str) -> Result<String, String>,
     ) -> Result<Scenario, ScenarioError> {
-        let sources = Sources { file_name, text, overrides };
+        let sources = Sources::new(file_name, text, overrides);
         let mut document = syntax::parse(&sources)?;
         overrides::apply(&sources, &mut document)?;
         // What the file as a whole lacks is lacking at its end.

@@ -1,6 +1,7 @@
 //! The texts that a scenario comes from, as one line of positions: the file first, then one position
 //! for each override. Every span in the merged document says by its start which of them it is from.
 
+use core::cell::OnceCell;
 use core::ops::Range;
 
 use crate::error::{Place, ScenarioError, Snippet};
@@ -11,11 +12,53 @@ use crate::printable::printable_char;
 pub(crate) type Span = Range<usize>;
 
 /// The file and the overrides on top of it.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(crate) struct Sources<'a> {
     pub(crate) file_name: &'a str,
     pub(crate) text: &'a str,
     pub(crate) overrides: &'a [Override],
+    /// Made with the first place that is asked for: a scenario without notices needs none.
+    marks: OnceCell<Vec<Mark>>,
+}
+
+/// A byte of the text whose line and column are known. There is one at the start of each line and one every few
+/// hundred bytes of a long line, so that a place is found by looking through that many bytes, not through the text:
+/// a file with as many notices as lines would else take time as the square of its size.
+#[derive(Clone, Copy, Debug)]
+struct Mark {
+    byte: usize,
+    /// From 0.
+    line: usize,
+    /// From 0, in characters.
+    column: usize,
+}
+
+/// Bytes between two marks of a line, but for the last character.
+const BETWEEN_MARKS: usize = 256;
+
+/// The marks of a text, in one pass.
+fn marks(text: &str) -> Vec<Mark> {
+    let mut marks = vec![Mark { byte: 0, line: 0, column: 0 }];
+    let mut here = marks[0];
+    let mut chars = text.chars().peekable();
+    while let Some(c) = chars.next() {
+        here.byte += c.len_utf8();
+        here.column += 1;
+        // A carriage return alone ends a line too.
+        if c == '\n' || (c == '\r' && chars.peek() != Some(&'\n')) {
+            here = Mark { line: here.line + 1, column: 0, ..here };
+        }
+        if here.column == 0 || here.byte >= marks[marks.len() - 1].byte + BETWEEN_MARKS {
+            marks.push(here);
+        }
+    }
+    marks
+}
+
+impl<'a> Sources<'a> {
+    pub(crate) fn new(file_name: &'a str, text: &'a str, overrides: &'a [Override]) -> Sources<'a> {
+        Sources { file_name, text, overrides, marks: OnceCell::new() }
+    }
 }
 
 impl Sources<'_> {
@@ -30,12 +73,14 @@ impl Sources<'_> {
         if let Some(index) = span.start.checked_sub(self.text.len() + 1) {
             return Place::Option { text: self.overrides[index].shown().to_owned() };
         }
-        let before = &self.text[..self.boundary(span.start)];
-        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let at = self.boundary(span.start);
+        let marks = self.marks.get_or_init(|| marks(self.text));
+        // The first mark is at byte 0, so that one is at or before any place.
+        let mark = marks[marks.partition_point(|mark| mark.byte <= at) - 1];
         Place::File {
             name: self.file_name.to_owned(),
-            line: before.bytes().filter(|byte| *byte == b'\n').count() + 1,
-            column: before[line_start..].chars().count() + 1,
+            line: mark.line + 1,
+            column: mark.column + self.text[mark.byte..at].chars().count() + 1,
         }
     }
 
@@ -71,8 +116,9 @@ impl Sources<'_> {
             return None;
         }
         let (start, end) = (self.boundary(span.start), self.boundary(span.end));
-        let line_start = self.text[..start].rfind('\n').map_or(0, |newline| newline + 1);
-        let line_end = self.text[start..].find('\n').map_or(self.text.len(), |n| start + n);
+        let ends = ['\n', '\r'];
+        let line_start = self.text[..start].rfind(ends).map_or(0, |newline| newline + 1);
+        let line_end = self.text[start..].find(ends).map_or(self.text.len(), |n| start + n);
         let before = &self.text[line_start..start];
         let marked = &self.text[start..end.clamp(start, line_end)];
         let after = &self.text[start + marked.len()..line_end];
@@ -130,7 +176,36 @@ pub(crate) fn quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{cut, quoted};
+    use super::{BETWEEN_MARKS, Sources, cut, marks, quoted};
+    use crate::error::Place;
+
+    #[test]
+    fn a_place_is_that_of_counting_from_the_start() {
+        let long = "x".repeat(BETWEEN_MARKS - 1);
+        let text = format!("a\n\r\nüö{long}大{long}{long}\nlast 👍{long}{long}end");
+        let sources = Sources::new("f", &text, &[]);
+        for (byte, _) in text.char_indices().chain([(text.len(), ' ')]) {
+            let before = &text[..byte];
+            let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+            let place = Place::File {
+                name: "f".to_owned(),
+                line: before.matches('\n').count() + 1,
+                column: before[start..].chars().count() + 1,
+            };
+            assert_eq!(sources.place(&(byte..byte)), place);
+        }
+    }
+
+    #[test]
+    fn no_place_is_found_by_looking_through_the_text() {
+        // Of a text of one line and of one of many: what is looked through for a place is bounded.
+        for text in ["a".repeat(100_000), "大".repeat(50_000), "key = 1\n".repeat(10_000)] {
+            let marks = marks(&text);
+            let longest = marks.windows(2).map(|two| two[1].byte - two[0].byte).max();
+            assert!(longest.is_some_and(|bytes| bytes <= BETWEEN_MARKS + 4), "{longest:?}");
+            assert!(marks.len() <= text.len() / 8 + 2, "{} marks", marks.len());
+        }
+    }
 
     #[test]
     fn long_lines_are_cut_on_both_sides_of_the_mark() {

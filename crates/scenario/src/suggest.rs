@@ -13,11 +13,16 @@ pub(crate) fn nearest<'a>(
     if word.len() > LONGEST {
         return None;
     }
+    // As many candidates as are looked at in a fraction of a second, be they and the word as long as may be.
+    const MOST: usize = 10_000;
     let lower = word.to_lowercase();
-    let allowed = (lower.chars().count() / 3).max(1);
+    let letters = lower.chars().count();
+    let allowed = (letters / 3).max(1);
     candidates
         .into_iter()
         .filter(|candidate| candidate.len() <= LONGEST)
+        .filter(|candidate| candidate.chars().count().abs_diff(letters) <= allowed + 1)
+        .take(MOST)
         .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), candidate))
         .filter(|(distance, candidate)| {
             *distance <= allowed && *distance < candidate.chars().count()

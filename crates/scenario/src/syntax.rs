@@ -3,6 +3,7 @@
 use toml::de::DeTable;
 
 use crate::error::ScenarioError;
+use crate::nesting::too_deep;
 use crate::sources::{Sources, Span, quoted};
 
 /// Largest file that is read at all, in bytes.
@@ -21,15 +22,15 @@ pub(crate) fn parse<'a>(sources: &Sources<'a>) -> Result<DeTable<'a>, ScenarioEr
 
 /// TOML's complaint in this crate's form.
 fn broken(sources: &Sources<'_>, error: &toml::de::Error) -> ScenarioError {
-    let span = error.span().unwrap_or(0..0);
+    let is_too_deep = error.message().contains("recursion");
+    let at = if is_too_deep { too_deep(sources.text) } else { error.span() };
+    let span = at.unwrap_or(0..0);
     let key = enclosing_key(sources.text, span.start);
     if error.message() == "duplicate key" {
         return given_twice(sources, &span, key);
     }
     let message = match error.message() {
-        message if message.contains("recursion") => {
-            "values are nested too deeply for a scenario".to_owned()
-        }
+        _ if is_too_deep => "values are nested too deeply for a scenario".to_owned(),
         message => format!("this is not TOML: {message}"),
     };
     let error = sources.syntax_error(&span, key, message);

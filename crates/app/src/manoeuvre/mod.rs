@@ -22,7 +22,7 @@ use fenderline_sim::hydro::vessels::Vessel;
 
 use crate::cli::ManoeuvreArgs;
 use crate::failure::Failure;
-use crate::terminal::say;
+use crate::terminal::{say, say_json};
 use crate::vessels::{found, library};
 
 pub(crate) use catalogue::ManoeuvreName;
@@ -42,14 +42,13 @@ pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
     let chosen = catalogue::chosen(args.manoeuvre, &vessel, args.speed.is_some())?;
     let conditions = Conditions::checked(args, &vessel, &chosen)?;
     let sections = sections(&vessel, &chosen, &sea, &conditions)?;
-    let text = if args.json {
-        json::text(&args.vessel, &vessel, &sea, &conditions, &sections)
-    } else {
-        printed::text(args.manoeuvre, &chosen, &vessel, &sea, &conditions, &sections)
-    };
     // The tracks first: what is printed is then the last thing that can fail.
     let written = args.out.as_deref().map(|folder| write(folder, &sections)).transpose()?;
-    say(&text)?;
+    if args.json {
+        say_json(&json::text(&args.vessel, &vessel, &sea, &conditions, &sections))?;
+    } else {
+        say(&printed::text(args.manoeuvre, &chosen, &vessel, &sea, &conditions, &sections))?;
+    }
     match (written, args.out.as_deref(), args.json) {
         (Some(names), Some(folder), false) => {
             say(&format!("\nin {}: {}\n", folder.display(), names.join(", ")))

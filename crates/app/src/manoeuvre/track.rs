@@ -1,34 +1,24 @@
 //! Tracks as csv.
 
-use std::fs;
 use std::path::Path;
 
 use super::section::Track;
 use crate::failure::Failure;
+use crate::output::{make_folder, write_whole};
 
 /// Writes each track into `folder`, whole or not at all; returns the files' names.
 ///
 /// # Errors
 /// The file that cannot be written.
 pub(super) fn write(folder: &Path, tracks: &[&Track]) -> Result<Vec<String>, Failure> {
-    fs::create_dir_all(folder).map_err(|e| cannot(folder, &e))?;
+    make_folder(folder)?;
     tracks.iter().map(|track| write_one(folder, track)).collect()
 }
 
 fn write_one(folder: &Path, track: &Track) -> Result<String, Failure> {
     let name = format!("{}.csv", track.name);
-    let (part, whole) = (folder.join(format!("{name}.part")), folder.join(&name));
-    let written = fs::write(&part, text(track)).and_then(|()| fs::rename(&part, &whole));
-    written.map_err(|e| {
-        // Nothing better can be done with a second error.
-        let _ = fs::remove_file(&part);
-        cannot(&whole, &e)
-    })?;
+    write_whole(&folder.join(&name), &text(track))?;
     Ok(name)
-}
-
-fn cannot(path: &Path, error: &dyn core::fmt::Display) -> Failure {
-    Failure::case(format_args!("error: cannot write {}: {error}", path.display()))
 }
 
 fn text(track: &Track) -> Vec<u8> {

@@ -7,21 +7,24 @@
 
 mod csv;
 mod files;
+mod lock;
 mod outcome;
 mod parquet;
 mod part_file;
 mod summary;
 mod tables;
+mod whole_file;
 
 use core::fmt;
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-pub(crate) use outcome::Outcome;
+pub(crate) use outcome::{Interrupted, Outcome};
 pub(crate) use part_file::{Folder, Sealed};
 pub(crate) use summary::{Events, event_text, integrator_text, is_plain, method_text, summary};
 pub(crate) use tables::Tables;
+pub(crate) use whole_file::{make_folder, write_whole};
 
 /// Every file that a run may leave; an earlier run's are removed at the start.
 const RESULT_FILES: [&str; 20] = [
@@ -72,17 +75,29 @@ impl Format {
 pub(crate) struct OutputError {
     file: PathBuf,
     cause: String,
+    /// The place itself cannot be used, as its user named it: bad input and no failed case.
+    is_refused: bool,
 }
 
 impl OutputError {
     fn new(file: &Path, cause: impl fmt::Display) -> OutputError {
-        OutputError { file: file.to_owned(), cause: cause.to_string() }
+        OutputError { file: file.to_owned(), cause: cause.to_string(), is_refused: false }
+    }
+
+    /// A place that cannot be used: bad input.
+    fn refused(file: &Path, cause: impl fmt::Display) -> OutputError {
+        OutputError { is_refused: true, ..OutputError::new(file, cause) }
+    }
+
+    /// Whether the place cannot be used, which is bad input.
+    pub(crate) fn is_refused(&self) -> bool {
+        self.is_refused
     }
 }
 
 impl fmt::Display for OutputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "cannot write {}: {}", self.file.display(), self.cause)
+        write!(f, "error: cannot write {}: {}", self.file.display(), self.cause)
     }
 }
 

@@ -1,21 +1,30 @@
 //! Files that appear complete or not at all.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use fenderline_scenario::without_following;
+
+use super::lock::{Lock, admit};
 use super::{OutputError, RESULT_FILES, SUMMARY};
+
+/// The file whose lock keeps a second run out of a folder: it is never renamed.
+const LOCK: &str = ".fenderline.lock";
 
 /// A file under its `.part` name; removed when it is dropped before it is whole.
 pub(super) struct PartFile {
     file: BufWriter<File>,
     part: PathBuf,
     is_whole: bool,
+    /// The folder is ours until the last of its files is done with.
+    lock: Arc<Lock>,
 }
 
 impl PartFile {
-    fn new(file: File, part: PathBuf) -> PartFile {
-        PartFile { file: BufWriter::with_capacity(1 << 16, file), part, is_whole: false }
+    fn new(file: File, part: PathBuf, lock: Arc<Lock>) -> PartFile {
+        PartFile { file: BufWriter::with_capacity(1 << 16, file), part, is_whole: false, lock }
     }
 
     /// The name on the disk while it is being written.
@@ -33,7 +42,8 @@ impl PartFile {
         let synced = self.file.flush().and_then(|()| self.file.get_ref().sync_all());
         synced.map_err(|e| OutputError::new(&self.part, e))?;
         self.is_whole = true;
-        Ok(Sealed { part: self.part.clone(), is_published: false })
+        let lock = Arc::clone(&self.lock);
+        Ok(Sealed { part: self.part.clone(), is_published: false, _lock: lock })
     }
 }
 
@@ -61,6 +71,7 @@ impl Drop for PartFile {
 pub(crate) struct Sealed {
     part: PathBuf,
     is_published: bool,
+    _lock: Arc<Lock>,
 }
 
 impl Sealed {
@@ -80,58 +91,106 @@ impl Drop for Sealed {
 /// The folder of a run's results, held by one run at a time.
 pub(crate) struct Folder {
     path: PathBuf,
-    /// Open and locked from start to end: its lock keeps a second run out of the folder, and goes
-    /// when the program does, however that ends.
-    summary: PartFile,
+    /// Open from the start, so that a folder that cannot be made durable is found out before the run.
+    handle: Handle,
+    /// Held from start to end, by the folder and by each of its files.
+    lock: Arc<Lock>,
 }
 
 impl Folder {
     /// Opens the folder, which it creates where need be, and removes the results of an earlier
-    /// run from it: those files only that a run writes.
+    /// run from it: those files only that a run writes. Nothing is removed where one of these names holds what no
+    /// run writes, such as a link or a pipe.
     ///
     /// # Errors
-    /// A folder that cannot be created or written, or in which another run is at work.
+    /// Bad input: a folder that cannot be created or written, in which another run is at work, or that holds something
+    /// else under the name of a result.
     pub(crate) fn open(path: &Path) -> Result<Folder, OutputError> {
-        fs::create_dir_all(path).map_err(|e| OutputError::new(path, e))?;
-        let summary = open_locked(path.join(part_name(SUMMARY)))?;
-        for name in RESULT_FILES {
-            // The mark of completeness is the first to go.
-            remove(&path.join(name))?;
-            if name != SUMMARY {
-                remove(&path.join(part_name(name)))?;
-            }
-        }
-        Ok(Folder { path: path.to_owned(), summary })
+        let refused = |e: io::Error| OutputError::refused(path, e);
+        fs::create_dir_all(path).map_err(refused)?;
+        let handle = Handle::open(path).map_err(refused)?;
+        let lock = Lock::take(&path.join(LOCK), "another run is writing to this folder")?;
+        let names = RESULT_FILES.map(|name| [path.join(name), path.join(part_name(name))]);
+        names.iter().flatten().try_for_each(|name| admit(name))?;
+        // The mark of completeness is the first to go, before anything that it vouches for.
+        remove(&path.join(SUMMARY))?;
+        handle.sync().map_err(refused)?;
+        names.iter().flatten().try_for_each(|name| remove(name))?;
+        Ok(Folder { path: path.to_owned(), handle, lock: Arc::new(lock) })
     }
 
     /// Starts `name`, under its `.part` name.
     pub(super) fn create(&self, name: &str) -> Result<PartFile, OutputError> {
         let part = self.path.join(part_name(name));
-        let file = File::create(&part).map_err(|e| OutputError::new(&part, e))?;
-        Ok(PartFile::new(file, part))
+        // What lay there was removed: what is there now is another program's, and is not written into.
+        let file = without_following()
+            .write(true)
+            .create_new(true)
+            .open(&part)
+            .map_err(|e| OutputError::new(&part, e))?;
+        Ok(PartFile::new(file, part, Arc::clone(&self.lock)))
     }
 
-    /// Writes the summary and gives all files their final names, the summary last.
+    /// Writes the summary and gives all files their final names, the summary last. Where anything fails, the
+    /// system's promise that the names last included, none keeps its final name.
     pub(super) fn publish(
-        mut self,
+        self,
         files: impl IntoIterator<Item = Sealed>,
         summary: &[u8],
     ) -> Result<(), OutputError> {
-        self.summary.put(summary)?;
-        let summary = self.summary.seal()?;
-        let mut published = Vec::new();
-        for mut file in files.into_iter().chain([summary]) {
-            let target = file.final_path();
-            if let Err(e) = fs::rename(&file.part, &target) {
-                for path in published {
-                    let _ = fs::remove_file(path);
-                }
-                return Err(OutputError::new(&target, e));
-            }
-            file.is_published = true;
-            published.push(target);
+        let mut summary_file = self.create(SUMMARY)?;
+        summary_file.put(summary)?;
+        let summary_file = summary_file.seal()?;
+        if !self.lock.is_in_place() {
+            let why = "the folder or its lock was moved away while the run was at work";
+            return Err(OutputError::new(&self.path, why));
         }
-        sync_folder(&self.path)
+        let mut published = Published { targets: Vec::new(), handle: &self.handle };
+        for file in files {
+            published.add(file)?;
+        }
+        self.make_durable()?;
+        published.add(summary_file)?;
+        self.make_durable()?;
+        published.targets.clear();
+        Ok(())
+    }
+
+    fn make_durable(&self) -> Result<(), OutputError> {
+        self.handle.sync().map_err(|e| {
+            let why =
+                format!("its new files would not last through a power cut, so none is left: {e}");
+            OutputError::new(&self.path, why)
+        })
+    }
+}
+
+/// Files that have their final names; dropped before all have, they are removed again, the last first.
+struct Published<'a> {
+    targets: Vec<PathBuf>,
+    handle: &'a Handle,
+}
+
+impl Published<'_> {
+    fn add(&mut self, mut file: Sealed) -> Result<(), OutputError> {
+        let target = file.final_path();
+        fs::rename(&file.part, &target).map_err(|e| OutputError::new(&target, e))?;
+        file.is_published = true;
+        self.targets.push(target);
+        Ok(())
+    }
+}
+
+impl Drop for Published<'_> {
+    fn drop(&mut self) {
+        if self.targets.is_empty() {
+            return;
+        }
+        // Nothing better can be done with a second error. The summary goes first, as it vouches for the others.
+        for target in self.targets.iter().rev() {
+            let _ = fs::remove_file(target);
+        }
+        let _ = self.handle.sync();
     }
 }
 
@@ -139,41 +198,40 @@ fn part_name(name: &str) -> String {
     format!("{name}.part")
 }
 
-fn open_locked(part: PathBuf) -> Result<PartFile, OutputError> {
-    let error = |e: &dyn core::fmt::Display| OutputError::new(&part, e);
-    let file = OpenOptions::new()
-        .write(true)
-        .create(true)
-        .truncate(false)
-        .open(&part)
-        .map_err(|e| error(&e))?;
-    match file.try_lock() {
-        Err(TryLockError::WouldBlock) => {
-            return Err(error(&"another run is writing to this folder"));
-        }
-        // A file system without locks: the run goes on without the guard.
-        Ok(()) | Err(TryLockError::Error(_)) => {}
-    }
-    file.set_len(0).map_err(|e| error(&e))?;
-    Ok(PartFile::new(file, part))
-}
-
 fn remove(path: &Path) -> Result<(), OutputError> {
     match fs::remove_file(path) {
         Err(e) if e.kind() != io::ErrorKind::NotFound => {
-            Err(OutputError::new(path, format_args!("an earlier result cannot be removed: {e}")))
+            let why = format_args!("an earlier result cannot be removed: {e}");
+            Err(OutputError::refused(path, why))
         }
         _ => Ok(()),
     }
 }
 
-/// Makes the new names last through a power cut, where the system can do that for a folder.
-#[cfg(unix)]
-fn sync_folder(path: &Path) -> Result<(), OutputError> {
-    File::open(path).and_then(|folder| folder.sync_all()).map_err(|e| OutputError::new(path, e))
+/// An open folder, whose names can be made to last through a power cut where the system can do that for a folder.
+struct Handle {
+    #[cfg(unix)]
+    folder: File,
 }
 
-#[cfg(not(unix))]
-fn sync_folder(_path: &Path) -> Result<(), OutputError> {
-    Ok(())
+impl Handle {
+    fn open(path: &Path) -> io::Result<Handle> {
+        #[cfg(unix)]
+        return Ok(Handle { folder: File::open(path)? });
+        #[cfg(not(unix))]
+        {
+            let _ = path;
+            Ok(Handle {})
+        }
+    }
+
+    fn sync(&self) -> io::Result<()> {
+        #[cfg(unix)]
+        match self.folder.sync_all() {
+            // A file system that knows no such thing for folders.
+            Err(e) if e.kind() != io::ErrorKind::InvalidInput => return Err(e),
+            _ => {}
+        }
+        Ok(())
+    }
 }

@@ -1,6 +1,7 @@
 //! Other programs that put forces on bodies: one process a provider, one line of JSON a question and an
 //! answer.
 
+mod group;
 mod notices;
 mod process;
 mod protocol;
@@ -9,6 +10,8 @@ use fenderline_contact::{Rotation, Wrench};
 use fenderline_sim::external::{Provided, ProviderEvent, Question};
 use fenderline_sim::{ProviderSetup, Simulation};
 
+#[cfg(unix)]
+pub(crate) use self::group::end_all;
 use self::process::Process;
 use crate::failure::Failure;
 

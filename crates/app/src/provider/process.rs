@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use fenderline_sim::external::{Answer, ForceProvider, Question};
 
+use super::group::Group;
 use super::protocol;
 
 /// Longest line that a provider may write [bytes].
@@ -21,6 +22,8 @@ const PATIENCE: u32 = 3;
 /// A running provider.
 pub(super) struct Process {
     child: Child,
+    /// It and what it started.
+    group: Group,
     /// `None` once it has closed its input.
     input: Option<ChildStdin>,
     lines: Receiver<String>,
@@ -41,11 +44,9 @@ impl Process {
         let [program, arguments @ ..] = command else {
             return Err(std::io::Error::other("the command is empty"));
         };
-        let mut child = Command::new(program)
-            .args(arguments)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()?;
+        let mut command = Command::new(program);
+        command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped());
+        let (mut child, group) = Group::start(&mut command)?;
         let output = child.stdout.take().ok_or_else(|| std::io::Error::other("no output"))?;
         let input = child.stdin.take();
         // A provider that talks without being asked fills the channel and then waits itself.
@@ -53,7 +54,7 @@ impl Process {
         std::thread::spawn(move || listen(output, &send));
         let timeout = Duration::from_secs_f64(timeout_s);
         let mut process =
-            Process { child, input, lines, timeout, asked: 0, unanswered: 0, timeouts: 0 };
+            Process { child, group, input, lines, timeout, asked: 0, unanswered: 0, timeouts: 0 };
         process.say(hello);
         Ok(process)
     }
@@ -80,8 +81,10 @@ impl Process {
     fn ended(&mut self) -> Option<ExitStatus> {
         let until = Instant::now() + Duration::from_millis(500);
         loop {
-            if let Ok(Some(status)) = self.child.try_wait() {
-                return Some(status);
+            if self.group.has_leader_ended(&mut self.child) {
+                // Before it is waited for: until then its number is its own.
+                self.group.end();
+                return self.child.wait().ok();
             }
             if Instant::now() >= until {
                 return None;
@@ -135,6 +138,7 @@ impl Drop for Process {
         if self.ended().is_some() {
             return;
         }
+        self.group.end();
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

@@ -39,6 +39,9 @@ pub(crate) fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
             "Ship contact simulation · scenario " (outcome.scenario_file)
             " · fenderline " (env!("CARGO_PKG_VERSION"))
         }
+        @if let Some(interrupted) = &outcome.interrupted {
+            p { strong { "Interrupted: " } (interrupted.text()) "." }
+        }
         h2 { "Result" }
         (fenders::headline(outcome))
         (vessels::headline(outcome))

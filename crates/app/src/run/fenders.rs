@@ -4,7 +4,7 @@ use core::fmt::Write as _;
 
 use fenderline_sim::FenderSummary;
 
-use super::printed::{NAME_WIDTH, one_line};
+use super::printed::{NAME_WIDTH, decimal, one_line};
 use crate::output::Outcome;
 use crate::plot::{counted, shortened};
 use crate::verdict::{Verdict, most_used, utilisation, worst_first};
@@ -44,19 +44,21 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     }
     for summary in shown {
         let share = utilisation(summary);
-        let share = share
-            .map_or_else(|| "-".to_owned(), |s| format!("{} {:.0}", most_used(summary), 100.0 * s));
+        let share = share.map_or_else(
+            || "-".to_owned(),
+            |s| format!("{} {}", most_used(summary), decimal(100.0 * s, 0)),
+        );
         let pressure = summary.peak_hull_pressure_npm2;
-        let pressure = pressure.map_or_else(|| "-".to_owned(), |p| format!("{:.0}", p / 1e3));
+        let pressure = pressure.map_or_else(|| "-".to_owned(), |p| decimal(p / 1e3, 0));
         let verdict = verdict(summary);
         let mark = if verdict.is_grave() { verdict.text().to_uppercase() } else { String::new() };
         let line = format!(
-            "{:<width$}  {:>11.2}  {:>10.1}  {:>10.1}  {:>10.1}  {pressure:>7}  {share:>14}  {mark}",
+            "{:<width$}  {:>11}  {:>10}  {:>10}  {:>10}  {pressure:>7}  {share:>14}  {mark}",
             name_of(summary),
-            summary.first_touch_s,
-            summary.peak_deflection_m * 1e3,
-            summary.peak_reaction_n / 1e3,
-            summary.peak_energy_j / 1e3,
+            decimal(summary.first_touch_s, 2),
+            decimal(summary.peak_deflection_m * 1e3, 1),
+            decimal(summary.peak_reaction_n / 1e3, 1),
+            decimal(summary.peak_energy_j / 1e3, 1),
         );
         let _ = writeln!(text, "{}", line.trim_end());
     }
@@ -72,13 +74,13 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
 /// The formula's energy of the berthing and what the fenders took; empty without such a study.
 pub(super) fn berthing(outcome: &Outcome<'_>) -> String {
     let Some(Ok(berthing)) = outcome.berthing else { return String::new() };
-    let abnormal = berthing
-        .abnormal_energy_j
-        .map_or_else(String::new, |abnormal_j| format!(" ({:.0} kJ abnormal)", abnormal_j / 1e3));
+    let abnormal = berthing.abnormal_energy_j.map_or_else(String::new, |abnormal_j| {
+        format!(" ({} kJ abnormal)", decimal(abnormal_j / 1e3, 0))
+    });
     format!(
-        "\nberthing: {:.0} kJ by PIANC 2002{abnormal}; the fenders took {:.0} kJ in the first hit\n",
-        berthing.energy_j[0] / 1e3,
-        berthing.fender_energy_j / 1e3
+        "\nberthing: {} kJ by PIANC 2002{abnormal}; the fenders took {} kJ in the first hit\n",
+        decimal(berthing.energy_j[0] / 1e3, 0),
+        decimal(berthing.fender_energy_j / 1e3, 0)
     )
 }
 

@@ -3,6 +3,7 @@
 use core::fmt::Write as _;
 use std::path::Path;
 
+use fenderline_scenario::{printable_line, printable_number};
 use fenderline_sim::PairSummary;
 
 use crate::output::{Outcome, WrittenFile, integrator_text, method_text};
@@ -21,10 +22,13 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         "{}\n{} of {} s, {} method, {} integrator\n\n",
         one_line(outcome.title),
         counted(outcome.steps, "step", "steps"),
-        setup.step_s,
+        printable_number(setup.step_s),
         method_text(setup.method),
         integrator_text(setup.integrator).replace('_', "-")
     );
+    if let Some(interrupted) = &outcome.interrupted {
+        let _ = writeln!(text, "INTERRUPTED: {}\n", interrupted.text());
+    }
     let mut pairs: Vec<&PairSummary> = outcome.pairs.iter().collect();
     pairs.sort_by(|a, b| b.peak_normal_force_n.total_cmp(&a.peak_normal_force_n));
     if pairs.is_empty() {
@@ -82,10 +86,10 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
     for (name, pair) in names.iter().zip(pairs) {
         let _ = writeln!(
             text,
-            "{name:<width$}  {:>11.2}  {:>10.1}  {:>10.1}  {:>10}  {:>8}  {:>8}",
-            pair.first_touch_s,
-            pair.peak_normal_force_n / 1e3,
-            pair.peak_depth_m * 1e3,
+            "{name:<width$}  {:>11}  {:>10}  {:>10}  {:>10}  {:>8}  {:>8}",
+            decimal(pair.first_touch_s, 2),
+            decimal(pair.peak_normal_force_n / 1e3, 1),
+            decimal(pair.peak_depth_m * 1e3, 1),
             impulse(pair.impulse_ns / 1e3),
             speed(pair.approach_speed_mps),
             speed(pair.final_speed_mps)
@@ -97,16 +101,21 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
 /// An impulse: decimals only where they say something.
 fn impulse(impulse_kns: f64) -> String {
     let decimals = if impulse_kns.abs() < 100.0 { 1 } else { 0 };
-    format!("{impulse_kns:.decimals$}")
+    decimal(impulse_kns, decimals)
 }
 
 /// A speed to a tenth of a millimetre a second; one that rounds to zero has no sign.
 fn speed(speed_mps: f64) -> String {
-    let text = format!("{speed_mps:.4}");
+    let text = decimal(speed_mps, 4);
     if text == "-0.0000" { "0.0000".to_owned() } else { text }
 }
 
-/// User's text without control characters, which could rewrite the terminal.
+/// User's text without what could rewrite the terminal, so that columns keep their width.
 pub(super) fn one_line(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+    printable_line(text).into_owned()
+}
+
+/// A number to some decimals, and by powers of ten where the digits would run away.
+pub(super) fn decimal(value: f64, decimals: usize) -> String {
+    if value.abs() >= 1e12 { format!("{value:.3e}") } else { format!("{value:.decimals$}") }
 }

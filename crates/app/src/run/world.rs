@@ -3,7 +3,7 @@
 
 use core::fmt::Write as _;
 
-use super::printed::{NAME_WIDTH, one_line};
+use super::printed::{NAME_WIDTH, decimal, one_line};
 use crate::output::Outcome;
 use crate::plot::{shortened, times};
 use crate::world::{LineTotals, LineVerdict};
@@ -45,11 +45,11 @@ fn moorings(outcome: &Outcome<'_>, text: &mut String) {
             verdict => verdict.text().to_uppercase(),
         };
         let row = format!(
-            "{:<width$}  {:>12.1}  {:>9.1}  {:>13.0}  {mark}",
+            "{:<width$}  {:>12}  {:>9}  {:>13}  {mark}",
             name_of(name),
-            line.tension_n.value / 1e3,
-            line.tension_n.at_s,
-            100.0 * share(line),
+            decimal(line.tension_n.value / 1e3, 1),
+            decimal(line.tension_n.at_s, 1),
+            decimal(100.0 * share(line), 0),
         );
         let _ = writeln!(text, "{}", row.trim_end());
     }

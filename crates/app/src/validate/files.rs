@@ -1,7 +1,5 @@
 //! `validation.html`, `.csv` and `.json`.
 
-use std::fs::{self, File};
-use std::io::Write as _;
 use std::path::Path;
 
 use serde_json::{Value, json};
@@ -9,31 +7,20 @@ use serde_json::{Value, json};
 use super::published::{Rule, Tolerance};
 use super::row::{Compared, Row, count};
 use crate::failure::Failure;
+use crate::output::{make_folder, write_whole};
 
 /// Writes the three files into `folder`, each whole or not at all; returns their names.
 ///
 /// # Errors
 /// The file that cannot be written.
 pub(super) fn write(folder: &Path, page: &str, rows: &[Row]) -> Result<[&'static str; 3], Failure> {
-    fs::create_dir_all(folder).map_err(|e| cannot(folder, &e))?;
+    make_folder(folder)?;
     let names = ["validation.csv", "validation.json", "validation.html"];
     let contents = [csv_text(rows).into_bytes(), json_text(rows).into_bytes(), page.into()];
     for (name, content) in names.iter().zip(&contents) {
-        let (part, whole) = (folder.join(format!("{name}.part")), folder.join(name));
-        let written = File::create(&part)
-            .and_then(|mut file| file.write_all(content).and_then(|()| file.sync_all()))
-            .and_then(|()| fs::rename(&part, &whole));
-        written.map_err(|e| {
-            // Nothing better can be done with a second error.
-            let _ = fs::remove_file(&part);
-            cannot(&whole, &e)
-        })?;
+        write_whole(&folder.join(name), content)?;
     }
     Ok(names)
-}
-
-fn cannot(path: &Path, error: &dyn core::fmt::Display) -> Failure {
-    Failure::case(format_args!("error: cannot write {}: {error}", path.display()))
 }
 
 /// A number in full, in the shortest form that reads back to the same value.

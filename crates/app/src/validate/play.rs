@@ -105,6 +105,7 @@ fn play(name: &str, text: &str) -> Result<Played, Failure> {
             momentum.watch(step.states_after);
             Ok(())
         },
+        || false,
     )?;
     let [pair] = simulation.pair_summaries() else {
         return Err(Failure::case(format_args!("error: {file_name}: no contact")));

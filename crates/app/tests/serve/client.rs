@@ -151,6 +151,11 @@ impl Client {
         }
     }
 
+    /// Was something told so far in a notice with a word in it?
+    pub(crate) fn was_told(&self, word: &str) -> bool {
+        self.notices.iter().any(|text| text.contains(word))
+    }
+
     /// The last greeting, when a frame has come after it.
     pub(crate) async fn latest_hello(&mut self) -> Value {
         self.next("frame").await;

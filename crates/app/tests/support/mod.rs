@@ -129,7 +129,7 @@ under_keel_clearance = "2 m"
 block_coefficient = 0.62
 "#;
 
-const PROGRAM: &str = env!("CARGO_BIN_EXE_fenderline");
+pub(crate) const PROGRAM: &str = env!("CARGO_BIN_EXE_fenderline");
 
 /// A test's own folder.
 pub(crate) struct Workplace {

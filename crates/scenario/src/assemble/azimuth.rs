@@ -1,5 +1,7 @@
 //! Azimuth units, orders to them, and the work of tugs that are vessels.
 
+use std::collections::BTreeMap;
+
 use fenderline_sim::hydro::{AzimuthThruster, Propeller, Series};
 use fenderline_sim::{
     Action, Assist, AzimuthSetup, BodySetup, FenderSetup, Job, LineEnd, MooringSetup, PushJob,
@@ -16,6 +18,33 @@ pub(super) struct Afloat<'w> {
     pub(super) fenders: &'w [FenderSetup],
     pub(super) pairs: &'w Pairs,
     pub(super) lines: &'w [MooringSetup],
+    line_places: BTreeMap<&'w str, usize>,
+}
+
+impl<'w> Afloat<'w> {
+    pub(super) fn new(
+        bodies: &'w [BodySetup],
+        fenders: &'w [FenderSetup],
+        pairs: &'w Pairs,
+        lines: &'w [MooringSetup],
+    ) -> Afloat<'w> {
+        let line_places = places(lines.iter().map(|line| line.line.name.as_str()));
+        Afloat { bodies, fenders, pairs, lines, line_places }
+    }
+
+    /// The place of the line of a name.
+    pub(super) fn line_place(&self, name: &str) -> Option<usize> {
+        self.line_places.get(name).copied()
+    }
+}
+
+/// Where each thing stands first.
+pub(super) fn places<K: Ord>(things: impl Iterator<Item = K>) -> BTreeMap<K, usize> {
+    let mut places = BTreeMap::new();
+    for (place, thing) in things.enumerate() {
+        places.entry(thing).or_insert(place);
+    }
+    places
 }
 
 /// The units of a kind of vessel.
@@ -100,14 +129,8 @@ impl Assembly<'_, '_> {
     ) -> Checked<Job> {
         let ship = self.other_body(of, tug, names)?;
         let force_n = self.force_within_bollard_pull(of, tug)?;
-        let may_touch = afloat.pairs.every_other.is_some()
-            || afloat
-                .pairs
-                .named
-                .iter()
-                .any(|pair| pair.bodies == [ship, tug.body] || pair.bodies == [tug.body, ship]);
         let item = of.given("ship");
-        if !may_touch {
+        if !afloat.pairs.may_touch([ship, tug.body]) {
             let path = of.path_of("ship");
             let message =
                 format!("`{path}`: no [[pair]] lets her touch body {}", quoted(item.name()));
@@ -122,7 +145,7 @@ impl Assembly<'_, '_> {
     fn pull(&self, of: &Table, tug: &VesselSetup, afloat: &Afloat<'_>) -> Checked<Job> {
         let item = of.given("line");
         let known = || afloat.lines.iter().map(|line| line.line.name.as_str());
-        let line = known().position(|name| name == item.text());
+        let line = afloat.line_place(item.text());
         let line = line.ok_or_else(|| self.unknown("line", of, item, item.text(), known()))?;
         let setup = &afloat.lines[line];
         let far = match setup.end {

@@ -12,7 +12,7 @@ use fenderline_sim::environment::{Bank, EnvironmentError, Tide, TideConstituent}
 use fenderline_sim::hydro::Squat;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 
-use super::vessel::Kind;
+use super::vessel::Kinds;
 use super::{Assembly, Checked};
 use crate::checked::{Item, Table};
 use crate::csv::Csv;
@@ -155,7 +155,7 @@ impl Assembly<'_, '_> {
         &mut self,
         file: &Table,
         environment: &Environment,
-        kinds: &[(String, Kind)],
+        kinds: &Kinds,
     ) {
         let surroundings = file.given("environment").table();
         if let Some(first) = surroundings.given("bank").list().first() {
@@ -165,7 +165,7 @@ impl Assembly<'_, '_> {
             );
         }
         let Some([shallowest_m, deepest_m]) = environment.depth_range_m() else { return };
-        for (name, kind) in kinds {
+        for (name, kind) in &kinds.all {
             let draught_m = kind.setup.ship.particulars.draught_m;
             let [least, most] = [shallowest_m / draught_m, deepest_m / draught_m];
             let mut say = |message: String| {

@@ -1,5 +1,6 @@
 //! Kinds of vessels, and the vessels that bodies are.
 
+use std::collections::BTreeMap;
 use std::fmt::Display;
 
 use fenderline_contact::{Vec2, vec2};
@@ -24,6 +25,29 @@ pub(super) struct Kind {
     /// Her added mass at the lowest water of the run.
     pub(super) low_water_mass: AddedMass,
     data: VesselData,
+}
+
+/// Kinds of vessels by their names.
+#[derive(Default)]
+pub(super) struct Kinds {
+    /// In the order in which the scenario speaks of them.
+    pub(super) all: Vec<(String, Kind)>,
+    /// Places in `all`.
+    by_name: BTreeMap<String, usize>,
+}
+
+impl Kinds {
+    fn add(&mut self, name: &str, kind: Kind) {
+        self.by_name.insert(name.to_owned(), self.all.len());
+        self.all.push((name.to_owned(), kind));
+    }
+
+    /// The kind that a body names: [`Assembly::kinds`] has every one.
+    pub(super) fn named(&self, item: &Item) -> &Kind {
+        let place = self.by_name.get(item.text());
+        let place = place.unwrap_or_else(|| unreachable!("the kind of every body is there"));
+        &self.all[*place].1
+    }
 }
 
 /// What a body is, where she is a vessel, by the index of the body.
@@ -132,10 +156,10 @@ impl Assembly<'_, '_> {
         file: &Table,
         library: &VesselLibrary,
         environment: &Environment,
-    ) -> Checked<Vec<(String, Kind)>> {
-        let mut kinds: Vec<(String, Kind)> = Vec::new();
+    ) -> Checked<Kinds> {
+        let mut kinds = Kinds::default();
         for (name, table) in file.given("vessel").named() {
-            if library.vessel(name).is_ok() {
+            if library.has(name) {
                 let message = format!("the library has a vessel named {} already", quoted(name));
                 let error = self.sources.error(&table.span, &table.path, message);
                 return Err(error.with_help(format!(
@@ -150,16 +174,16 @@ impl Assembly<'_, '_> {
             if let Some(table) = self.rao_table(table)? {
                 kind.setup.response = Some(MotionResponse::Table(table));
             }
-            kinds.push((name.clone(), kind));
+            kinds.add(name, kind);
         }
         for (_, body) in file.given("body").named() {
             let Some(item) = body.item("vessel") else { continue };
             let name = item.text();
-            if kinds.iter().any(|(known, _)| known == name) {
+            if kinds.by_name.contains_key(name) {
                 continue;
             }
             let Ok(data) = library.vessel(name) else {
-                let own = kinds.iter().map(|(known, _)| known.as_str());
+                let own = kinds.all.iter().map(|(known, _)| known.as_str());
                 let known = own.chain(library.vessels().iter().map(|known| known.name.as_str()));
                 return Err(self.unknown("vessel", body, item, name, known));
             };
@@ -173,7 +197,7 @@ impl Assembly<'_, '_> {
             let said_at = (item.span.clone(), body.path_of(item.name));
             let kind = Kind::new(data.clone(), environment, said_at)
                 .map_err(|error| self.refused(body, item, &error))?;
-            kinds.push((name.to_owned(), kind));
+            kinds.add(name, kind);
         }
         Ok(kinds)
     }
@@ -186,12 +210,12 @@ impl Assembly<'_, '_> {
     pub(super) fn vessels(
         &self,
         bodies: &[(String, Table)],
-        kinds: &[(String, Kind)],
+        kinds: &Kinds,
     ) -> Checked<Vec<VesselSetup>> {
         let mut vessels = Vec::new();
         for (index, (_, body)) in bodies.iter().enumerate() {
             let Some(item) = body.item("vessel") else { continue };
-            let kind = kind_named(item, kinds);
+            let kind = kinds.named(item);
             let mut setup = kind.setup.clone();
             setup.body = index;
             if let Some(running) = body.item("running") {
@@ -279,13 +303,7 @@ impl Assembly<'_, '_> {
     }
 }
 
-/// The kind that a body names: [`Assembly::kinds`] has every one.
-pub(super) fn kind_named<'k>(item: &Item, kinds: &'k [(String, Kind)]) -> &'k Kind {
-    let kind = kinds.iter().find(|(kind, _)| kind == item.text());
-    &kind.unwrap_or_else(|| unreachable!("the kind of every body is there")).1
-}
-
 /// What each body is, where she is a vessel.
-pub(super) fn decks<'k>(bodies: &[(String, Table)], kinds: &'k [(String, Kind)]) -> Decks<'k> {
-    bodies.iter().map(|(_, body)| body.item("vessel").map(|item| kind_named(item, kinds))).collect()
+pub(super) fn decks<'k>(bodies: &[(String, Table)], kinds: &'k Kinds) -> Decks<'k> {
+    bodies.iter().map(|(_, body)| body.item("vessel").map(|item| kinds.named(item))).collect()
 }

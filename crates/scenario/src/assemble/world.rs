@@ -1,5 +1,6 @@
 //! Tugs, lines and orders.
 
+use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Display;
 
@@ -14,9 +15,9 @@ use fenderline_sim::{
     Action, BodySetup, LineEnd, MooringSetup, Order, Station, TugSetup, VesselSetup,
 };
 
-use super::azimuth::Afloat;
+use super::azimuth::{Afloat, places};
 use super::vessel::Decks;
-use super::{Assembly, Checked, Names};
+use super::{Assembly, Checked, Names, listed};
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
 use crate::keys::{LINE_ORDERS, TUG_ORDERS, VESSEL_ORDERS};
@@ -43,13 +44,10 @@ impl Assembly<'_, '_> {
         let error = self.sources.error(&item.span, &path, message);
         error.with_help(match nearest(name, known.clone()) {
             Some(near) => format!("did you mean \"{near}\"?"),
-            None => {
-                let known: Vec<_> = known.map(quoted).collect();
-                match known.is_empty() {
-                    true => format!("the scenario has no {what}s"),
-                    false => format!("there are {}", known.join(", ")),
-                }
-            }
+            None => match known.clone().next() {
+                None => format!("the scenario has no {what}s"),
+                Some(_) => format!("there are {}", listed(known)),
+            },
         })
     }
 
@@ -58,11 +56,11 @@ impl Assembly<'_, '_> {
         &self,
         table: &Table,
         item: &Item,
-        vessels: &[VesselSetup],
+        vessel_of_body: &BTreeMap<usize, usize>,
         names: &Names,
     ) -> Checked<usize> {
         let body = self.body_named(table, item, item.name(), names)?;
-        vessels.iter().position(|vessel| vessel.body == body).ok_or_else(|| {
+        vessel_of_body.get(&body).copied().ok_or_else(|| {
             let path = table.path_of(item.name);
             let message = format!("`{path}`: body {} is no vessel", quoted(item.name()));
             let error = self.sources.error(&item.span, &path, message);
@@ -76,9 +74,10 @@ impl Assembly<'_, '_> {
         vessels: &[VesselSetup],
         names: &Names,
     ) -> Checked<Vec<TugSetup>> {
+        let of_body = places(vessels.iter().map(|vessel| vessel.body));
         tugs.iter()
             .map(|(name, table)| {
-                let vessel = self.vessel_named(table, table.given("vessel"), vessels, names)?;
+                let vessel = self.vessel_named(table, table.given("vessel"), &of_body, names)?;
                 let number = |name: &str| *table.given(name).number();
                 let push_at_m = *table.given("push_at").vector();
                 let tug = VectorTug {
@@ -274,13 +273,13 @@ impl Assembly<'_, '_> {
         }
         match item.name {
             "vessel" => {
-                let vessel = self.vessel_named(table, item, world.vessels, names)?;
+                let vessel = self.vessel_named(table, item, &world.vessel_of_body, names)?;
                 let action = self.to_vessel(table, what, &world.vessels[vessel], world, names)?;
                 Ok(Order { at_s, vessel, action })
             }
             "tug" => {
                 let known = || world.tugs.iter().map(|tug| tug.tug.name.as_str());
-                let index = known().position(|name| name == item.text());
+                let index = world.tug_places.get(item.text()).copied();
                 let index =
                     index.ok_or_else(|| self.unknown("tug", table, item, item.text(), known()))?;
                 let tug = &world.tugs[index];
@@ -289,7 +288,7 @@ impl Assembly<'_, '_> {
             }
             _ => {
                 let known = || world.afloat.lines.iter().map(|line| line.line.name.as_str());
-                let index = known().position(|name| name == item.text());
+                let index = world.afloat.line_place(item.text());
                 let index =
                     index.ok_or_else(|| self.unknown("line", table, item, item.text(), known()))?;
                 Ok(Order { at_s, vessel: 0, action: to_line(index, what) })
@@ -381,6 +380,24 @@ pub(super) struct WorldNames<'w> {
     pub(super) vessels: &'w [VesselSetup],
     pub(super) tugs: &'w [TugSetup],
     pub(super) afloat: Afloat<'w>,
+    vessel_of_body: BTreeMap<usize, usize>,
+    tug_places: BTreeMap<&'w str, usize>,
+}
+
+impl<'w> WorldNames<'w> {
+    pub(super) fn new(
+        vessels: &'w [VesselSetup],
+        tugs: &'w [TugSetup],
+        afloat: Afloat<'w>,
+    ) -> WorldNames<'w> {
+        WorldNames {
+            vessels,
+            tugs,
+            afloat,
+            vessel_of_body: places(vessels.iter().map(|vessel| vessel.body)),
+            tug_places: places(tugs.iter().map(|tug| tug.tug.name.as_str())),
+        }
+    }
 }
 
 fn to_tug(tug: &TugSetup, what: &Item, direction_rad: Option<f64>) -> TugOrder {

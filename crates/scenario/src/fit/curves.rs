@@ -1,7 +1,10 @@
 //! A file of reactions over deflections: loading, unloading, several speeds or temperatures.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::csv::Csv;
 use crate::error::ScenarioError;
+use crate::printable::printable_number as shown;
 
 type Read<T> = Result<T, ScenarioError>;
 
@@ -114,12 +117,16 @@ fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
     let (unloading, speed, temperature) =
         (wanted("unloading")?, wanted("speed_mps")?, wanted("temperature_c")?);
     let mut groups: Vec<Group> = Vec::new();
+    // Of what speed, temperature and branch each group is, and which deflections it has: by bits, as no cell is -0.
+    let mut places: BTreeMap<(bool, Option<u64>, Option<u64>), usize> = BTreeMap::new();
+    let mut seen: BTreeSet<(usize, u64)> = BTreeSet::new();
     for row in 0..csv.len() {
         let deflection_m =
             to_m * csv.number(row, deflection, [0.0, LARGEST_DEFLECTION_M / to_m])?;
         let reaction_n = to_n * csv.number(row, reaction, [0.0, LARGEST_REACTION_N / to_n])?;
         if deflection_m == 0.0 && reaction_n != 0.0 {
-            let message = format!("a reaction of {} kN without deflection", reaction_n / 1e3);
+            let message =
+                format!("a reaction of {} kN without deflection", shown(reaction_n / 1e3));
             return Err(csv.cell_error(row, reaction, message));
         }
         let is_unloading =
@@ -129,28 +136,21 @@ fn groups(csv: &Csv<'_>) -> Read<Vec<Group>> {
                 Some((_, Ok(0.0))) => false,
                 Some((_, Ok(1.0))) => true,
                 Some((column, Ok(other))) => {
-                    let message = format!("`unloading` is 0 or 1, not {other}");
+                    let message = format!("`unloading` is 0 or 1, not {}", shown(other));
                     return Err(csv.cell_error(row, column, message));
                 }
             };
         let speed_mps = speed.map(|column| csv.number(row, column, [1e-6, 100.0])).transpose()?;
         let temperature_c =
             temperature.map(|column| csv.number(row, column, [-100.0, 200.0])).transpose()?;
-        let found = groups.iter_mut().find(|group| {
-            group.is_unloading == is_unloading
-                && group.speed_mps == speed_mps
-                && group.temperature_c == temperature_c
-        });
-        let rows = match found {
-            Some(group) => &mut group.rows,
-            None => {
-                let rows = Vec::new();
-                groups.push(Group { speed_mps, temperature_c, is_unloading, rows });
-                let last = groups.len() - 1;
-                &mut groups[last].rows
-            }
-        };
-        if rows.iter().any(|(known_m, _, _)| *known_m == deflection_m) {
+        let bits = |number: Option<f64>| number.map(f64::to_bits);
+        let key = (is_unloading, bits(speed_mps), bits(temperature_c));
+        let place = *places.entry(key).or_insert(groups.len());
+        if place == groups.len() {
+            groups.push(Group { speed_mps, temperature_c, is_unloading, rows: Vec::new() });
+        }
+        let rows = &mut groups[place].rows;
+        if !seen.insert((place, deflection_m.to_bits())) {
             let branch = if is_unloading { "unloading" } else { "loading" };
             let message = format!("a second {branch} reaction at a deflection of {deflection_m} m");
             return Err(csv.cell_error(row, deflection, message));

@@ -5,6 +5,7 @@ use core::fmt::Write as _;
 
 use super::curves::{Branch, FenderCurves, LoadingCurve, integral, value};
 use crate::Standing;
+use crate::printable::printable_number;
 
 /// Temperature for which catalogues rate fenders [°C]: the factor is 1 at the one nearest to it.
 const RATED_TEMPERATURE_C: f64 = 23.0;
@@ -73,6 +74,7 @@ impl fmt::Display for FitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             FitError::OutOfRange { quantity, value, low, high } => {
+                let [value, low, high] = [*value, *low, *high].map(printable_number);
                 write!(f, "{quantity} is {value}, but must be between {low} and {high}")
             }
             FitError::Ends { curve, end_m, wanted } => {
@@ -129,14 +131,14 @@ impl FittedFender {
             return Err(FitError::Ends {
                 curve: name(reference),
                 end_m,
-                wanted: format!("the fender is {} m high", options.height_m),
+                wanted: format!("the fender is {} m high", printable_number(options.height_m)),
             });
         }
         let rated_m = options.rated_deflection_m.unwrap_or(end_m);
         let rated_n = value(&reference.loading, rated_m).ok_or_else(|| FitError::Ends {
             curve: name(reference),
             end_m,
-            wanted: format!("the rated deflection is {rated_m} m"),
+            wanted: format!("the rated deflection is {} m", printable_number(rated_m)),
         })?;
         if rated_n <= 0.0 {
             return Err(FitError::NoReaction { rated_deflection_m: rated_m });
@@ -298,7 +300,7 @@ fn end(branch: &Branch) -> f64 {
 fn factor(curve: &LoadingCurve, reference: &LoadingCurve, rated_m: f64) -> Result<f64, FitError> {
     let end_m = end(&curve.loading);
     if end_m < rated_m {
-        let wanted = format!("the rated deflection is {rated_m} m");
+        let wanted = format!("the rated deflection is {} m", printable_number(rated_m));
         return Err(FitError::Ends { curve: name(curve), end_m, wanted });
     }
     Ok(integral(&curve.loading, rated_m) / integral(&reference.loading, rated_m))

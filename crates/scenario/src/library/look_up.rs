@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::printable::printable_number;
 use crate::sources::quoted;
 use crate::suggest::nearest;
 
@@ -82,7 +83,7 @@ impl fmt::Display for LookUpError {
                 write!(f, "{family} fenders have no reference size to scale from")
             }
             LookUpError::OutOfRange { quantity, value } => {
-                write!(f, "no fender has a {quantity} of {value}")
+                write!(f, "no fender has a {quantity} of {}", printable_number(*value))
             }
         }
     }

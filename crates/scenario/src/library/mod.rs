@@ -8,6 +8,7 @@ mod keys;
 mod look_up;
 mod read;
 
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use fenderline_sim::hydro::vessels::Standing;
@@ -59,10 +60,20 @@ static BUILT_IN: [(&str, &str); 6] = built_in![
 /// assert_eq!(error.help(), "did you mean \"pneumatic\"?");
 /// # Ok::<(), fenderline_scenario::LookUpError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct FenderLibrary {
     families: Vec<Family>,
     hull_pressures: Vec<HullPressureLimit>,
+    places: Places,
+}
+
+/// Where the things of a name stand in the lists of a library.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Places {
+    families: BTreeMap<String, usize>,
+    /// By designation, one map a family.
+    sizes: Vec<BTreeMap<String, usize>>,
+    hull_pressures: BTreeMap<String, usize>,
 }
 
 impl FenderLibrary {
@@ -72,7 +83,7 @@ impl FenderLibrary {
         // Read once: a batch checks thousands of scenarios.
         static READ: OnceLock<FenderLibrary> = OnceLock::new();
         let read = || {
-            let empty = FenderLibrary { families: Vec::new(), hull_pressures: Vec::new() };
+            let empty = FenderLibrary::default();
             BUILT_IN.iter().fold(empty, |library, (name, text)| {
                 library.with_file(text, name).expect("built-in fender files are good")
             })
@@ -87,7 +98,7 @@ impl FenderLibrary {
     /// The first mistake found: what is no TOML, then unknown keys and bad values in the order of
     /// the file, then what does not fit together or is there already.
     pub fn with_file(mut self, text: &str, name: &str) -> Result<FenderLibrary, ScenarioError> {
-        let sources = Sources { file_name: name, text, overrides: &[] };
+        let sources = Sources::new(name, text, &[]);
         let document = syntax::parse(&sources)?;
         let end = text.trim_end().len();
         let file = reader::table(&sources, &FENDER_FILE, "", end..end, &document)?;
@@ -98,8 +109,8 @@ impl FenderLibrary {
                 sources.file_error("the file has neither families nor hull pressure limits");
             return Err(error.with_help("write [family.NAME] with its keys below"));
         }
-        read::families(&sources, families, &mut self.families)?;
-        read::hull_pressures(&sources, limits, &mut self.hull_pressures)?;
+        read::families(&sources, families, &mut self)?;
+        read::hull_pressures(&sources, limits, &mut self)?;
         Ok(self)
     }
 
@@ -120,7 +131,11 @@ impl FenderLibrary {
     /// # Errors
     /// There is none.
     pub fn family(&self, name: &str) -> Result<&Family, LookUpError> {
-        self.families.iter().find(|family| family.name == name).ok_or_else(|| {
+        Ok(&self.families[self.family_place(name)?])
+    }
+
+    fn family_place(&self, name: &str) -> Result<usize, LookUpError> {
+        self.places.families.get(name).copied().ok_or_else(|| {
             let known = self.families.iter().map(|family| family.name.as_str());
             LookUpError::unknown("family of fenders".to_owned(), name, known)
         })
@@ -131,8 +146,9 @@ impl FenderLibrary {
     /// # Errors
     /// There is none of that name.
     pub fn fender(&self, family: &str, designation: &str) -> Result<CatalogueFender, LookUpError> {
-        let family = self.family(family)?;
-        let size = family.sizes.iter().find(|size| size.designation == designation);
+        let place = self.family_place(family)?;
+        let (family, sizes) = (&self.families[place], &self.places.sizes[place]);
+        let size = sizes.get(designation).map(|place| &family.sizes[*place]);
         let size = size.ok_or_else(|| {
             let known = family.sizes.iter().map(|size| size.designation.as_str());
             LookUpError::unknown(format!("size of {} fenders", family.name), designation, known)
@@ -186,7 +202,8 @@ impl FenderLibrary {
     /// # Errors
     /// There is no such type.
     pub fn hull_pressure_limit(&self, ship: &str) -> Result<&HullPressureLimit, LookUpError> {
-        self.hull_pressures.iter().find(|limit| limit.ship == ship).ok_or_else(|| {
+        let place = self.places.hull_pressures.get(ship);
+        place.map(|place| &self.hull_pressures[*place]).ok_or_else(|| {
             let known = self.hull_pressures.iter().map(|limit| limit.ship.as_str());
             LookUpError::unknown("type of ship".to_owned(), ship, known)
         })

@@ -1,15 +1,17 @@
 //! From a checked fender file to families: what the key table cannot say, because it holds between
 //! keys.
 
+use std::collections::BTreeMap;
+
 use crate::checked::{Item, Table};
 use crate::error::ScenarioError;
 use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
 
-use super::curve;
 use super::family::{
     FactorTable, Family, FamilyUnloading, FenderSize, HullPressureLimit, Tolerance,
 };
+use super::{FenderLibrary, curve};
 use fenderline_contact::{FenderLaw, Unloading};
 use fenderline_sim::hydro::vessels::Standing;
 
@@ -23,19 +25,25 @@ const ROUNDING: f64 = 0.005;
 pub(super) fn families(
     sources: &Sources<'_>,
     tables: &[(String, Table)],
-    known: &mut Vec<Family>,
+    library: &mut FenderLibrary,
 ) -> Read<()> {
+    let FenderLibrary { families: known, places, .. } = library;
     for (name, table) in tables {
-        let there = known.iter().position(|family| family.name == *name);
+        let there = places.families.get(name).copied();
         match (there, table.item("curve")) {
-            (Some(there), None) => more_sizes(sources, table, &mut known[there])?,
+            (Some(there), None) => {
+                more_sizes(sources, table, &mut known[there], &mut places.sizes[there])?;
+            }
             (Some(_), Some(curve)) => {
                 let message = format!("there is a family named {} already", quoted(name));
                 let error = sources.error(&curve.key_span, &table.path, message);
                 return Err(error.with_help("take another name, or give sizes alone to add them"));
             }
             (None, Some(curve)) => {
-                let family = new_family(sources, name, table, curve)?;
+                let mut sizes = BTreeMap::new();
+                let family = new_family(sources, name, table, curve, &mut sizes)?;
+                places.families.insert(name.clone(), known.len());
+                places.sizes.push(sizes);
                 known.push(family);
             }
             (None, None) => return Err(without_curve(sources, name, table, known)),
@@ -48,10 +56,11 @@ pub(super) fn families(
 pub(super) fn hull_pressures(
     sources: &Sources<'_>,
     tables: &[(String, Table)],
-    known: &mut Vec<HullPressureLimit>,
+    library: &mut FenderLibrary,
 ) -> Read<()> {
+    let known = &mut library.hull_pressures;
     for (name, table) in tables {
-        if known.iter().any(|limit| limit.ship == *name) {
+        if library.places.hull_pressures.insert(name.clone(), known.len()).is_some() {
             let message = format!("there is a limit for {} already", quoted(name));
             return Err(sources.error(&table.span, &table.path, message));
         }
@@ -78,7 +87,12 @@ fn without_curve(
     })
 }
 
-fn more_sizes(sources: &Sources<'_>, table: &Table, family: &mut Family) -> Read<()> {
+fn more_sizes(
+    sources: &Sources<'_>,
+    table: &Table,
+    family: &mut Family,
+    places: &mut BTreeMap<String, usize>,
+) -> Read<()> {
     // A default stands at its table's place: only what the file gives is looked at.
     let given = table.items.iter().find(|item| item.name != "size");
     if let Some(item) = given {
@@ -88,10 +102,16 @@ fn more_sizes(sources: &Sources<'_>, table: &Table, family: &mut Family) -> Read
         let error = sources.error(&item.key_span, &path, message);
         return Err(error.with_help("give sizes alone, or a new family with its own curve"));
     }
-    sizes(sources, table, &mut family.sizes)
+    sizes(sources, table, &mut family.sizes, places)
 }
 
-fn new_family(sources: &Sources<'_>, name: &str, table: &Table, item: &Item) -> Read<Family> {
+fn new_family(
+    sources: &Sources<'_>,
+    name: &str,
+    table: &Table,
+    item: &Item,
+    places: &mut BTreeMap<String, usize>,
+) -> Read<Family> {
     let inner = item.table();
     let points = inner.given("points");
     let curve = points.curve().to_vec();
@@ -102,7 +122,7 @@ fn new_family(sources: &Sources<'_>, name: &str, table: &Table, item: &Item) -> 
     }
     let rated_deflection = rated_deflection(sources, table, &curve)?;
     let mut all_sizes = Vec::new();
-    sizes(sources, table, &mut all_sizes)?;
+    sizes(sources, table, &mut all_sizes, places)?;
     let factors = |key| table.item(key).map(|item| factor_table(item.table()));
     let (source, standing) = origin(inner);
     Ok(Family {
@@ -123,7 +143,7 @@ fn new_family(sources: &Sources<'_>, name: &str, table: &Table, item: &Item) -> 
         angle_energy: factors("angle_energy"),
         angle_reaction: factors("angle_reaction"),
         tolerance: table.item("tolerance").map(|item| tolerance(item.table())),
-        reference: reference(sources, table, &all_sizes)?,
+        reference: reference(sources, table, &all_sizes, places)?,
         sizes: all_sizes,
     })
 }
@@ -148,11 +168,16 @@ fn rated_deflection(sources: &Sources<'_>, table: &Table, curve: &[(f64, f64)]) 
     Ok(rated)
 }
 
-fn reference(sources: &Sources<'_>, table: &Table, sizes: &[FenderSize]) -> Read<Option<usize>> {
+fn reference(
+    sources: &Sources<'_>,
+    table: &Table,
+    sizes: &[FenderSize],
+    places: &BTreeMap<String, usize>,
+) -> Read<Option<usize>> {
     let Some(item) = table.item("reference") else { return Ok(None) };
     let name = item.text();
-    if let Some(index) = sizes.iter().position(|size| size.designation == name) {
-        return Ok(Some(index));
+    if let Some(index) = places.get(name) {
+        return Ok(Some(*index));
     }
     let path = table.path_of("reference");
     let message = format!("`{path}`: the family has no size {}", quoted(name));
@@ -163,11 +188,17 @@ fn reference(sources: &Sources<'_>, table: &Table, sizes: &[FenderSize]) -> Read
     })
 }
 
-fn sizes(sources: &Sources<'_>, family: &Table, sizes: &mut Vec<FenderSize>) -> Read<()> {
+/// Adds the sizes that a family's table has; `places` has where each stands.
+fn sizes(
+    sources: &Sources<'_>,
+    family: &Table,
+    sizes: &mut Vec<FenderSize>,
+    places: &mut BTreeMap<String, usize>,
+) -> Read<()> {
     for table in family.given("size").list() {
         let item = table.given("designation");
         let designation = item.text();
-        if sizes.iter().any(|size| size.designation == designation) {
+        if places.insert(designation.to_owned(), sizes.len()).is_some() {
             let path = table.path_of("designation");
             let message = format!("`{path}`: there is a size {} already", quoted(designation));
             return Err(sources.error(&item.span, &path, message));

@@ -8,6 +8,7 @@ mod provenance;
 mod read;
 mod shape;
 
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 pub use data::{Belting, DeckPoint, Shaft, Stability, VesselData};
@@ -52,9 +53,11 @@ static BUILT_IN: [(&str, &str); 7] = built_in![
 /// assert_eq!(error.help(), "did you mean \"kcs\"?");
 /// # Ok::<(), fenderline_scenario::LookUpError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct VesselLibrary {
     vessels: Vec<VesselData>,
+    /// Where each stands, by name.
+    places: BTreeMap<String, usize>,
 }
 
 impl VesselLibrary {
@@ -64,7 +67,7 @@ impl VesselLibrary {
         // Read once: a batch checks thousands of scenarios.
         static READ: OnceLock<VesselLibrary> = OnceLock::new();
         let read = || {
-            let empty = VesselLibrary { vessels: Vec::new() };
+            let empty = VesselLibrary::default();
             BUILT_IN.iter().fold(empty, |library, (name, text)| {
                 let read = library.with_file(text, name);
                 read.unwrap_or_else(|error| panic!("vessels/{name}: {error}"))
@@ -79,19 +82,25 @@ impl VesselLibrary {
     /// The first mistake found: what is no TOML, then unknown keys and bad values in the order of the file,
     /// then what no ship can be, has no source, or is there already.
     pub fn with_file(mut self, text: &str, name: &str) -> Result<VesselLibrary, ScenarioError> {
-        let sources = Sources { file_name: name, text, overrides: &[] };
+        let sources = Sources::new(name, text, &[]);
         let document = syntax::parse(&sources)?;
         let end = text.trim_end().len();
         let file = reader::table(&sources, &VESSEL_FILE, "", end..end, &document)?;
         for (name, table) in file.given("vessel").named() {
-            if self.vessels.iter().any(|vessel| vessel.name == *name) {
+            if self.has(name) {
                 let message = format!("there is a vessel named {} already", quoted(name));
                 return Err(sources.error(&table.span, &table.path, message));
             }
             let vessel = read::file_vessel(&sources, name, table, &self)?;
+            self.places.insert(name.clone(), self.vessels.len());
             self.vessels.push(vessel);
         }
         Ok(self)
+    }
+
+    /// Whether there is a vessel of this name.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.places.contains_key(name)
     }
 
     /// All vessels, in the order in which their files came.
@@ -105,7 +114,7 @@ impl VesselLibrary {
     /// # Errors
     /// There is none.
     pub fn vessel(&self, name: &str) -> Result<&VesselData, LookUpError> {
-        self.vessels.iter().find(|vessel| vessel.name == name).ok_or_else(|| {
+        self.places.get(name).map(|place| &self.vessels[*place]).ok_or_else(|| {
             let known = self.vessels.iter().map(|vessel| vessel.name.as_str());
             LookUpError::unknown("vessel".to_owned(), name, known)
         })

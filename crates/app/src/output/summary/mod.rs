@@ -60,6 +60,7 @@ pub(crate) fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<St
         "integrator": integrator_text(setup.integrator),
         "step_s": setup.step_s,
         "steps": outcome.steps,
+        "interrupted": outcome.interrupted.is_some(),
         "duration_s": setup.duration_s,
         "bodies": bodies,
         "pairs": pairs,

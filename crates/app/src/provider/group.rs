@@ -1,0 +1,84 @@
+//! A provider with the processes that it started: they end with it, and not before or after.
+//!
+//! On Unix it is the leader of a process group of its own. Ctrl-C at the terminal so does not reach it: the run decides
+//! when it ends. What leaves the group by `setsid` is no longer its, and is left alone. Elsewhere only the provider
+//! itself is ended.
+
+use std::io;
+use std::process::{Child, Command};
+#[cfg(unix)]
+use std::sync::Mutex;
+
+#[cfg(unix)]
+use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
+
+/// The groups that are there, so that a program that ends at once ends them too. One stays in it only as long as its
+/// leader was not waited for: until then no other process or group can have its number.
+#[cfg(unix)]
+static GROUPS: Mutex<Vec<Pid>> = Mutex::new(Vec::new());
+
+/// A process group.
+pub(super) struct Group {
+    #[cfg(unix)]
+    leader: Pid,
+}
+
+impl Group {
+    /// Starts a command as the leader of a group of its own.
+    pub(super) fn start(command: &mut Command) -> io::Result<(Child, Group)> {
+        #[cfg(unix)]
+        {
+            use std::os::unix::process::CommandExt as _;
+            // Nobody ends all groups between its start and its entry.
+            let mut groups = lock();
+            let child = command.process_group(0).spawn()?;
+            let leader = Pid::from_child(&child);
+            groups.push(leader);
+            Ok((child, Group { leader }))
+        }
+        #[cfg(not(unix))]
+        Ok((command.spawn()?, Group {}))
+    }
+
+    /// Whether the leader has ended; it is not waited for, so that its number stays its own.
+    pub(super) fn has_leader_ended(&self, child: &mut Child) -> bool {
+        #[cfg(unix)]
+        {
+            let _ = child;
+            let how = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
+            // An error says that it was waited for.
+            !matches!(waitid(WaitId::Pid(self.leader), how), Ok(None))
+        }
+        #[cfg(not(unix))]
+        matches!(child.try_wait(), Ok(Some(_)) | Err(_))
+    }
+
+    /// Ends all of the group that are still there; nothing where that was done.
+    pub(super) fn end(&self) {
+        #[cfg(unix)]
+        {
+            let mut groups = lock();
+            if let Some(place) = groups.iter().position(|leader| *leader == self.leader) {
+                end(groups.swap_remove(place));
+            }
+        }
+    }
+}
+
+/// Ends the processes of all providers, where the program ends without coming to its end.
+#[cfg(unix)]
+pub(crate) fn end_all() {
+    lock().drain(..).for_each(end);
+}
+
+#[cfg(unix)]
+fn end(leader: Pid) {
+    // An error says that nobody is left.
+    let _ = kill_process_group(leader, Signal::KILL);
+}
+
+#[cfg(unix)]
+fn lock() -> std::sync::MutexGuard<'static, Vec<Pid>> {
+    // A list of numbers is whole whatever its last user did.
+    GROUPS.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+}
