@@ -252,11 +252,12 @@ impl VesselSetup {
         }
     }
 
-    /// Hull, propeller and rudder in the water of a time. Her added mass stays that of the start.
+    /// Hull, propeller and rudder in the water of a time. The added mass in it is that of the time, as the hull's force has
+    /// its Coriolis terms; she moves with that of the start.
     fn ship_now(&self, environment: &Environment, t_s: f64) -> Mmg {
         match (&environment.tide, environment.depth_at_m(t_s)) {
             (Tide::Level(_), _) | (_, None) => self.ship,
-            (_, Some(depth_m)) => self.deep.at_depth_moving(depth_m, self.ship.added_mass),
+            (_, Some(depth_m)) => self.deep.at_depth(depth_m),
         }
     }
 

@@ -48,7 +48,7 @@ pub(super) fn corrections(ship: &Particulars, x: f64) -> Corrections {
 }
 
 /// On N_r, (1 − x)^(14.28 T/L − 1.5) − x, of Kijima et al. (1990).
-pub(super) fn yaw_damping(ship: &Particulars, x: f64) -> f64 {
+fn yaw_damping(ship: &Particulars, x: f64) -> f64 {
     let slender = (ship.draught_m / ship.length_m).min(DEEPEST_HULL);
     libm::pow(1.0 - x, 14.28 * slender - 1.5) - x
 }

@@ -94,16 +94,18 @@ pub fn mean_drift(
     (heading_rad, velocity_mps): (f64, Vec2),
     water_density_kgpm3: f64,
 ) -> [f64; 3] {
-    let direction_rad = sea.towards_rad() - heading_rad;
-    let reflected = Waterline::of(hull).reflection(direction_rad);
     let mut sum = [0.0; 3];
-    for wave in &sea.components {
-        let squared_m2 = wave.amplitude_m * wave.amplitude_m;
-        let with_waves = wave.number_radpm.dot(velocity_mps) / wave.frequency_radps;
-        let (number_radpm, share) = encountered(wave.number_radpm.length(), -with_waves);
-        let coefficients = hull.add_up(&reflected, number_radpm, direction_rad);
-        for (sum, coefficient) in sum.iter_mut().zip(coefficients) {
-            *sum += squared_m2 * share * coefficient;
+    for (index, towards_rad) in sea.directions_rad.iter().enumerate() {
+        let direction_rad = towards_rad - heading_rad;
+        let reflected = Waterline::of(hull).reflection(direction_rad);
+        for wave in sea.components.iter().filter(|wave| wave.direction == index) {
+            let squared_m2 = wave.amplitude_m * wave.amplitude_m;
+            let with_waves = wave.number_radpm.dot(velocity_mps) / wave.frequency_radps;
+            let (number_radpm, share) = encountered(wave.number_radpm.length(), -with_waves);
+            let coefficients = hull.add_up(&reflected, number_radpm, direction_rad);
+            for (sum, coefficient) in sum.iter_mut().zip(coefficients) {
+                *sum += squared_m2 * share * coefficient;
+            }
         }
     }
     sum.map(|sum| water_density_kgpm3 * GRAVITY_MPS2 * sum)
