@@ -42,7 +42,7 @@ const fn test(package: &'static str, file: &'static str, test: &'static str) -> 
     Kind::Test { package, file, test }
 }
 
-const PARTS: [Part; 9] = [
+const PARTS: [Part; 11] = [
     Part {
         name: "files",
         what: "scenarios with something changed, checked and run",
@@ -97,6 +97,16 @@ const PARTS: [Part; 9] = [
         name: "providers",
         what: "programs that answer with anything, at any time, or not at all",
         attack: test("fenderline", "attack_providers", ""),
+    },
+    Part {
+        name: "hosts",
+        what: "simulators in C that teleport, lie about speeds, step from 1e-9 to 1e6 s and alter saved states",
+        attack: test("fenderline-capi", "attack_hosts", "hosts_that_lie"),
+    },
+    Part {
+        name: "fmi",
+        what: "states of FMI 3 altered and absurd, inputs and steps of any size, calls in any order",
+        attack: test("fenderline-fmu", "attack_fmi3", "altered_states"),
     },
     Part {
         name: "fuzz",

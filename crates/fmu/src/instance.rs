@@ -184,7 +184,7 @@ impl Instance {
     pub(crate) fn step(&mut self, from_s: f64, step_s: f64) -> Outcome {
         self.must_be(&[Phase::Stepping], "a step")?;
         let (plan, state) = (&*self.plan, &mut self.state);
-        if !(step_s >= 0.0 && step_s.is_finite() && from_s.is_finite()) {
+        if !(step_s >= 0.0 && from_s.is_finite() && (from_s + step_s).is_finite()) {
             return Err(format!("a step from {from_s} s of {step_s} s is none"));
         }
         let slack_s = SLACK_S * greater(state.time_s.abs(), 1.0) + SLACK_STEPS * step_s;

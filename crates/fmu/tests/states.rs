@@ -68,6 +68,20 @@ fn a_saved_state_goes_on_with_the_same_bits_here_and_elsewhere() {
     }
 }
 
+/// Begun at 1.6e308 s, or in an altered state of such a time, a step of as much was done, and the time reached infinite.
+#[test]
+fn a_step_to_no_time_at_all_is_refused() {
+    for (kind, _, name) in KINDS {
+        let fmu = Unpacked::new(kind, &format!("nowhere-{name}"));
+        let log = Messages::default();
+        let tug = fmu.two(&log);
+        assert_eq!(tug.set_up(1.6e308, None), OK);
+        assert_eq!((tug.enter(), tug.exit()), (OK, OK));
+        assert_eq!(tug.step(1.6e308, 1.6e308), ERROR, "{name}");
+        assert!(log.last().contains("is none"), "{name}");
+    }
+}
+
 #[test]
 fn bytes_that_are_no_state() {
     for (kind, input, name) in KINDS {
