@@ -348,7 +348,7 @@ static void ask(fl_engine *e)
         break;
     case 8:
         into = room(count, sizeof(fl_wrench), &block);
-        if (told(fl_engine_wrenches(e, into, count)) == FL_STATUS_OK)
+        if (told((below(2) ? fl_engine_wrenches : fl_engine_peaks)(e, into, count)) == FL_STATUS_OK)
             finite(into, 3 * count);
         break;
     case 9:

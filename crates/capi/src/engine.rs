@@ -272,8 +272,8 @@ pub unsafe extern "C" fn fl_engine_set_states(
 }
 
 /// Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
-/// start afresh (FL_EVENT_TELEPORTED), no load is read from it, and where it lies within another body it is
-/// pressed out slowly (FL_EVENT_PUT_INTO). Without it the engine finds that out where the body is a tenth of the
+/// start afresh (FL_EVENT_TELEPORTED), no load is read from it, and out of another body it is pressed slowly
+/// (FL_EVENT_PUT_INTO, where it lies so deep that it would be thrown out). Without it the engine finds that out where the body is a tenth of the
 /// radius of its outline farther than its velocities lead it. A host that shows its states some steps late calls it
 /// when it first shows the new place. To go back in time, restore a saved engine.
 #[unsafe(no_mangle)]
@@ -335,8 +335,8 @@ pub unsafe extern "C" fn fl_engine_advance(
     })
 }
 
-/// Copies the wrenches of the last step, which the host is to add to its forces for that step; `count` is the
-/// number of bodies.
+/// Copies the wrenches of the last step, which the host is to add to its forces for that step: means over it, so that
+/// the impulse is right, as fl_engine_peaks() are not. `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_wrenches(
     engine: *const FlEngine,
@@ -349,8 +349,29 @@ pub unsafe extern "C" fn fl_engine_wrenches(
     })
 }
 
+/// Copies the greatest contact wrench on each body within the last step; `count` is the number of bodies. The wrenches
+/// that move the bodies are means over the step: of a force that falls off within a long one they are much less than
+/// the force that was there. Size fenders and structures by the peaks, and move bodies by fl_engine_wrenches(). Of the
+/// sub-steps in which the engine takes a step it is the wrench of that in which the force was greatest; by the paper's
+/// method, which knows no sub-steps, the same as fl_engine_wrenches(). The peak of each contact is
+/// fl_contact.peak_normal_force_n.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fl_engine_peaks(
+    engine: *const FlEngine,
+    peaks: *mut FlWrench,
+    count: usize,
+) -> FlStatus {
+    results(engine, |results| {
+        // SAFETY: as the caller promises.
+        unsafe { give(results.peaks, peaks, count, FlWrench::outward) }
+    })
+}
+
 /// Copies the states that the engine came to at the end of the last step, for hosts that let it move the
-/// bodies: by the coupled method with a host of the present. `count` is the number of bodies.
+/// bodies: by the coupled method with a host of the present. `count` is the number of bodies. Positions are those of the
+/// step's end. Velocities are those of half a step before it (of half of the last sub-step, where contacts needed
+/// several), as a leapfrog has them: show them again as they are; where you compare them with others, or draw them over
+/// time, draw them there.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_states_after(
     engine: *const FlEngine,

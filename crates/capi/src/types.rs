@@ -69,7 +69,7 @@ pub const FL_EVENT_FENDER_OVER_RATED: u32 = 7;
 pub const FL_EVENT_FENDER_FAILED: u32 = 8;
 /// fl_event.kind: the solve of these bodies' contact did not settle within its bounded work.
 pub const FL_EVENT_NOT_CONVERGED: u32 = 9;
-/// fl_event.kind: a body was put into another, so deep that the contact would throw it out: it is pressed out
+/// fl_event.kind: a body was put into another, so deep that the contact would throw it out faster: it is pressed out
 /// instead, at 0.08 m/s at most.
 pub const FL_EVENT_PUT_INTO: u32 = 10;
 /// fl_event.kind: a body answers the wrenches that a following host is given otherwise than its mass in the model

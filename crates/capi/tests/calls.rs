@@ -245,3 +245,25 @@ fn settings_of_another_header_and_those_that_do_nothing_are_refused() {
     assert_eq!(refused(coupled), FlStatus::Ok);
     assert_eq!(fl_engine_destroy(engine), FlStatus::Ok);
 }
+
+/// A hit within one step of 4 s: the wrench is its mean, and the peak what was there.
+#[test]
+fn the_peaks_of_a_step_stand_beside_its_means() {
+    let engine = Engine::new(COUPLED, None);
+    let mut peaks = [FlWrench::default(); 2];
+    // SAFETY: room for two.
+    let ask = |peaks: &mut [FlWrench]| unsafe {
+        fl_engine_peaks(engine.0, peaks.as_mut_ptr(), peaks.len())
+    };
+    assert_eq!(ask(&mut peaks), FlStatus::OutOfOrder);
+    let mut states = engine.begin();
+    states[1].east_m += 1.0;
+    assert_eq!(engine.set(&states), FlStatus::Ok);
+    assert_eq!(fl_engine_step(engine.0, 4.0), FlStatus::Ok);
+    assert_eq!(ask(&mut peaks), FlStatus::Ok);
+    let (_, wrenches) = engine.wrenches();
+    assert!(peaks[1].east_n < 3.0 * wrenches[1].east_n, "{peaks:?}, {wrenches:?}");
+    assert!((peaks[0].east_n / -peaks[1].east_n - 1.0).abs() < 1e-9, "{peaks:?}");
+    assert_eq!(ask(&mut peaks[..1]), FlStatus::BadArgument);
+    assert_eq!(engine.destroy(), FlStatus::Ok);
+}

@@ -27,6 +27,7 @@ pub(crate) fn pause(
     let count = model.bodies().len();
     if work.results_of != Some(model.layout) {
         work.contacts.clear();
+        work.peaks.clear();
         work.wrenches.clear();
         work.wrenches.resize(count, Wrench::default());
         work.results_of = Some(model.layout);

@@ -203,7 +203,7 @@ pub enum EventKind {
     FenderFailed(FenderId),
     /// The coupled solve of these bodies' contact did not settle within its bounded work.
     NotConverged,
-    /// A body was put into another, so deep that the contact would throw it out: it is pressed out instead, at
+    /// A body was put into another, so deep that the contact would throw it out faster: it is pressed out instead, at
     /// [`crate::PRESSED_OUT_MPS`] at most.
     PutInto,
     /// A body answers the wrenches that its host is given otherwise than its mass in the model says: the host moves

@@ -65,6 +65,7 @@ pub fn step(
 /// one wrench per body, in the order of the contacts.
 fn forces(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
     work.contacts.clear();
+    work.peaks.clear();
     work.next_patches.clear();
     work.next_places.clear();
     PlaceMemory::add_all(&work.found.patches, &work.found.places, &mut work.next_places);

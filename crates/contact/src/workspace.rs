@@ -7,6 +7,7 @@ use core::ops::Range;
 use crate::coupled::bodies::Sums;
 use crate::coupled::island::{Island, IslandMemory};
 use crate::coupled::leap::Trial;
+use crate::coupled::peaks::{self, Peak};
 use crate::coupled::rows::Row;
 use crate::coupled::tie::Tie;
 use crate::fender::RankedFender;
@@ -120,6 +121,9 @@ pub struct Workspace {
     pub(crate) first_place: usize,
     pub(crate) first_hint: usize,
     pub(crate) first_contact: usize,
+    /// Greatest wrenches of those bodies whose contacts took several sub-steps, and the first of the islands'.
+    pub(crate) peaks: Vec<Peak>,
+    pub(crate) first_peak: usize,
     /// Islands, and so what they leave, are in the order of the candidates' keys.
     pub(crate) in_order: bool,
     /// The contacts of a sub-step, and beyond them places for more.
@@ -230,6 +234,8 @@ impl Workspace {
             first_place: 0,
             first_hint: 0,
             first_contact: 0,
+            peaks: Vec::new(),
+            first_peak: 0,
             in_order: true,
             rows: Vec::new(),
             ties: Vec::new(),
@@ -253,7 +259,8 @@ impl Workspace {
     }
 
     /// States at the end of the last step by [`crate::advance`], one a body: what a host that lets
-    /// the engine move its bodies goes on with. None after [`crate::advance_in_place`], which has moved them.
+    /// the engine move its bodies goes on with. None after [`crate::advance_in_place`], which has moved them. Velocities
+    /// are those of the middle of the last sub-step.
     #[must_use]
     pub fn states_after(&self) -> &[BodyState] {
         &self.states_after
@@ -278,10 +285,20 @@ impl Workspace {
         &self.contacts
     }
 
-    /// Sum of the contact forces on each body in the last step, one a body.
+    /// Sum of the contact forces on each body in the last step, one a body: means over the step, by which bodies are
+    /// moved. [`Workspace::tell_peaks`] has what was there at the worst moment.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.wrenches
+    }
+
+    /// Writes the greatest sum of the contact forces on each body within the last step into a list, one a body: of its
+    /// sub-steps the wrench of that in which the force was greatest; by the paper's method, and where the step was one
+    /// sub-step, [`Workspace::wrenches`]. Size fenders and structures by it, but move no body: a force that falls off
+    /// within a long step is this large for a part of it. Of a fixed body that floating ones touch which do not touch
+    /// each other, what it is where they are greatest at one time.
+    pub fn tell_peaks(&self, into: &mut Vec<Wrench>) {
+        peaks::tell(&self.peaks, &self.wrenches, into);
     }
 
     /// Events of the last step.

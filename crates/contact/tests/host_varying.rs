@@ -7,7 +7,7 @@ use fenderline_contact::{
     BodyState, EventKind, FollowingHost, HostIntegration, HostSettings, HostWorkspace, Memory,
     Mobility, Workspace, Wrench, advance, advance_in_place, vec2,
 };
-use master::{Master, Story, model, rectangle, rubber, tug_at_a_wall};
+use master::{Master, Service, Story, model, rectangle, rubber, tug_at_a_wall};
 
 const INTEGRATIONS: [HostIntegration; 2] =
     [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit];
@@ -78,6 +78,36 @@ fn a_tug_at_rest_under_an_untold_push_feels_no_frame_that_takes_longer() {
     });
 }
 
+/// A tug at rest at a soft wall, pushed from the first step on. The host's own steps give her half a step of the load
+/// before she is at her place; the engine took her to have another half of a (sub-)step, and she went 2.8 % too deep.
+#[test]
+fn a_tug_pushed_from_rest_has_not_half_a_step_of_the_load_too_much() {
+    const PUSH_N: f64 = 2e5;
+    let stiffness_npm = 50e3 * 13.0;
+    for step_s in [0.1, 0.5, 1.0, 2.0] {
+        every_master(|integration, delay_steps| {
+            let mut story = tug_at_a_wall(0.0, 0.0, 1.0);
+            let bodies = story.model.bodies().iter();
+            let bodies: Vec<_> = bodies.map(|b| (b.outline.clone(), b.mobility)).collect();
+            story.model = model(&bodies, rubber(50e3, 1.0, 0.0));
+            story.loads[0].force_n.x = PUSH_N;
+            let settings = HostSettings { delay_steps, integration };
+            let mut master = Master::new(story, integration, delay_steps, Service::Told(settings));
+            let (mut deepest_m, mut time_s) = (0.0_f64, 0.0);
+            while time_s < 12.0 {
+                master.step(step_s);
+                time_s += step_s;
+                let depths = master.work.contacts().iter().map(|contact| contact.peak_depth_m);
+                deepest_m = depths.fold(deepest_m, f64::max);
+            }
+            let half_turn_rad = 0.5 * step_s * (stiffness_npm / 1e6_f64).sqrt();
+            let right_m = PUSH_N / stiffness_npm * (1.0 + libm::hypot(half_turn_rad, 1.0));
+            let who = format!("{integration:?}, delay {delay_steps}, {step_s} s");
+            assert!((deepest_m / right_m - 1.0).abs() < 0.005, "{who}: {deepest_m}, not {right_m}");
+        });
+    }
+}
+
 /// A ship of 80 m × 20 m that drifts sideways, 1 m off a wall of 50 kN/m².
 fn berthing(mass_kg: f64, speed_mps: f64, restitution: f64) -> Story {
     let ship = Mobility::Free { mass_kg, yaw_inertia_kgm2: mass_kg * 400.0 };
@@ -92,18 +122,22 @@ fn berthing(mass_kg: f64, speed_mps: f64, restitution: f64) -> Story {
     }
 }
 
-/// Largest wrench and largest peak told of a contact [N], and the speed at which she leaves [m/s].
-fn berthed(mut master: Master, mut next_s: impl FnMut() -> f64) -> [f64; 3] {
-    let (mut largest_n, mut peak_n, mut time_s) = (0.0_f64, 0.0_f64, 0.0);
+/// Largest wrench, largest peak told of the ship and of a contact [N], and the speed at which she leaves [m/s].
+fn berthed(mut master: Master, mut next_s: impl FnMut() -> f64) -> [f64; 4] {
+    let (mut largest_n, mut peak_n, mut of_contact_n, mut time_s) = (0.0_f64, 0.0_f64, 0.0, 0.0);
     while time_s < 90.0 {
         let step_s = next_s();
         master.step(step_s);
         time_s += step_s;
         largest_n = largest_n.max(master.work.wrenches()[0].force_n.length());
         let peaks = master.work.contacts().iter().map(|contact| contact.peak_normal_force_n);
-        peak_n = peak_n.max(peaks.fold(0.0, f64::max));
+        of_contact_n = peaks.fold(of_contact_n, f64::max);
+        let of_bodies = master.work.peaks();
+        peak_n = peak_n.max(of_bodies[0].force_n.length());
+        let sum_n = (of_bodies[0].force_n + of_bodies[1].force_n).length();
+        assert!(sum_n <= 1e-9 * peak_n, "as much on the wall: {of_bodies:?}");
     }
-    [largest_n, peak_n, -master.states()[0].velocity_mps.x]
+    [largest_n, peak_n, of_contact_n, -master.states()[0].velocity_mps.x]
 }
 
 /// Forward Euler hosts went up to 0.5 m too deep in a frame, and left seven times as fast.
@@ -114,19 +148,22 @@ fn a_ship_berths_with_jitter_and_frames_of_2_s_as_with_fixed_ones() {
             every_master(|integration, delay_steps| {
                 let story = berthing(mass_kg, speed_mps, restitution);
                 let master = || Master::known(story.clone(), integration, delay_steps);
-                let [fixed_n, _, fixed_mps] = berthed(master(), || FRAME_S);
+                let [fixed_n, _, _, fixed_mps] = berthed(master(), || FRAME_S);
                 for (seed, single_every_s) in [(1, 1e9), (2, 1e9), (3, 11.0), (4, 11.0), (5, 4.0)] {
                     let mut frames = Frames::new(seed, 0.5, single_every_s);
-                    let [largest_n, peak_n, left_mps] = berthed(master(), || frames.next_s());
+                    let [largest_n, peak_n, of_contact_n, left_mps] =
+                        berthed(master(), || frames.next_s());
                     let who = format!(
                         "{mass_kg} kg, γ {restitution}, {speed_mps} m/s, {integration:?}, delay {delay_steps}, seed {seed}"
                     );
-                    // The wrench is a mean over the frame: where the force falls off within one of 2 s, as it
-                    // does past the deepest point, it cannot be the peak. What is told of the contact is.
-                    let least = if single_every_s < 1e9 && mass_kg < 1e8 { 0.75 } else { 0.9 };
+                    // The wrench is a mean over the frame, for the impulse's sake: where the force falls off within
+                    // one of 2 s, as it does of a light ship past the deepest point, it is less than the peak.
                     let wrench = largest_n / fixed_n;
-                    assert!((least..1.1).contains(&wrench), "{who}: wrench {wrench}");
+                    assert!(wrench < 1.1, "{who}: wrench {wrench}");
+                    let falls_off = single_every_s < 1e9 && mass_kg < 1e8;
+                    assert!(falls_off || wrench > 0.9, "{who}: wrench {wrench}");
                     assert!((peak_n / fixed_n - 1.0).abs() < 0.01, "{who}: peak {peak_n} N");
+                    assert!((of_contact_n / peak_n - 1.0).abs() < 0.001, "{who}: {of_contact_n} N");
                     assert!((left_mps / fixed_mps - 1.0).abs() < 0.003, "{who}: {left_mps} m/s");
                 }
             });
@@ -143,7 +180,7 @@ fn a_tug_that_hits_and_leaves_within_a_frame_leaves_as_fast_as_she_should() {
                 let story = tug_at_a_wall(1.0, 0.5, restitution);
                 let mut frames = Frames::new(seed, 0.5, 4.0);
                 let master = Master::known(story, integration, delay_steps);
-                let [_, _, left_mps] = berthed(master, || frames.next_s());
+                let [.., left_mps] = berthed(master, || frames.next_s());
                 let who = format!("γ {restitution}, {integration:?}, delay {delay_steps}, {seed}");
                 let right_mps = restitution * 0.5;
                 assert!((left_mps / right_mps - 1.0).abs() < 0.003, "{who}: {left_mps} m/s");
@@ -229,7 +266,7 @@ fn a_ship_with_half_or_twice_her_mass_rebounds_as_she_should() {
             let mut master = Master::known(berthing(2e7, 0.3, 0.5), integration, delay_steps);
             master.mass_factor = mass_factor;
             let mut frames = Frames::new(5, 0.1, 1e9);
-            let [_, _, left_mps] = berthed(master, || frames.next_s());
+            let [.., left_mps] = berthed(master, || frames.next_s());
             let who = format!("{mass_factor}, {integration:?}, delay {delay_steps}");
             assert!((left_mps / 0.15 - 1.0).abs() < 0.1, "{who}: {left_mps} m/s");
         });

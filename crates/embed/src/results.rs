@@ -12,12 +12,16 @@ pub struct Results<'a> {
     /// host of the present the mean contact wrench over the step, and where the host moves the body by itself what
     /// keeps it beside the engine; for a following host the wrench that takes it where the engine went.
     pub wrenches: &'a [Wrench],
+    /// The greatest contact wrench within the step, of which the host's is a mean: see
+    /// [`fenderline_contact::Workspace::tell_peaks`]. Size fenders by it, and move bodies by `wrenches`.
+    pub peaks: &'a [Wrench],
     /// The touching patches, in a fixed order.
     pub contacts: &'a [Contact],
     /// What happened in the step.
     pub events: &'a [Event],
     /// The states that the engine came to at the end of the step, for hosts that let it move the bodies;
-    /// empty by the paper's method and for a following host, who move the bodies themselves.
+    /// empty by the paper's method and for a following host, who move the bodies themselves. Velocities are those of half
+    /// a step before (of half of the last sub-step, where contacts needed several), as a leapfrog has them.
     pub states_after: &'a [BodyState],
     /// What was reckoned of a following host; `None` for a host of the present.
     pub reckoned: Option<Reckoned<'a>>,
@@ -42,7 +46,7 @@ impl Results<'_> {
                 & s.yaw_rate_radps.is_finite()
         };
         let of_wrench = |w: &Wrench| w.force_n.is_finite() & w.moment_nm.is_finite();
-        self.wrenches.iter().all(of_wrench)
+        self.wrenches.iter().chain(self.peaks).all(of_wrench)
             && self.states_after.iter().all(of_state)
             && self.reckoned.is_none_or(|reckoned| {
                 reckoned.states.iter().all(of_state) && reckoned.loads.iter().all(of_wrench)
@@ -99,6 +103,7 @@ pub(crate) const CONTACT_NUMBERS: usize = 34;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Saved {
     pub(crate) wrenches: Vec<Wrench>,
+    pub(crate) peaks: Vec<Wrench>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) events: Vec<Event>,
     pub(crate) states_after: Vec<BodyState>,
@@ -121,6 +126,7 @@ impl Saved {
     pub(crate) fn view(&self) -> Results<'_> {
         Results {
             wrenches: &self.wrenches,
+            peaks: &self.peaks,
             contacts: &self.contacts,
             events: &self.events,
             states_after: &self.states_after,
@@ -129,10 +135,11 @@ impl Saved {
     }
 }
 
-/// By the paper's method.
+/// By the paper's method, which knows no sub-steps.
 pub(crate) fn of_paper(work: &Workspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
+        peaks: work.wrenches(),
         contacts: work.contacts(),
         events: work.events(),
         states_after: &[],
@@ -144,6 +151,7 @@ pub(crate) fn of_paper(work: &Workspace) -> Results<'_> {
 pub(crate) fn of_present(work: &HostWorkspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
+        peaks: work.peaks(),
         contacts: work.contacts(),
         events: work.events(),
         states_after: work.states_after(),
@@ -154,6 +162,7 @@ pub(crate) fn of_present(work: &HostWorkspace) -> Results<'_> {
 pub(crate) fn of_following(work: &HostWorkspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
+        peaks: work.peaks(),
         contacts: work.contacts(),
         events: work.events(),
         states_after: &[],

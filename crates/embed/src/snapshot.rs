@@ -26,7 +26,7 @@ use crate::results::{Results, Saved};
 use crate::settings::Host;
 
 const MAGIC: &[u8; 8] = b"fndrmbed";
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 impl Engine {
     /// All of this engine that can change, as bytes.
@@ -186,7 +186,7 @@ fn settings_words(plan: &Plan) -> [u32; 4] {
 
 fn write_results(out: &mut Writer, results: &Results<'_>) {
     out.word32(1);
-    results.wrenches.iter().for_each(|wrench| out.wrench(wrench));
+    results.wrenches.iter().chain(results.peaks).for_each(|wrench| out.wrench(wrench));
     out.word32(results.contacts.len() as u32);
     results.contacts.iter().for_each(|contact| out.contact(contact));
     out.word32(results.events.len() as u32);
@@ -203,6 +203,7 @@ fn read_results(input: &mut Reader<'_>, plan: &Plan) -> Result<Saved, RestoreErr
     let bodies = input.bodies;
     let mut saved = Saved {
         wrenches: (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?,
+        peaks: (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?,
         contacts: input.list(Reader::contact)?,
         events: input.list(Reader::event)?,
         ..Saved::default()

@@ -3,7 +3,9 @@
 use fenderline_contact::{
     BodyState, HostIntegration, HostSettings, Material, RestoreError, StepError, Wrench, vec2,
 };
-use fenderline_embed::{BodyParts, Engine, EngineBuilder, EngineError, Host, Settings, Turning};
+use fenderline_embed::{
+    BodyParts, Engine, EngineBuilder, EngineError, Host, Results, Settings, Turning,
+};
 use fenderline_scenario::Scenario;
 use fenderline_sim::{MassProperties, Method, Simulation};
 
@@ -276,4 +278,33 @@ fn a_copy_goes_its_own_way() {
     go_on(&mut one, &mut states, 5);
     assert!(two.results().expect("stepped").contacts.is_empty());
     assert!(!one.results().expect("stepped").contacts.is_empty());
+}
+
+/// A hit within one step: the wrench is a mean, the peak is what was there, here and after restoring.
+#[test]
+fn the_peaks_of_a_step_stand_beside_its_means() {
+    for host in [Host::default(), following(0).host] {
+        let settings = Settings { host, ..coupled() };
+        let mut engine = engine(TUG, &settings);
+        let mut states = engine.initial_states().to_vec();
+        states[1].position_m.y += 1.0;
+        engine.advance(&states, None, 4.0).expect("a good step");
+        let Results { wrenches, peaks, .. } = engine.results().expect("stepped");
+        let (mean_n, peak_n) = (wrenches[1].force_n.length(), peaks[1].force_n.length());
+        assert!(peak_n > 3.0 * mean_n && mean_n > 0.0, "{host:?}: {peak_n} N, {mean_n} N");
+        let peaks = peaks.to_vec();
+        let saved = engine.save();
+        engine.advance(&states, None, 0.0).expect("a pause");
+        assert_eq!(engine.results().expect("stepped").peaks, peaks);
+        engine.reset();
+        engine.restore(&saved).expect("its own bytes");
+        assert_eq!(engine.results().expect("stepped").peaks, peaks);
+    }
+    // By the paper's method there are no sub-steps.
+    let mut engine = engine(TUG, &Settings::default());
+    let mut states = engine.initial_states().to_vec();
+    states[1].position_m.y += 3.0;
+    engine.advance(&states, None, 0.1).expect("a good step");
+    let Results { wrenches, peaks, .. } = engine.results().expect("stepped");
+    assert!(wrenches == peaks && wrenches[1].force_n.length() > 0.0);
 }

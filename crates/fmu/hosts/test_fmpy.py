@@ -198,3 +198,25 @@ def test_a_moored_ship_does_not_creep(fenderline):
     last = places[len(places) // 2 :]
     assert abs(last[-1] - 0.075) < 0.001
     assert last.max() - last.min() < 0.0005
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_a_tug_that_is_counted_as_put_into_a_ship_leaves_slowly(fenderline, fmi):
+    """The master shows her there at rest, counts, and moves her by forward Euler: 0.08 m/s, and what she takes is told."""
+    mass_kg = 930e3 * 1.086
+    y_m, v_mps, speeds = -41.0, 1.0, []
+    options = ("--method", "coupled", "--set", "time.integrator=semi_implicit")
+    with Fmu(fenderline.fmu(TUG, "engine", fmi, *options)) as engine:
+        engine.initialize(host__delay_steps=0, host__step_s=0.1)
+        for n in range(400):
+            if n == 10:
+                y_m, v_mps = -38.5, 0.0
+                engine.set_all({"body.tug.placed": 1})
+            engine.set_all({"body.tug.y_m": y_m, "body.tug.velocity_y_mps": v_mps})
+            engine.step(0.1 * n, 0.1)
+            force_n, peak_n = engine.get("body.tug.force_y_n", "body.tug.peak_force_y_n")
+            assert abs(force_n) < 0.03 * mass_kg and abs(peak_n) < 0.03 * mass_kg, n
+            y_m += v_mps * 0.1
+            v_mps += force_n / mass_kg * 0.1
+            speeds.append(v_mps)
+    assert -0.09 < speeds[-1] < -0.07

@@ -1,6 +1,6 @@
 //! The engine kind under way.
 
-use fenderline_contact::{HostIntegration, HostSettings};
+use fenderline_contact::{BodyState, Contact, HostIntegration, HostSettings, Wrench};
 use fenderline_embed::{Engine, Host, Settings};
 use fenderline_scenario::Scenario;
 use fenderline_sim::Method;
@@ -18,6 +18,8 @@ pub(crate) struct EngineRun {
     tells_loads: bool,
     body_fixed: bool,
     pub(crate) beginning: Beginning,
+    /// How often the master had put each body somewhere at the last step, one a body; 0 of what is fixed.
+    pub(crate) placed: Vec<i32>,
 }
 
 /// How far an engine is with a host that shows old states.
@@ -69,7 +71,9 @@ impl EngineRun {
             0 => Beginning::Begun,
             _ => Beginning::Waiting(of(Setting::SkipSteps) as u32),
         };
-        Ok(EngineRun { engine, tells_loads, body_fixed: is_on(Setting::BodyFixed), beginning })
+        let placed = vec![0; engine.states().len()];
+        let body_fixed = is_on(Setting::BodyFixed);
+        Ok(EngineRun { engine, tells_loads, body_fixed, beginning, placed })
     }
 
     /// Is it still before its first step?
@@ -105,21 +109,48 @@ impl EngineRun {
                 load.force_n = crate::inputs::earth_fixed(state, load.force_n);
             }
         }
-        let nothing = loads.iter().all(|load| *load == fenderline_contact::Wrench::default());
+        let nothing = loads.iter().all(|load| *load == Wrench::default());
         // The paper's method knows no loads: none is as good as zero.
         let told = self.tells_loads && !(nothing && self.engine.method() == Method::Paper);
         let loads = told.then_some(&*loads);
-        self.engine.advance(&states, loads, step_s).map(|_| ()).map_err(|error| error.to_string())
+        let placed = self.newly_placed(&inputs);
+        if placed.is_empty() {
+            return advance(&mut self.engine, &states, loads, step_s);
+        }
+        // What a refused step had been told is untold with it.
+        let mut engine = self.engine.clone();
+        for &(body, _) in &placed {
+            engine.place(body).map_err(|error| error.to_string())?;
+        }
+        advance(&mut engine, &states, loads, step_s)?;
+        self.engine = engine;
+        placed.into_iter().for_each(|(body, count)| self.placed[body] = count);
+        Ok(())
+    }
+
+    /// The bodies that the master has put somewhere since the last step, and how often it had by now.
+    fn newly_placed(&self, inputs: &Inputs<'_>) -> Vec<(usize, i32)> {
+        inputs.placed().filter(|&(body, count)| count != self.placed[body]).collect()
     }
 
     /// The outputs of the last step, or of none.
     pub(crate) fn read(&self, plan: &Plan, values: &mut [f64]) {
         let results = self.engine.results();
-        let (wrenches, contacts) =
-            results.map_or((&[][..], &[][..]), |results| (results.wrenches, results.contacts));
+        let nothing: (&[Wrench], &[Wrench], &[Contact]) = (&[], &[], &[]);
+        let (wrenches, peaks, contacts) =
+            results.map_or(nothing, |results| (results.wrenches, results.peaks, results.contacts));
         let states = self.engine.states();
         let body_fixed = self.body_fixed;
-        let view = View { states, wrenches, contacts, body_fixed, simulation: None };
+        let view = View { states, wrenches, peaks, contacts, body_fixed, simulation: None };
         read(&plan.table, &view, values);
     }
+}
+
+fn advance(
+    engine: &mut Engine,
+    states: &[BodyState],
+    loads: Option<&[Wrench]>,
+    step_s: f64,
+) -> Result<(), String> {
+    engine.advance(states, loads, step_s).map(|_| ()).map_err(|error| error.to_string())
 }

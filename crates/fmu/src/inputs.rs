@@ -20,6 +20,8 @@ pub(crate) enum Input {
         body: usize,
         component: usize,
     },
+    /// How often the master has put a body somewhere.
+    Placed(usize),
     /// A load on a body: north, east, moment.
     Load {
         body: usize,
@@ -49,12 +51,16 @@ struct Row<'a> {
 }
 
 fn add(table: &mut Table, row: Row<'_>) -> usize {
-    let switch = matches!(row.input, Input::ByHand(_) | Input::TugByHand(_) | Input::TugPulls(_));
+    let class = match row.input {
+        Input::ByHand(_) | Input::TugByHand(_) | Input::TugPulls(_) => Class::Boolean,
+        Input::Placed(_) => Class::Integer,
+        _ => Class::Real,
+    };
     table.add(Variable {
         name: row.name,
         description: row.description.to_owned(),
         unit: row.unit,
-        class: if switch { Class::Boolean } else { Class::Real },
+        class,
         causality: Causality::Input,
         start: row.start,
         range: row.range,
@@ -95,6 +101,15 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
         table.group("AngularDisplacement", format!("{name}.heading"), &[heading]);
         table.group("LinearVelocity", format!("{name}.velocity"), &velocity);
         table.group("AngularVelocity", format!("{name}.rate_of_turn"), &[turn]);
+        let what = "how often the master has put the body somewhere rather than moved it there: where it \
+                    is another number than in the last step, the state of this one is where the body was \
+                    put; its contacts start afresh, and out of another body it is pressed slowly";
+        let input = Input::Placed(body);
+        let range = Some([0.0, f64::from(i32::MAX)]);
+        let name_of = format!("body.{name}.placed");
+        let row =
+            Row { name: name_of, description: what, unit: Unit::One, start: 0.0, range, input };
+        add(table, row);
         let about = "all that acts on the body besides contact; of use where host.tells_loads, or \
                      where not host.following";
         add_loads(table, (body, of), "load", about);
@@ -227,6 +242,14 @@ impl Inputs<'_> {
                 state.velocity_mps = earth_fixed(state, state.velocity_mps);
             }
         }
+    }
+
+    /// How often each body was put somewhere.
+    pub(crate) fn placed(&self) -> impl Iterator<Item = (usize, i32)> {
+        self.all().filter_map(|(input, value)| match input {
+            Input::Placed(body) => Some((body, value as i32)),
+            _ => None,
+        })
     }
 
     /// Loads of all bodies.

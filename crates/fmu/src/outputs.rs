@@ -12,6 +12,8 @@ pub(crate) struct View<'a> {
     pub(crate) states: &'a [BodyState],
     /// Contact wrenches, one a body; earth-fixed.
     pub(crate) wrenches: &'a [Wrench],
+    /// The greatest of them within the last step; none of a simulation.
+    pub(crate) peaks: &'a [Wrench],
     pub(crate) contacts: &'a [Contact],
     /// Wrenches are told in the bodies' axes.
     pub(crate) body_fixed: bool,
@@ -21,7 +23,15 @@ pub(crate) struct View<'a> {
 
 impl View<'_> {
     fn wrench(&self, body: usize) -> Wrench {
-        let wrench = self.wrenches.get(body).copied().unwrap_or_default();
+        self.told(self.wrenches, body)
+    }
+
+    fn peak(&self, body: usize) -> Wrench {
+        self.told(self.peaks, body)
+    }
+
+    fn told(&self, wrenches: &[Wrench], body: usize) -> Wrench {
+        let wrench = wrenches.get(body).copied().unwrap_or_default();
         if self.body_fixed {
             let force_n = body_fixed(&self.states[body], wrench.force_n);
             Wrench { force_n, ..wrench }
@@ -78,13 +88,13 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
     let columns: [Column; 3] = [
         (
             "force_x_n",
-            "contact force, north; forward where host.body_fixed",
+            "mean contact force, north; forward where host.body_fixed",
             Newton,
             |v, [b, _]| v.wrench(b).force_n.x,
         ),
         (
             "force_y_n",
-            "contact force, east; to starboard where host.body_fixed",
+            "mean contact force, east; to starboard where host.body_fixed",
             Newton,
             |v, [b, _]| v.wrench(b).force_n.y,
         ),
@@ -129,11 +139,17 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
     for (index, fender) in setup.fenders.iter().enumerate() {
         add(table, &format!("fender.{}", fender.name), [index, 0], &columns);
     }
-    let columns: [Column; 5] = [
+    let columns: [Column; 6] = [
         ("patches", "number of patches of contact", One, |v, pair| v.of_pair(pair).count() as f64),
-        ("normal_force_n", "sum of the normal forces, pressing", Newton, |v, pair| {
+        ("normal_force_n", "sum of the normal forces, pressing; a mean", Newton, |v, pair| {
             v.of_pair(pair).fold(0.0, |sum, c| sum + c.normal_force_n)
         }),
+        (
+            "peak_normal_force_n",
+            "sum of the largest normal forces within the step",
+            Newton,
+            |v, pair| v.of_pair(pair).fold(0.0, |sum, c| sum + c.peak_normal_force_n),
+        ),
         ("tangential_force_n", "sum of the friction forces", Newton, |v, pair| {
             v.of_pair(pair).fold(0.0, |sum, c| sum + c.tangential_force_n)
         }),
@@ -147,6 +163,37 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
     for bodies in outline_pairs(setup) {
         let [one, two] = bodies.map(|body| &setup.bodies[body].name);
         add(table, &format!("pair.{one}-{two}"), bodies, &columns);
+    }
+}
+
+/// The greatest wrench on each body within the last step, which for the engine's host is a mean.
+pub(crate) fn add_peaks(table: &mut Table, setup: &Setup) {
+    use Unit::{Newton, NewtonMetre};
+    let columns: [Column; 3] = [
+        (
+            "peak_force_x_n",
+            "contact force when it was greatest within the step, north; forward where \
+             host.body_fixed. Size fenders by it, and move the body by force_x_n",
+            Newton,
+            |v, [b, _]| v.peak(b).force_n.x,
+        ),
+        (
+            "peak_force_y_n",
+            "the same, east; to starboard where host.body_fixed",
+            Newton,
+            |v, [b, _]| v.peak(b).force_n.y,
+        ),
+        (
+            "peak_moment_z_nm",
+            "moment of the contact forces when their force was greatest, positive to starboard",
+            NewtonMetre,
+            |v, [b, _]| v.peak(b).moment_nm,
+        ),
+    ];
+    for (index, body) in setup.bodies.iter().enumerate() {
+        let places = add(table, &format!("body.{}", body.name), [index, 0], &columns);
+        table.group("Force", format!("{}.contact_peak", body.name), &places[..2]);
+        table.group("Torque", format!("{}.contact_peak_moment", body.name), &places[2..]);
     }
 }
 
@@ -202,6 +249,10 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
     add(table, "", [0, 0], &columns);
 }
 
+/// When velocities are those of, which are no places'.
+const NORTH_MPS: &str = "velocity, north; this and the velocities below by the coupled method with the integrator \
+                         semi_implicit of the middle of the scenario's last (sub-)step";
+
 fn add_motion(table: &mut Table, setup: &Setup) {
     use Unit::{Joule, Metre, MetrePerSecond, One, Radian, RadianPerSecond};
     let columns: [Column; 8] = [
@@ -214,9 +265,7 @@ fn add_motion(table: &mut Table, setup: &Setup) {
         ("heading_rad", "heading, clockwise from north", Radian, |v, [b, _]| {
             v.states[b].heading_rad
         }),
-        ("velocity_x_mps", "velocity, north", MetrePerSecond, |v, [b, _]| {
-            v.states[b].velocity_mps.x
-        }),
+        ("velocity_x_mps", NORTH_MPS, MetrePerSecond, |v, [b, _]| v.states[b].velocity_mps.x),
         ("velocity_y_mps", "velocity, east", MetrePerSecond, |v, [b, _]| {
             v.states[b].velocity_mps.y
         }),

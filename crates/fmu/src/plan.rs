@@ -8,7 +8,7 @@ use fenderline_sim::{Method, Simulation};
 use crate::bundle::{Bundle, BundleError};
 use crate::hash::guid;
 use crate::inputs::{add_controls, add_extra_loads, add_states};
-use crate::outputs::{add_contact, add_simulation};
+use crate::outputs::{add_contact, add_peaks, add_simulation};
 use crate::parameters::{add_fenders, add_materials_and_masses, add_starts};
 use crate::table::{Causality, Class, Kind, Setting, StandsFor, Table, Variable};
 use crate::unit::Unit;
@@ -69,6 +69,7 @@ impl Plan {
                 add_fenders(&mut table, setup);
                 add_states(&mut table, setup);
                 add_contact(&mut table, setup);
+                add_peaks(&mut table, setup);
             }
             Kind::Simulation => {
                 if !setup.world.providers.is_empty() {

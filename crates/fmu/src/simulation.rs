@@ -147,6 +147,7 @@ impl SimulationRun {
         let view = View {
             states: simulation.states(),
             wrenches: simulation.wrenches(),
+            peaks: &[],
             contacts: simulation.contacts(),
             body_fixed: false,
             simulation: Some(simulation),

@@ -7,7 +7,8 @@
 //! | 4, 8, 8, 8 | phase; start, stop (or the bits of infinity) and time [s] |
 //! | 4 + 8 each | the values of all variables |
 //! | 4 | 0: not initialized; 1: an engine; 2: a simulation |
-//! | 4, 4 + as many | an engine: steps to wait, or all bits where it has begun; its own bytes |
+//! | 4, 4 each | an engine: steps to wait, or all bits where it has begun; how often each body was put somewhere |
+//! | 4 + as many | its own bytes |
 //! | 8, 4 + 20 each | a simulation's steps and the inputs that it took: step, variable, value |
 //! | 8 | FNV-1a of all before |
 //!
@@ -23,7 +24,7 @@ use crate::simulation::{Entry, SimulationRun, due};
 use crate::table::Class;
 
 const MAGIC: &[u8; 8] = b"fndrlfmu";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 /// Stands for an engine that has begun.
 const BEGUN: u32 = u32::MAX;
 /// Most steps of a simulation that are played again: months of them.
@@ -100,6 +101,7 @@ impl State {
                         Beginning::Begun => BEGUN,
                     },
                 );
+                run.placed.iter().for_each(|&count| word32(&mut out, count as u32));
                 let bytes = run.engine.save();
                 word32(&mut out, bytes.len() as u32);
                 out.extend_from_slice(&bytes);
@@ -183,12 +185,16 @@ fn read_engine(plan: &Plan, state: &State, input: &mut Reader<'_>) -> Result<Eng
         BEGUN => Beginning::Begun,
         steps => Beginning::Waiting(steps),
     };
-    let length = input.word32().ok_or_else(broken)?;
-    let bytes = input.take(length as usize).ok_or_else(broken)?;
     if plan.bundle.kind != crate::Kind::Engine {
         return Err(broken());
     }
     let mut run = EngineRun::at_rest(plan, &state.values)?;
+    for count in &mut run.placed {
+        let word = input.word32().ok_or_else(broken)?;
+        *count = i32::try_from(word).map_err(|_| broken())?;
+    }
+    let length = input.word32().ok_or_else(broken)?;
+    let bytes = input.take(length as usize).ok_or_else(broken)?;
     run.beginning = beginning;
     run.engine.restore(bytes).map_err(|error| error.to_string())?;
     Ok(run)

@@ -41,6 +41,7 @@ pub(crate) struct Engine {
     states: Shared,
     loads: Shared,
     wrenches: Shown,
+    peaks: Shown,
     states_after: Shown,
     /// Buffers of a step.
     state_rows: Vec<BodyState>,
@@ -161,15 +162,24 @@ impl Engine {
         Ok(())
     }
 
-    /// What to add to each body's forces for the step: force north and east [N], moment [N·m]. Read-only, and
-    /// filled anew by each step.
+    /// What to add to each body's forces for the step: force north and east [N], moment [N·m]; means over the step.
+    /// Read-only, and filled anew by each step.
     #[getter]
     fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {
         self.wrenches.view(py)
     }
 
+    /// The greatest contact wrench on each body within the step, in rows as `wrenches`: size fenders by it, and move the
+    /// bodies by `wrenches`, which are means over the step. `contacts["peak_normal_force_n"]` has that of each contact.
+    /// Read-only, and filled anew by each step.
+    #[getter]
+    fn peaks(&self, py: Python<'_>) -> Py<PyAny> {
+        self.peaks.view(py)
+    }
+
     /// Where the engine brought the bodies by the end of the step, in rows as `states`. Read-only, filled anew by
-    /// each step. By the coupled method for a host of the present.
+    /// each step. By the coupled method for a host of the present. Velocities are those of half a step before its end (of
+    /// half of the last sub-step, where contacts needed several): show them again as they are.
     #[getter]
     fn states_after(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         if self.engine.method() == Method::Coupled
@@ -235,7 +245,7 @@ impl Engine {
         self.engine.reset();
         self.states.write(py, |rows| write_states(self.engine.initial_states(), rows))?;
         self.loads.write(py, |rows| rows.fill(0.0))?;
-        self.wrenches.write(py, |rows| rows.fill(0.0))?;
+        self.show(py)?;
         self.states_after.write(py, |rows| write_states(self.engine.initial_states(), rows))
     }
 
@@ -296,6 +306,7 @@ impl Engine {
             states: Shared::zeros(py, count, STATE),
             loads: Shared::zeros(py, count, WRENCH),
             wrenches: Shown::zeros(py, count, &[WRENCH])?,
+            peaks: Shown::zeros(py, count, &[WRENCH])?,
             states_after: Shown::zeros(py, count, &[STATE])?,
             state_rows: engine.initial_states().to_vec(),
             load_rows: vec![Wrench::default(); count],
@@ -311,8 +322,10 @@ impl Engine {
     /// Shows the results of the last step.
     fn show(&self, py: Python<'_>) -> PyResult<()> {
         let Ok(results) = self.engine.results() else {
+            self.peaks.write(py, |rows| rows.fill(0.0))?;
             return self.wrenches.write(py, |rows| rows.fill(0.0));
         };
+        self.peaks.write(py, |rows| write_wrenches(results.peaks, rows))?;
         self.wrenches.write(py, |rows| write_wrenches(results.wrenches, rows))?;
         self.states_after.write(py, |rows| write_states(results.states_after, rows))
     }

@@ -132,7 +132,7 @@ impl Fleet {
         self.controls.array(py)
     }
 
-    /// States now, (simulations, bodies, 6). Read-only, and filled anew by each step.
+    /// States now, (simulations, bodies, 6), as `Simulation.states`. Read-only, and filled anew by each step.
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyAny> {
         self.states.view(py)

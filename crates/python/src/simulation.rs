@@ -206,7 +206,8 @@ impl Simulation {
     }
 
     /// States now, one row a body: north and east [m], heading [rad], velocity north and east [m/s], rate of turn
-    /// [rad/s]. Read-only, and filled anew by each step.
+    /// [rad/s]. Read-only, and filled anew by each step. By the coupled method with the integrator `semi_implicit`
+    /// velocities are those of half a step ago (of half of the last sub-step, where contacts needed several).
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyAny> {
         self.states.view(py)

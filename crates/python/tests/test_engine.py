@@ -154,6 +154,22 @@ def test_a_tug_that_is_put_into_a_ship_is_pressed_out_slowly() -> None:
         engine.place("barge")
 
 
+def test_the_peaks_of_a_step_stand_beside_its_means() -> None:
+    engine = Engine(coupled_tug())
+    assert (engine.peaks == 0.0).all()
+    engine.states[1, 1] += 1.0
+    engine.step(4.0)
+    assert engine.peaks[1, 1] < 3.0 * engine.wrenches[1, 1] < 0.0
+    assert abs(engine.peaks[0, 1] / engine.peaks[1, 1] + 1.0) < 1e-9
+    assert not engine.peaks.flags.writeable
+    saved, peaks = engine.save(), engine.peaks.copy()
+    other = Engine(coupled_tug())
+    other.restore(saved)
+    assert (other.peaks == peaks).all()
+    engine.reset()
+    assert (engine.peaks == 0.0).all()
+
+
 def test_save_restore_and_copy() -> None:
     engine = Engine(coupled_tug())
     engine.states[1, 1] = -38.9

@@ -22,6 +22,7 @@ pub(crate) mod island;
 pub(crate) mod leap;
 pub(crate) mod let_go;
 pub(crate) mod pace;
+pub(crate) mod peaks;
 pub(crate) mod press_out;
 pub(crate) mod rows;
 pub(crate) mod solve;
@@ -48,8 +49,8 @@ use crate::workspace::Workspace;
 /// hull forces, wind, lines, and the Coriolis and centripetal terms where the host has them.
 ///
 /// Results are in `work`: [`Workspace::wrenches`] has the *mean* contact wrench over the step, what
-/// a host that integrates by itself adds to its forces; [`Workspace::states_after`] the states that
-/// the engine came to; [`Workspace::contacts`] mean forces and true peaks. Hosts that let the engine move their bodies
+/// a host that integrates by itself adds to its forces, and [`Workspace::tell_peaks`] the greatest within it;
+/// [`Workspace::states_after`] the states that the engine came to; [`Workspace::contacts`] mean forces and true peaks. Hosts that let the engine move their bodies
 /// take [`advance_on`] or [`advance_in_place`], which know more of the velocities that they are shown.
 ///
 /// In a step of 0 s, of a host that is paused, nothing goes on: `memory` stays as it is, the states after it are those
@@ -167,6 +168,7 @@ fn carry_out(
 ) -> Result<(), StepError> {
     work.contacts.clear();
     bodies::clear_results(model, work);
+    work.peaks.clear();
     broad::pair(model, work, all_held);
     island::split(model, work);
     work.next_patches.clear();
@@ -287,10 +289,15 @@ fn advance_group(
     step_s: f64,
 ) {
     let sub_steps = islands[0].sub_steps;
+    if sub_steps > 1 {
+        peaks::begin(model, work);
+    }
     sub_step(model, begun, work, islands, (0, step_s));
     if sub_steps == 1 {
         return;
     }
+    let share = 1.0 / f64::from(sub_steps);
+    peaks::note(work, share);
     let mut own = core::mem::take(&mut work.island_memory);
     let mut first_found = core::mem::take(&mut work.first_found);
     core::mem::swap(&mut first_found, &mut work.found);
@@ -307,6 +314,7 @@ fn advance_group(
         island::tell_of_patches(islands, &work.found.patches);
         let last_step_s = step_s / f64::from(sub_steps);
         sub_step(model, own.past(last_step_s), work, islands, (later, step_s));
+        peaks::note(work, share);
     }
     core::mem::swap(&mut first_found, &mut work.found);
     work.first_found = first_found;

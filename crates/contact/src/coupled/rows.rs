@@ -184,8 +184,8 @@ pub(crate) fn collect(
         may_give_j: laws.may_give_j,
         law_n,
         inverse_mass: tie.linear,
-        // Rubber throws out by its law: of what a host moves a little otherwise it holds less than that.
-        restitution: if unloaded.is_some() { 0.0 } else { material.restitution },
+        v_normal_mps: touch.v_normal_mps,
+        restitution: if unloaded.is_some() { None } else { Some(material.restitution) },
     };
     let pressed_out = put.is_pressed_out();
     if pressed_out {

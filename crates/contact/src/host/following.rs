@@ -4,15 +4,16 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::admit;
-use crate::coupled::advance;
+use crate::coupled::advance_on;
 use crate::error::StepError;
+use crate::host::inertia;
 use crate::host::lead::{self, Lead, Start, is_steady};
 use crate::host::mass_check::Answers;
 use crate::host::settings::{HostIntegration, HostSettings};
 use crate::host::steering::{self, Velocity, Way};
 use crate::host::workspace::HostWorkspace;
 use crate::host::{observer, predictor};
-use crate::memory::Memory;
+use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::{BodyId, Model};
 use crate::pause::pause;
 use crate::report::Wrench;
@@ -193,9 +194,14 @@ impl FollowingHost {
             return Ok(&work.wrenches);
         }
         self.set_out(model, work, step_s);
-        let (starts, loads) = (&work.starts, &work.loads_now);
-        advance(model, &mut self.memory, &mut work.engine, starts, loads, step_s)?;
+        self.leave_velocities(model, work);
+        let (starts, loads, memory) = (&work.starts, &work.loads_now, &mut self.memory);
+        if let Err(error) = advance_on(model, memory, &mut work.engine, starts, loads, step_s) {
+            memory.behind_s.clone_from(&work.behind_s);
+            return Err(error);
+        }
         work.tell_of_masses();
+        work.engine.tell_peaks(&mut work.peaks);
         self.steer(model, work, step_s);
         self.remember(work, told_loads, step_s);
         core::mem::swap(&mut work.present_now, &mut work.present);
@@ -257,10 +263,7 @@ impl FollowingHost {
     ) -> Result<(), StepError> {
         pause(model, &self.memory, &mut work.engine, &work.present_now, None)?;
         work.tell_of_masses();
-        if work.wrenches.len() != self.bodies.len() {
-            work.wrenches.clear();
-            work.wrenches.resize(self.bodies.len(), Wrench::default());
-        }
+        work.make_room_for_results(self.bodies.len());
         self.remember(work, told_loads, 0.0);
         core::mem::swap(&mut work.present_now, &mut work.present);
         core::mem::swap(&mut work.loads_now, &mut work.loads);
@@ -292,27 +295,62 @@ impl FollowingHost {
     fn set_out(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
         let is_steady = is_steady(self.last_step_s, step_s);
         let integration = self.settings.integration;
+        // A forward Euler host that was steered exactly has the engine a step ahead.
+        let early_s = match integration {
+            HostIntegration::ForwardEuler => self.last_step_s,
+            HostIntegration::SemiImplicit => 0.0,
+        };
         work.starts.clear();
         work.leads.clear();
-        for (index, present) in work.present_now.iter().enumerate() {
-            let ahead = work.next[index].ahead;
-            let velocity = Velocity::of(present);
+        for index in 0..work.present_now.len() {
+            let (present, ahead) = (work.present_now[index], work.next[index].ahead);
             if is_steady && ahead.is_none_or(|lead| lead.exact) {
-                let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
-                let load = &work.loads_now[index];
-                let half_kick = steering::half_kick(inverse, present, load, step_s);
-                let lead = half_kick.plus(ahead.map_or(Velocity::default(), |lead| lead.velocity));
-                work.starts.push(steering::start(integration, present, lead, step_s));
-                work.leads.push(Start { exact: true, ..Start::default() });
-            } else {
-                let early_s = match integration {
-                    HostIntegration::ForwardEuler => self.last_step_s,
-                    HostIntegration::SemiImplicit => 0.0,
+                let lead = match ahead {
+                    None => self.to_the_engines_time(model, work, index, step_s),
+                    Some(lead) => {
+                        let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
+                        let load = &work.loads_now[index];
+                        lead.velocity.plus(steering::half_kick(inverse, &present, load, step_s))
+                    }
                 };
-                let start = lead::start_varying(ahead.as_ref(), present, early_s);
-                let place = start.way.from(present);
-                work.starts.push(velocity.plus(start.velocity).of_a_body_at(&place));
-                work.leads.push(start);
+                work.starts.push(steering::start(integration, &present, lead, step_s));
+                work.leads.push(Start { exact: true, ..Start::default() });
+                continue;
+            }
+            let start = lead::start_varying(ahead.as_ref(), &present, early_s);
+            let velocity = Velocity::of(&present).plus(start.velocity);
+            work.starts.push(velocity.of_a_body_at(&start.way.from(&present)));
+            work.leads.push(start);
+        }
+    }
+
+    /// What brings the velocity of a body that goes by its host's steady steps alone, the mean over the last of them, to
+    /// where the engine takes it to belong: the middle of its own last sub-step, or, before any, the body's place.
+    fn to_the_engines_time(
+        &self,
+        model: &Model,
+        work: &HostWorkspace,
+        index: usize,
+        step_s: f64,
+    ) -> Velocity {
+        let rank = model.rank_of[index] as usize;
+        let left_s = self.memory.behind_s.get(rank).map_or(0.0, |&left_s| left_s.max(0.0));
+        let inverse = &model.ranked.rest(rank).inverse;
+        let (present, load) = (&work.present_now[index], &work.loads_now[index]);
+        inertia::kick(inverse, present, load, 0.5 * step_s - left_s)
+    }
+
+    /// Says of which bodies the velocities are those that the engine left: of those that are steered exactly. What
+    /// another step owes of the others' would be paid in this one, by a wrench many times the contact's.
+    fn leave_velocities(&mut self, model: &Model, work: &mut HostWorkspace) {
+        let behind_s = &mut self.memory.behind_s;
+        work.behind_s.clone_from(behind_s);
+        if behind_s.is_empty() {
+            return;
+        }
+        for (index, start) in work.leads.iter().enumerate() {
+            if !start.exact {
+                behind_s[model.rank_of[index] as usize] = NOT_BEHIND;
             }
         }
     }

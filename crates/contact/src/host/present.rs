@@ -102,10 +102,7 @@ impl PresentHost {
     ) -> Result<&'w [Wrench], StepError> {
         if step_s == 0.0 {
             pause(model, &self.memory, &mut work.engine, states, Some(loads))?;
-            if work.wrenches.len() != states.len() {
-                work.wrenches.clear();
-                work.wrenches.resize(states.len(), Wrench::default());
-            }
+            work.make_room_for_results(states.len());
             return Ok(&work.wrenches);
         }
         self.set_out(model, work, states);
@@ -115,6 +112,7 @@ impl PresentHost {
             memory.behind_s.clone_from(&work.behind_s);
             return Err(error);
         }
+        work.engine.tell_peaks(&mut work.peaks);
         self.lead_on(model, work, (states, loads), step_s);
         self.last_step_s = step_s;
         Ok(&work.wrenches)

@@ -12,8 +12,8 @@
 //! positions one step late. So the engine begins at y_n, and nothing else differs.
 //!
 //! Loads: by a steady load, too, such a host's velocities are means over a step, half a kick ΔtM⁻¹W/2
-//! behind. The engine begins with that half kick added; at rest on a fender, contact's and load's
-//! halves cancel.
+//! behind the place. The engine begins with as much of it added as its own velocities, of the middle of its last
+//! sub-step, are not behind; at rest on a fender, contact's and load's halves cancel.
 //!
 //! All of this is for a step that is as long as the last one. For others see [`super::lead`].
 

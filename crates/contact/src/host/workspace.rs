@@ -30,6 +30,7 @@ pub struct HostWorkspace {
     /// Bodies that were found to answer otherwise than their masses say.
     pub(super) differ: Vec<BodyId>,
     pub(super) wrenches: Vec<Wrench>,
+    pub(super) peaks: Vec<Wrench>,
 }
 
 impl HostWorkspace {
@@ -50,6 +51,7 @@ impl HostWorkspace {
             behind_s: Vec::with_capacity(count),
             differ: Vec::new(),
             wrenches: Vec::with_capacity(count),
+            peaks: Vec::with_capacity(count),
         }
     }
 
@@ -70,10 +72,27 @@ impl HostWorkspace {
         }
     }
 
-    /// The wrenches of the last step, one a body.
+    /// The wrenches of the last step, one a body: what moves it.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.wrenches
+    }
+
+    /// The greatest wrench of contact on each body within the last step, one a body, in the engine's motion: see
+    /// [`Workspace::tell_peaks`]. Size fenders by it, and move the body by [`HostWorkspace::wrenches`].
+    #[must_use]
+    pub fn peaks(&self) -> &[Wrench] {
+        &self.peaks
+    }
+
+    /// No results yet, where there are none of so many bodies.
+    pub(super) fn make_room_for_results(&mut self, bodies: usize) {
+        for results in [&mut self.wrenches, &mut self.peaks] {
+            if results.len() != bodies {
+                results.clear();
+                results.resize(bodies, Wrench::default());
+            }
+        }
     }
 
     /// The states that the last step took for the host's present, one a body: as the host will show

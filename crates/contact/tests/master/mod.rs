@@ -4,7 +4,7 @@
 use fenderline_contact::{
     Body, BodyId, BodyState, Event, FollowingHost, HostIntegration, HostSettings, HostWorkspace,
     Material, Memory, Mobility, Model, Outline, Pair, PresentHost, StepError, Vec2, Workspace,
-    Wrench, advance, vec2,
+    Wrench, advance, advance_on, vec2,
 };
 
 /// Bodies that may touch, their first states, and the loads that only the master knows.
@@ -261,7 +261,7 @@ pub(crate) fn moved_by_the_engine(story: &Story, step_s: f64, duration_s: f64) -
     let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
     let mut states = story.states.clone();
     for _ in 0..(duration_s / step_s).round() as usize {
-        advance(&story.model, &mut memory, &mut work, &states, &story.loads, step_s)
+        advance_on(&story.model, &mut memory, &mut work, &states, &story.loads, step_s)
             .expect("a good step");
         states.copy_from_slice(work.states_after());
     }
