@@ -29,6 +29,7 @@ def tanker_terms(z):
         "N_r": -0.231 - 0.047 * z,
         "Y_v|v|": -2.400 - 1.5 * z,
         "N_|v|r": -0.300 - 0.120 * z,
+        "m_x": 0.050 + 0.050 * z,
         "m_y": 1.020 + 0.387 * z,
         "m_y + X_vr": 1.020 + 0.387 * z,
         "J_z": 0.1232 - 0.25**2 + 0.0045 * z,
@@ -142,7 +143,7 @@ def main():
             show(f"{name}, aspect ratio", own)
             show(f"{name}, Ankudinov", other)
             show(f"{name}, power", power(ship, x))
-            show(f"{name}, N_r, mean", {"N_r": (own["N_r"] * other["N_r"] * power(ship, x)["N_r"]) ** (1 / 3)})
+            show(f"{name}, N_r, mean", {"N_r": (own["N_r"] + other["N_r"]) / 2})
     print("the tanker, 35 degrees to starboard: TD/L, U/U0, r', drift; first overshoot 10/10, 20/20")
     for ratio in (1e9,) + DEPTHS:
         z = 1 / (ratio - 1)

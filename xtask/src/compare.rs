@@ -60,7 +60,7 @@ fn compare_tables(one: &str, two: &str) -> Result<(), String> {
     let number = |cell: &String| cell.parse::<f64>().ok();
     let largest_of = |column: usize| {
         let column = first.iter().filter_map(|row| row.get(column).and_then(number));
-        column.fold(0.0, |largest: f64, value| largest.max(value.abs()))
+        column.fold(0.0, |largest, v| if v.abs() > largest { v.abs() } else { largest })
     };
     let columns = first.first().map_or(0, Vec::len);
     let largest: Vec<f64> = (0..columns).map(largest_of).collect();

@@ -13,7 +13,7 @@ pub(crate) const MANIFEST: &str = "fuzz/Cargo.toml";
 pub(crate) const SECONDS: u64 = 20;
 
 /// A target, and folders with inputs to start from besides its seeds.
-const TARGETS: [(&str, &[&str]); 4] =
+pub(crate) const TARGETS: [(&str, &[&str]); 4] =
     [("advance", &[]), ("clip", &[]), ("scenario", &["scenarios"]), ("snapshot", &[])];
 
 /// `cargo xtask fuzz`.

@@ -1,9 +1,10 @@
-//! The project's own chores: `cargo xtask test`, `fuzz`, `bench`, `passivity`, `c`, `finite-elements`, `hosts`, `live-load`,
+//! The project's own chores: `cargo xtask test`, `attack`, `fuzz`, `bench`, `passivity`, `c`, `finite-elements`, `hosts`, `live-load`,
 //! `pages`, `nautical`.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
 
+mod attack;
 mod bench;
 mod c_interface;
 mod command;
@@ -25,6 +26,8 @@ use std::process::ExitCode;
 
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
+       cargo xtask attack [SECONDS] [SEED] [PART]...
+                                          all hostile checks, or some, for so long together (600 s)
        cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
        cargo xtask bench [clip|step|border|accuracy|mmg|berth|callgrind]...
                                           times and answers against the peers, instructions a step
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
     }
     match arguments.as_slice() {
         ["test"] => test::test(),
+        ["attack", arguments @ ..] => attack::attack_command(arguments),
         ["fuzz"] => fuzz::fuzz_command(fuzz::SECONDS),
         ["fuzz", seconds] => match seconds.parse() {
             Ok(seconds) => fuzz::fuzz_command(seconds),

@@ -3,13 +3,13 @@
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
+use crate::attack;
 use crate::c_interface;
 use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
 use crate::finite_elements;
 use crate::fuzz;
 use crate::hosts;
-use crate::live_load;
 use crate::nautical;
 use crate::pages;
 use crate::passivity;
@@ -38,10 +38,9 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "C: examples and guide", run: c_interface::examples },
         Step { name: "C: random calls", run: || c_interface::random_calls(c_interface::SEQUENCES) },
         Step { name: "FMI: FMPy, libcosim, ecos and the guide", run: hosts::hosts },
-        Step { name: "the live server under load", run: live_server },
         pages::CHECKED,
         pages::DRIVEN,
-        Step { name: "fuzz targets", run: || fuzz::fuzz(fuzz::SECONDS) },
+        Step { name: "attacks", run: || attack::attack(attack::SECONDS, attack::SEED, &[]) },
     ])
 }
 
@@ -203,11 +202,6 @@ fn python_package() -> Result<Done, String> {
 /// Seconds of it; `cargo xtask passivity` plays twenty times as many, and finds rarer gains.
 fn passive() -> Result<Done, String> {
     passivity::passivity(5_000).map(|()| Done::Good)
-}
-
-/// Seconds of it; `cargo xtask live-load 1800` is the half hour.
-fn live_server() -> Result<Done, String> {
-    live_load::live_load(live_load::SECONDS, true).map(|()| Done::Good)
 }
 
 fn licences() -> Result<Done, String> {

@@ -2,6 +2,7 @@
 
 use core::fmt::Write as _;
 
+use fenderline_contact::number::greater;
 use fenderline_scenario::{
     FenderCurves, FenderLibrary, FitOptions, FittedFender, LoadingCurve, Standing, read_text,
 };
@@ -87,7 +88,7 @@ fn measured_j(branch: &[(f64, f64)], deflection_m: f64) -> f64 {
 fn largest_difference(fitted: &FittedFender) -> f64 {
     let rows = fitted.reference().loading.iter();
     let off = rows.filter_map(|(d, r)| fitted.reaction_n(*d).map(|fit_n| (fit_n - r).abs()));
-    off.fold(0.0, f64::max) / fitted.rated_reaction_n
+    off.fold(0.0, greater) / fitted.rated_reaction_n
 }
 
 fn printed(fitted: &FittedFender, out: &str) -> String {

@@ -36,7 +36,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     for notice in &scenario.notices {
         tell(&format!("notice: {notice}"));
     }
-    let notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
+    let mut notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
     let Scenario { title, setup, .. } = scenario;
     let mut simulation = Simulation::new(setup).map_err(error)?;
     let interrupt = Interrupt::listen();
@@ -67,6 +67,10 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     drop(providers);
     let interrupted = (!simulation.is_done()).then(|| Interrupted::of(&simulation));
 
+    if let Some(gain) = simulation.gain() {
+        tell(&format!("notice: {gain}"));
+        notices.push(gain.to_string());
+    }
     let fenders: Vec<FenderSummary> = simulation.fender_summaries().cloned().collect();
     let outcome = Outcome {
         title: &title,

@@ -1,5 +1,6 @@
 //! What a run says of a fender, in one word.
 
+use fenderline_contact::number::greater;
 use fenderline_sim::{FenderSetup, FenderSummary};
 
 /// The verdict on a fender that was touched, the better before the worse.
@@ -64,7 +65,7 @@ impl Verdict {
 
 /// The largest share of its rating that a fender was used to; `None` where it has none.
 pub(crate) fn utilisation(summary: &FenderSummary) -> Option<f64> {
-    shares(summary).into_iter().flatten().reduce(f64::max)
+    shares(summary).into_iter().flatten().reduce(greater)
 }
 
 /// What of its rating [`utilisation`] is a share of: a cone reaches its rated reaction at half of its

@@ -1,6 +1,8 @@
 //! Fenders and energy in the results of a run: the laws that the tables must obey, and what a user is
 //! told.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 mod support;
 
 use std::collections::BTreeMap;

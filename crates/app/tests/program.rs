@@ -1,5 +1,7 @@
 //! The program as a user meets it: exit codes, files, columns, and what happens when things break.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 mod support;
 
 use std::fs;

@@ -1,5 +1,7 @@
 //! Vessels, tugs and lines in the results of a run.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 mod support;
 
 use std::collections::BTreeMap;

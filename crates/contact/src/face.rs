@@ -98,7 +98,7 @@ pub(crate) fn press<'a>(
             (sums.of_area.map(|d| per_area * d), fender.law.energy_j(mean_m), mean_m)
         }
     };
-    let past_m = fender.stop.map_or(0.0, |stop| (mean_m - stop.from_m).max(0.0));
+    let past_m = fender.stop.map_or(0.0, |stop| greater(mean_m - stop.from_m, 0.0));
     let stop_npm = fender.stop.map_or(0.0, |stop| stop.stiffness_npm);
     let per_area = stop_npm * past_m / ranked.width_m;
     let stop = sums.of_area.map(|d| per_area * d);

@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 use crate::error::ModelError;
 use crate::geometry::convex::ConvexPolygon;
 use crate::model::{BodyId, Material, MaterialId};
+use crate::number::{bounded, greater};
 use crate::unloading::Unloading;
 use crate::vec2::{Rotation, Vec2, vec2};
 
@@ -127,7 +128,7 @@ impl FenderLaw {
             .windows(2)
             .take_while(|two| two[0][0] <= up_to_m)
             .map(|two| (two[1][1] - two[0][1]) / (two[1][0] - two[0][0]))
-            .fold(0.0, f64::max)
+            .fold(0.0, greater)
     }
 }
 
@@ -142,7 +143,7 @@ impl ReactionFactors {
     pub(crate) fn at(&self, speed_mps: f64, angle_rad: f64, rated_deflection_m: f64) -> f64 {
         // Velocity factors are tabulated by the time at 0.74 of the speed of first touch, as a public calculator for cone
         // fenders has it.
-        let time_s = rated_deflection_m / (0.74 * speed_mps.max(1e-9));
+        let time_s = rated_deflection_m / (0.74 * greater(speed_mps, 1e-9));
         self.constant * held(&self.by_compression_time, time_s) * self.of_angle(angle_rad)
     }
 }
@@ -151,7 +152,7 @@ impl ReactionFactors {
     fn largest(&self) -> f64 {
         let of = |points: &[[f64; 2]]| match points {
             [] => 1.0,
-            points => points.iter().map(|p| p[1]).fold(0.0, f64::max),
+            points => points.iter().map(|p| p[1]).fold(0.0, greater),
         };
         self.constant * of(&self.by_compression_time) * of(&self.by_angle)
     }
@@ -186,7 +187,7 @@ fn held(points: &[[f64; 2]], x: f64) -> f64 {
     match points {
         [] => 1.0,
         [only] => only[1],
-        [first, .., last] => on_line(points, x.clamp(first[0], last[0])),
+        [first, .., last] => on_line(points, bounded(x, first[0], last[0])),
     }
 }
 
@@ -238,7 +239,7 @@ impl FenderBounds {
             damping_nspm: material.damping_nspm2 * fender.width_m,
             projection_m: fender.projection_m,
             arm_m: face_m.length(),
-            spread_m: zone.iter().fold(0.0, |spread, &v| f64::max(spread, (v - face_m).length())),
+            spread_m: zone.iter().fold(0.0, |spread, &v| greater(spread, (v - face_m).length())),
         }
     }
 }
@@ -274,7 +275,7 @@ impl RankedFender {
 
     /// The farthest that its face reaches from the body's centre of gravity [m].
     pub(crate) fn reach_m(&self) -> f64 {
-        self.zone.vertices().iter().fold(0.0, |reach, v| f64::max(reach, v.length()))
+        self.zone.vertices().iter().fold(0.0, |reach, v| greater(reach, v.length()))
     }
 }
 

@@ -7,6 +7,7 @@ use core::ops::Range;
 use crate::events::{note, tell_ends_and_splits};
 use crate::memory::{Past, PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
+use crate::number::greater;
 use crate::overlap::{Overlap, Patch, Place};
 use crate::report::EventKind;
 use crate::workspace::{Candidate, Workspace};
@@ -157,7 +158,7 @@ fn inherit_of_several(
         merged.point_in_a_m += (parent.point_in_a_m - merged.point_in_a_m) * share;
         merged.point_in_b_m += (parent.point_in_b_m - merged.point_in_b_m) * share;
         merged.area_m2 = whole;
-        merged.v_normal_0_mps = merged.v_normal_0_mps.max(parent.v_normal_0_mps);
+        merged.v_normal_0_mps = greater(merged.v_normal_0_mps, parent.v_normal_0_mps);
         if parent.v_tangential_0_mps.abs() > merged.v_tangential_0_mps.abs() {
             merged.v_tangential_0_mps = parent.v_tangential_0_mps;
         }

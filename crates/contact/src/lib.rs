@@ -56,7 +56,7 @@ mod mass;
 mod memory;
 mod model;
 mod near;
-mod number;
+pub mod number;
 pub mod outline;
 mod overlap;
 mod pairing;

@@ -7,6 +7,7 @@ use alloc::{format, vec};
 use crate::error::ModelError;
 use crate::fender::{self, Fender, FenderId, FenderLaw, RankedFender};
 use crate::mass::InverseMatrix;
+use crate::number::greater;
 use crate::outline::Outline;
 use crate::pairing::{Bounds, RankedPair};
 use crate::ranked::Ranked;
@@ -296,7 +297,7 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
             if (b, c, e) != (d, f, g) || InverseMatrix::of(&matrix).is_none() {
                 return Err(ModelError::BadMatrix { body: body.name.clone() });
             }
-            (matrix[0][0].max(matrix[1][1]), matrix[2][2])
+            (greater(matrix[0][0], matrix[1][1]), matrix[2][2])
         }
     };
     check_mass(body, "mass", mass_kg)?;

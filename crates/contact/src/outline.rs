@@ -1,5 +1,7 @@
 //! The outline of a body: a simple polygon, checked, tidied and cut into convex pieces at load.
 
+use crate::number::{greater, lesser};
+
 mod crossing;
 mod exact;
 mod fault;
@@ -111,7 +113,7 @@ impl Outline {
             .map(|piece| piece.into_iter().map(|i| vertices[i]).collect())
             .collect();
         let centroid_m = centroid(&pieces, vertices[0]);
-        let radius_m = vertices.iter().map(|v| v.length()).fold(0.0, f64::max);
+        let radius_m = vertices.iter().map(|v| v.length()).fold(0.0, greater);
         Outline { vertices, pieces, area_m2, centroid_m, radius_m, bounds }
     }
 
@@ -192,7 +194,10 @@ fn numbered_edge(ring: &[Numbered], index: usize) -> OutlineEdge {
 
 fn bounds(vertices: &[Vec2]) -> (Vec2, Vec2) {
     vertices.iter().fold((vertices[0], vertices[0]), |(low, high), v| {
-        (vec2(low.x.min(v.x), low.y.min(v.y)), vec2(high.x.max(v.x), high.y.max(v.y)))
+        (
+            vec2(lesser(low.x, v.x), lesser(low.y, v.y)),
+            vec2(greater(high.x, v.x), greater(high.y, v.y)),
+        )
     })
 }
 

@@ -429,8 +429,9 @@ fn new_patch(
     let mut in_a = extent(outline(found, &lenses[0]));
     for piece in &lenses[1..] {
         let more = extent(outline(found, piece));
-        in_a.low_m = vec2(in_a.low_m.x.min(more.low_m.x), in_a.low_m.y.min(more.low_m.y));
-        in_a.high_m = vec2(in_a.high_m.x.max(more.high_m.x), in_a.high_m.y.max(more.high_m.y));
+        in_a.low_m = vec2(lesser(in_a.low_m.x, more.low_m.x), lesser(in_a.low_m.y, more.low_m.y));
+        in_a.high_m =
+            vec2(greater(in_a.high_m.x, more.high_m.x), greater(in_a.high_m.y, more.high_m.y));
     }
     patch.place = found.places.len() as u32;
     found.places.push(Place { in_a, in_b: seen_from_b(&in_a, b_in_a) });
@@ -496,8 +497,8 @@ fn outlines<'a>(found: &'a Overlap, patch: &Patch) -> impl Iterator<Item = &'a [
 fn extent(outline_m: &[Vec2]) -> Extent {
     let mut extent = Extent { low_m: outline_m[0], high_m: outline_m[0] };
     for v in &outline_m[1..] {
-        extent.low_m = vec2(extent.low_m.x.min(v.x), extent.low_m.y.min(v.y));
-        extent.high_m = vec2(extent.high_m.x.max(v.x), extent.high_m.y.max(v.y));
+        extent.low_m = vec2(lesser(extent.low_m.x, v.x), lesser(extent.low_m.y, v.y));
+        extent.high_m = vec2(greater(extent.high_m.x, v.x), greater(extent.high_m.y, v.y));
     }
     extent
 }
@@ -615,7 +616,7 @@ fn least_sunk_side(
             continue;
         }
         let outward = along.quarter_turn_back() * (1.0 / along.length());
-        let depth_m = corners.clone().fold(0.0, |d, v| f64::max(d, -outward.dot(v - start)));
+        let depth_m = corners.clone().fold(0.0, |d, v| greater(d, -outward.dot(v - start)));
         if best.is_none_or(|(least_m, _)| depth_m < least_m) {
             best = Some((depth_m, outward));
         }

@@ -12,6 +12,7 @@ use crate::fender::RankedFender;
 use crate::geometry::convex::ConvexPolygon;
 use crate::mass::InverseMatrix;
 use crate::model::{Body, Mobility};
+use crate::number::{greater, lesser};
 use crate::outline::Outline;
 
 /// No place of a piece.
@@ -87,7 +88,7 @@ impl Ranked {
             let from = fenders.partition_point(|face| (face.host as usize) < rank);
             let to = fenders.partition_point(|face| face.host as usize <= rank);
             ranked.faces.push((from as u32, to as u32));
-            let reach_m = fenders[from..to].iter().map(RankedFender::reach_m).fold(0.0, f64::max);
+            let reach_m = fenders[from..to].iter().map(RankedFender::reach_m).fold(0.0, greater);
             let (next_shape, next_class) =
                 (ranked.shapes.len() as u32, ranked.classes.len() as u32);
             let shape = *shapes.entry(bits_of_pieces(&body.outline)).or_insert(next_shape);
@@ -101,7 +102,7 @@ impl Ranked {
                 ranked.rests.push(rest);
             }
             ranked.class_of.push(number);
-            ranked.smallest_m2 = ranked.smallest_m2.min(class.area_m2);
+            ranked.smallest_m2 = lesser(ranked.smallest_m2, class.area_m2);
             ranked.alike.push(class.is_alike);
             let (first, end) = ranked.shapes[shape as usize];
             ranked.only_piece.push(if end - first == 1 { first } else { SEVERAL });
@@ -243,10 +244,10 @@ fn describe(body: &Body, shape: u32, fenders_reach_m: f64) -> (RankedBody, Rest)
         }
         Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
             let matrix = body.mobility.matrix().expect("it floats");
-            (surge_kg.min(sway_kg), yaw_inertia_kgm2, InverseMatrix::of(&matrix))
+            (lesser(surge_kg, sway_kg), yaw_inertia_kgm2, InverseMatrix::of(&matrix))
         }
         Mobility::Massive { matrix } => {
-            let lightest = matrix[0][0].min(matrix[1][1]);
+            let lightest = lesser(matrix[0][0], matrix[1][1]);
             (lightest, matrix[2][2], InverseMatrix::of(&matrix))
         }
     };
@@ -256,7 +257,7 @@ fn describe(body: &Body, shape: u32, fenders_reach_m: f64) -> (RankedBody, Rest)
         shape,
         is_alike: inverse.is_isotropic(),
         radius_m,
-        reach_m: radius_m.max(fenders_reach_m),
+        reach_m: greater(radius_m, fenders_reach_m),
         area_m2,
         inverse_mass: 1.0 / mass_kg,
         inverse_inertia: 1.0 / yaw_inertia_kgm2,

@@ -2,6 +2,8 @@
 //! are errors that name body and field and change nothing; bad places are answered by finite,
 //! bounded forces and an event.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 mod scene;
 

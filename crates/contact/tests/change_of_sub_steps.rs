@@ -1,5 +1,7 @@
 //! The length of the sub-steps changes while bodies touch: what comes after is as hard as energy says.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::f64::consts::PI;
 
 use fenderline_contact::*;

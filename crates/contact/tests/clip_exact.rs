@@ -2,6 +2,8 @@
 //! polygon's vertices as the clip's own transform leaves them, so that only the clip's rounding
 //! counts.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 mod support;
 
 use fenderline_contact::{Clip, ConvexPolygon, PairClip, Pose, Rotation, Vec2, vec2};

@@ -1,6 +1,8 @@
 //! The warm clip against the cold one: what was found in the last step may make the answer come
 //! faster, but may not change it.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 mod support;
 
 use fenderline_contact::{Clip, ConvexPolygon, PairClip, Pose, Vec2, vec2};

@@ -1,5 +1,7 @@
 //! What hosts do to the coupled method: bad loads, absurd places, speeds and time steps.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 mod scene;
 

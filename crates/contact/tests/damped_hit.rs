@@ -1,5 +1,7 @@
 //! A damped hit, head-on, against its closed form, at any time step.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::f64::consts::PI;
 
 use fenderline_contact::*;

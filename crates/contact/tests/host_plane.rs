@@ -1,6 +1,8 @@
 //! Hosts that show old states and tell no loads, in the plane: bodies that turn as they touch. The
 //! measure is the engine's own motion, which `crates/sim/tests` hold against closed forms.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
 

@@ -1,5 +1,7 @@
 //! Hosts whose step varies, as the frames of a game do: jitter, pauses, and single frames of seconds.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
 

@@ -1,5 +1,7 @@
 //! A hit at an angle where friction holds more than it drags: as much is lost at any time step.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 

@@ -1,5 +1,7 @@
 //! The broad phase against all pairs one by one: the same contacts, to the bit.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 mod support;
 
 use fenderline_contact::{Body, BodyState, vec2};

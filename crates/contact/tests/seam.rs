@@ -1,6 +1,8 @@
 //! Seams: a hull in several convex pieces is one hull. Nothing that a contact says may tell where
 //! the cuts lie.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 mod support;
 
 use fenderline_contact::{BodyState, Contact, EventKind, Material, Outline, Vec2, vec2};

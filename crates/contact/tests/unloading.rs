@@ -1,5 +1,7 @@
 //! Fenders of rubber: what they give back, and along which way.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use fenderline_contact::*;
 use proptest::prelude::*;
 

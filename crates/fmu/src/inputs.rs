@@ -1,5 +1,6 @@
 //! Inputs: what a master sets at each communication point.
 
+use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 use fenderline_sim::tug::TugOrder;
 use fenderline_sim::{Action, BodySetup, Setup};
@@ -167,7 +168,7 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
         let at_start = vessel.rudder.value;
         row("rudder_order_rad", what, radian, angle, at_start, Input::Rudder(index));
         let what = "revolutions ordered over full ones, positive ahead";
-        let at_start = (vessel.shaft.value / vessel.shaft.stop).clamp(-1.0, 1.0);
+        let at_start = bounded(vessel.shaft.value / vessel.shaft.stop, -1.0, 1.0);
         let at_start = if at_start.is_finite() { at_start } else { 0.0 };
         row("engine_order", what, one, share, at_start, Input::Engine(index));
         for (unit, thruster) in vessel.thrusters.iter().enumerate() {

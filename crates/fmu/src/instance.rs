@@ -1,6 +1,8 @@
 //! One instance of an FMU, as both versions of the standard see it: what may be called when, and what a call
 //! does. An error is a text, and changes nothing.
 
+use fenderline_contact::number::greater;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -185,7 +187,7 @@ impl Instance {
         if !(step_s >= 0.0 && step_s.is_finite() && from_s.is_finite()) {
             return Err(format!("a step from {from_s} s of {step_s} s is none"));
         }
-        let slack_s = SLACK_S * state.time_s.abs().max(1.0) + SLACK_STEPS * step_s;
+        let slack_s = SLACK_S * greater(state.time_s.abs(), 1.0) + SLACK_STEPS * step_s;
         if from_s < state.time_s - slack_s {
             return Err(format!(
                 "a step from {from_s} s goes back: {} s was reached; restore an older state first",

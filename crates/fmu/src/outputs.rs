@@ -1,5 +1,6 @@
 //! Outputs: what is read off a run after a step, the same for both kinds where both have it.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Contact, Wrench};
 use fenderline_sim::{PairSetup, Setup, Simulation};
 
@@ -112,7 +113,7 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
     }
     let columns: [Column; 6] = [
         ("deflection_m", "deflection at the start of the step", Metre, |v, [f, _]| {
-            v.on_fender(f).fold(0.0, |most, c| f64::max(most, c.depth_m))
+            v.on_fender(f).fold(0.0, |most, c| greater(most, c.depth_m))
         }),
         ("reaction_n", "mean reaction along its axis over the step", Newton, |v, [f, _]| {
             v.on_fender(f).fold(0.0, |sum, c| sum + c.normal_force_n * libm::cos(c.tilt_rad))
@@ -133,7 +134,7 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
             v.on_fender(f).fold(0.0, |sum, c| sum + c.stored_j)
         }),
         ("tilt_rad", "largest angle between its face and the hull", Radian, |v, [f, _]| {
-            v.on_fender(f).fold(0.0, |most, c| f64::max(most, c.tilt_rad.abs()))
+            v.on_fender(f).fold(0.0, |most, c| greater(most, c.tilt_rad.abs()))
         }),
     ];
     for (index, fender) in setup.fenders.iter().enumerate() {
@@ -154,7 +155,7 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
             v.of_pair(pair).fold(0.0, |sum, c| sum + c.tangential_force_n)
         }),
         ("depth_m", "largest penetration", Metre, |v, pair| {
-            v.of_pair(pair).fold(0.0, |most, c| f64::max(most, c.depth_m))
+            v.of_pair(pair).fold(0.0, |most, c| greater(most, c.depth_m))
         }),
         ("area_m2", "overlap area", SquareMetre, |v, pair| {
             v.of_pair(pair).fold(0.0, |sum, c| sum + c.area_m2)

@@ -1,5 +1,6 @@
 //! The simulation kind under way.
 
+use fenderline_contact::number::greater;
 use fenderline_sim::{Order, Simulation};
 
 use crate::inputs::Inputs;
@@ -33,7 +34,7 @@ pub(crate) struct SimulationRun {
 
 /// Steps of a scenario that end no later than a time since the start.
 pub(crate) fn due(plan: &Plan, t_s: f64) -> u64 {
-    libm::floor(t_s / plan.scenario.setup.step_s + SLACK_STEPS).max(0.0) as u64
+    greater(libm::floor(t_s / plan.scenario.setup.step_s + SLACK_STEPS), 0.0) as u64
 }
 
 /// An input that a step found changed.

@@ -1,5 +1,6 @@
 //! The berth: the line of the fenders of a quay or of another ship, and how a ship lies to it.
 
+use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Outline, Rotation, Vec2, vec2};
 use fenderline_sim::Setup;
 
@@ -80,10 +81,10 @@ impl Berth {
     /// Through the faces that stand out farthest, from the first to the last of the row.
     fn through(body: usize, faces: &[Vec2], facing: Vec2) -> Berth {
         let along = facing.quarter_turn();
-        let out_m = faces.iter().map(|at| at.dot(facing)).fold(f64::NEG_INFINITY, f64::max);
+        let out_m = faces.iter().map(|at| at.dot(facing)).fold(f64::NEG_INFINITY, greater);
         let ways = faces.iter().map(|at| at.dot(along));
         let (least, most) = ways.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), way| {
-            (least.min(way), most.max(way))
+            (lesser(least, way), greater(most, way))
         });
         let at = |way: f64| facing * out_m + along * way;
         let apart_m = (faces.len() > 1).then(|| (most - least) / (faces.len() - 1) as f64);
@@ -144,7 +145,7 @@ impl Berth {
             bow_mps: closing_mps(bow),
             stern_mps: closing_mps(stern),
             along_mps: velocity_mps(Vec2::ZERO).dot(attitude.apply(vec2(1.0, 0.0))),
-            angle_rad: libm::asin(((stern_m - bow_m) / length_m).clamp(-1.0, 1.0)),
+            angle_rad: libm::asin(bounded((stern_m - bow_m) / length_m, -1.0, 1.0)),
         }
     }
 

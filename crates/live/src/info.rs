@@ -1,6 +1,7 @@
 //! What pages are told of a scenario once: hulls, machinery, fenders, lines, tugs.
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::lesser;
 use fenderline_sim::mooring::{Holding, LineKind};
 use fenderline_sim::{LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
 
@@ -108,7 +109,7 @@ fn line_info(line: &MooringSetup) -> LineInfo {
     let breaking_n = match &line.line.kind {
         LineKind::Light { main, tail } => {
             let tail_n = tail.as_ref().map_or(f64::INFINITY, |tail| tail.rope.break_load_n);
-            main.break_load_n.min(tail_n)
+            lesser(main.break_load_n, tail_n)
         }
         LineKind::Heavy { break_load_n, .. } => *break_load_n,
     };

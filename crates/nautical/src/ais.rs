@@ -114,7 +114,7 @@ fn sentences(bits: &Bits, own: bool, channel: char, sequence: u8) -> Vec<String>
 /// A rate of turn as AIS has it: 4.733 √(°/min), its sign; at most 126.
 fn turn(turn_radps: f64) -> i32 {
     let deg_per_min = 60.0 * turn_radps.to_degrees();
-    let size = libm::round(4.733 * libm::sqrt(deg_per_min.abs())).min(126.0);
+    let size = libm::fmin(libm::round(4.733 * libm::sqrt(deg_per_min.abs())), 126.0);
     (size as i32) * if deg_per_min < 0.0 { -1 } else { 1 }
 }
 
@@ -134,7 +134,7 @@ pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
     bits.unsigned(u32::from(of.status), 4);
     bits.signed(turn(of.turn_radps), 8);
     // Tenths of a knot; 1022 stands for 102.2 and more.
-    bits.unsigned(libm::round(of.speed_mps * 36_000.0 / 1852.0).clamp(0.0, 1022.0) as u32, 10);
+    bits.unsigned((libm::round(of.speed_mps * 36_000.0 / 1852.0) as u32).min(1022), 10);
     bits.unsigned(0, 1);
     bits.signed(libm::round(of.place.longitude_deg * 600_000.0) as i32, 28);
     bits.signed(libm::round(of.place.latitude_deg * 600_000.0) as i32, 27);
@@ -160,17 +160,17 @@ pub fn ais_ship_data(of: &ShipData, own: bool, sequence: u8) -> Vec<String> {
     bits.text(&of.name, 20);
     bits.unsigned(u32::from(of.kind), 8);
     let [bow, stern, port, starboard] = of.extent_m.map(libm::round);
-    bits.unsigned(bow.clamp(0.0, 511.0) as u32, 9);
-    bits.unsigned(stern.clamp(0.0, 511.0) as u32, 9);
-    bits.unsigned(port.clamp(0.0, 63.0) as u32, 6);
-    bits.unsigned(starboard.clamp(0.0, 63.0) as u32, 6);
+    bits.unsigned((bow as u32).min(511), 9);
+    bits.unsigned((stern as u32).min(511), 9);
+    bits.unsigned((port as u32).min(63), 6);
+    bits.unsigned((starboard as u32).min(63), 6);
     bits.unsigned(u32::from(of.device), 4);
     let (month, day, hour, minute) = of.arrival;
     bits.unsigned(u32::from(month), 4);
     bits.unsigned(u32::from(day), 5);
     bits.unsigned(u32::from(hour), 5);
     bits.unsigned(u32::from(minute), 6);
-    bits.unsigned(libm::round(of.draught_m * 10.0).clamp(0.0, 255.0) as u32, 8);
+    bits.unsigned((libm::round(of.draught_m * 10.0) as u32).min(255), 8);
     bits.text(&of.destination, 20);
     // Her terminal is ready; spare.
     bits.unsigned(0, 2);

@@ -70,10 +70,10 @@ impl ChartOrigin {
     /// metre 5 km off at middle latitudes.
     #[must_use]
     pub fn place(&self, north_m: f64, east_m: f64) -> GeoPoint {
+        let latitude_deg = self.at.latitude_deg + north_m / self.metres_per_deg[0];
         let longitude_deg = self.at.longitude_deg + east_m / self.metres_per_deg[1];
         GeoPoint {
-            latitude_deg: (self.at.latitude_deg + north_m / self.metres_per_deg[0])
-                .clamp(-90.0, 90.0),
+            latitude_deg: libm::fmax(libm::fmin(latitude_deg, 90.0), -90.0),
             longitude_deg: longitude_deg - 360.0 * libm::round(longitude_deg / 360.0),
         }
     }

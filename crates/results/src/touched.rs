@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, ForceParts};
 
 /// One touched fender in one step; hulls and patches that press on it together are one.
@@ -28,8 +29,8 @@ pub fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
     for contact in contacts {
         let Some(id) = contact.fender else { continue };
         let fender = fenders.entry(id.0 as usize).or_default();
-        fender.deflection_m = fender.deflection_m.max(contact.depth_m);
-        fender.peak_deflection_m = fender.peak_deflection_m.max(contact.peak_depth_m);
+        fender.deflection_m = greater(fender.deflection_m, contact.depth_m);
+        fender.peak_deflection_m = greater(fender.peak_deflection_m, contact.peak_depth_m);
         // As the simulation's summary has it: of a tilted hull's force the part along the axis.
         let along_axis = libm::cos(contact.tilt_rad);
         fender.reaction_n += contact.normal_force_n * along_axis;

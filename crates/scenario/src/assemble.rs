@@ -36,6 +36,10 @@ use self::world::WorldNames;
 
 type Checked<T> = Result<T, ScenarioError>;
 
+/// Friction beyond which a scenario is told that it is unusual. Rubber on dry steel or concrete comes to about 1,
+/// facings of polyethylene to 0.2 (recalled, not read in a source); the rest is for what is wet, new or rough.
+const HIGHEST_USUAL_FRICTION: f64 = 1.5;
+
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
 
@@ -205,14 +209,14 @@ impl Assembly<'_, '_> {
         Ok((step_s, duration_s, integrator))
     }
 
-    fn materials(&self, materials: &[(String, Table)]) -> Checked<Vec<NamedMaterial>> {
-        let read = |(name, table): &(String, Table)| {
+    fn materials(&mut self, materials: &[(String, Table)]) -> Checked<Vec<NamedMaterial>> {
+        let mut read = |(name, table): &(String, Table)| {
             Ok(NamedMaterial { name: name.clone(), material: self.material(table)? })
         };
-        materials.iter().map(read).collect()
+        materials.iter().map(&mut read).collect()
     }
 
-    fn material(&self, table: &Table) -> Checked<Material> {
+    fn material(&mut self, table: &Table) -> Checked<Material> {
         let friction_static = *table.given("friction_static").number();
         let dynamic = table.item("friction_dynamic");
         let friction_dynamic = dynamic.map_or(friction_static, |item| *item.number());
@@ -223,6 +227,17 @@ impl Assembly<'_, '_> {
                  {friction_dynamic}"
             );
             return Err(self.sources.error(&item.span, &path, message));
+        }
+        let item = table.given("friction_static");
+        if friction_static > HIGHEST_USUAL_FRICTION {
+            self.notices.push(Notice {
+                place: self.sources.place(&item.span),
+                key: table.path_of("friction_static"),
+                message: format!(
+                    "{friction_static} is more than the {HIGHEST_USUAL_FRICTION} that facings, rubber, steel and \
+                     concrete have on each other (most have 0.1 to 1): hulls will lock rather than slide"
+                ),
+            });
         }
         Ok(Material {
             stiffness_npm2: *table.given("stiffness").number(),

@@ -267,14 +267,14 @@ static MATERIAL: TableSpec = TableSpec {
         },
         KeySpec {
             name: "friction_static",
-            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 100.0 }),
+            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 10.0 }),
             absent: Is("0"),
-            doc: "Coefficient of static friction.",
+            doc: "Coefficient of static friction: 0.1 to 1 in most harbours; more than 1.5 is noticed.",
             examples: &["0.5"],
         },
         KeySpec {
             name: "friction_dynamic",
-            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 100.0 }),
+            kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.0, high: 10.0 }),
             absent: Means("equal to `friction_static`"),
             doc: "Coefficient of dynamic friction, at most `friction_static`.",
             examples: &["0.4"],

@@ -1,11 +1,22 @@
 //! Ships adrift in waves, engine off.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use fenderline_scenario::Scenario;
 use fenderline_sim::Simulation;
 
-/// The speed over the ground of a ship of 130 m after two hours in a sea of Hs 2 m [m/s], and her wave force at the
-/// start, forward and to starboard [N].
-fn adrift(period_s: f64, from_deg: f64) -> (f64, [f64; 2]) {
+/// What became of a ship of 130 m adrift for two hours in a sea of Hs 2 m.
+struct Adrift {
+    /// Her wave force at the start, forward and to starboard [N].
+    first_n: [f64; 2],
+    /// Her greatest speed over the ground while her bow was within 5° of the waves [m/s]; 0 where it never was.
+    bow_on_mps: f64,
+    /// Her speed over the ground at the end [m/s], and the wave force there [N].
+    last_mps: f64,
+    last_n: f64,
+}
+
+fn adrift(period_s: f64, from_deg: f64, spreading: &str) -> Adrift {
     let text = format!(
         r#"title = "Adrift"
 
@@ -14,7 +25,7 @@ step = "1 s"
 duration = "2 h"
 
 [environment]
-waves = {{ height = "2 m", period = "{period_s} s", from = "{from_deg} deg", seed = 5 }}
+waves = {{ height = "2 m", period = "{period_s} s", from = "{from_deg} deg", seed = 5{spreading} }}
 
 [vessel.coaster]
 length_bp = "130 m"
@@ -32,33 +43,77 @@ outline = [[-65, -10], [45, -10], [65, 0], [45, 10], [-65, 10]]
     let scenario = Scenario::parse(&text, "adrift.toml").unwrap_or_else(|error| panic!("{error}"));
     let mut simulation = Simulation::new(scenario.setup).unwrap_or_else(|error| panic!("{error}"));
     let first = simulation.step().expect("a good step").vessel_forces[0].waves;
+    let (mut bow_on_mps, mut last) = (0.0_f64, first);
     while !simulation.is_done() {
-        simulation.step().expect("a good step");
+        last = simulation.step().expect("a good step").vessel_forces[0].waves;
+        let ship = &simulation.states()[0];
+        let off_rad = (ship.heading_rad - from_deg.to_radians()).rem_euclid(std::f64::consts::TAU);
+        if off_rad.min(std::f64::consts::TAU - off_rad) < 5_f64.to_radians() {
+            bow_on_mps = bow_on_mps.max(ship.velocity_mps.length());
+        }
     }
-    (simulation.states()[0].velocity_mps.length(), [first.surge_n, first.sway_n])
+    Adrift {
+        first_n: [first.surge_n, first.sway_n],
+        bow_on_mps,
+        last_mps: simulation.states()[0].velocity_mps.length(),
+        last_n: (last.surge_n * last.surge_n + last.sway_n * last.sway_n).sqrt(),
+    }
 }
 
-/// A head sea of Hs 2 m drives her astern as slowly as ships at rest go, at 0.37 to 0.69 m/s by its period; the drift of
-/// short waves for all of them gave 2.0 m/s. It is 0.60 m/s at 8 s, and
-/// less than 0.6 m/s from 9 s on.
+/// A head sea of Hs 2 m drives her astern as slowly as ships at rest go, below 0.6 m/s at every period; the drift of short
+/// waves for all of them gave 2.0 m/s.
+///
+/// No ship holds her bow to the sea without help: in an hour or two she lies abeam, where the sea drifts her as the next test
+/// says.
 #[test]
 fn a_ship_adrift_in_a_head_sea_of_two_metres_goes_slowly_astern() {
-    for (period_s, most_mps) in
-        [(5.0, 0.7), (6.0, 0.7), (7.0, 0.7), (8.0, 0.605), (9.0, 0.6), (12.0, 0.6)]
-    {
-        let (speed_mps, [surge_n, sway_n]) = adrift(period_s, 0.0);
-        println!("Tp {period_s} s: {surge_n:.0} N, {speed_mps:.4} m/s");
+    for period_s in [5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0] {
+        let Adrift { first_n: [surge_n, sway_n], bow_on_mps, last_mps, .. } =
+            adrift(period_s, 0.0, "");
+        println!(
+            "Tp {period_s} s: {surge_n:.0} N, bow on {bow_on_mps:.3} m/s, at last {last_mps:.3} m/s"
+        );
         assert!(surge_n < 0.0 && sway_n.abs() < 1e-3);
-        assert!(speed_mps > 0.05 && speed_mps < most_mps, "Tp {period_s} s: {speed_mps} m/s");
+        assert!(bow_on_mps > 0.05 && bow_on_mps < 0.6, "Tp {period_s} s: {bow_on_mps} m/s");
+        assert!(last_mps < 0.7, "Tp {period_s} s: {last_mps} m/s");
     }
 }
 
-/// From the bow, from abeam, from the quarter and from astern too.
+/// ρg Hs²/16 · L: all waves turned back, on all of her length [N].
+const ALL_TURNED_BACK_N: f64 = 1025.0 * 9.806_65 * 4.0 / 16.0 * 130.0;
+
+/// Abeam it is up to 0.69 m/s in long crests, 0.64 m/s in the short ones of a sea under wind.
+///
+/// Why not less: of 327 kN that waves would give which are all turned back on all of her length, she has 0.81 to 0.94 at rest
+/// (a panel code 0.73 to 1.14 of it for two other ships, `validation/wave_drift.toml`); going with the waves takes four
+/// tenths of it off. To go at 0.6 m/s with what is left she would need a drag coefficient across of up to 1.1, where
+/// Hoerner has 0.76 for her section and Esso Osaka's tests 0.97.
+#[test]
+fn a_ship_adrift_abeam_goes_as_fast_as_what_she_turns_back_drives_her() {
+    for (spreading, most_mps, least) in [("", 0.7, 0.8), (", spreading = 2", 0.65, 0.6)] {
+        for period_s in [5.0, 6.0, 7.0] {
+            let Adrift { first_n: [_, sway_n], last_mps, last_n, .. } =
+                adrift(period_s, 90.0, spreading);
+            let share = -sway_n / ALL_TURNED_BACK_N;
+            // Off her force at rest in proportion to her speed.
+            let at_limit_n = -sway_n - (-sway_n - last_n) * 0.6 / last_mps;
+            let drag = at_limit_n / (0.5 * 1025.0 * 130.0 * 7.5 * 0.6 * 0.6);
+            println!(
+                "Tp {period_s} s{spreading}: {share:.3} of all, {last_mps:.3} m/s; 0.6 m/s by a drag coefficient of {drag:.3}"
+            );
+            assert!(share > least && share < 1.0, "Tp {period_s} s: {share}");
+            assert!(last_mps > 0.5 && last_mps < most_mps, "Tp {period_s} s: {last_mps} m/s");
+            assert!(drag > 0.76 && drag < 1.12, "Tp {period_s} s: {drag}");
+        }
+    }
+}
+
+/// From the bow, from the quarter and from astern too.
 #[test]
 fn a_ship_adrift_in_any_sea_of_two_metres_goes_slowly() {
-    for from_deg in [45.0, 90.0, 135.0, 180.0] {
-        let (speed_mps, force_n) = adrift(7.0, from_deg);
-        println!("from {from_deg} deg: {force_n:?} N, {speed_mps:.3} m/s");
-        assert!(speed_mps > 0.05 && speed_mps < 0.7, "from {from_deg}: {speed_mps} m/s");
+    for from_deg in [45.0, 135.0, 180.0] {
+        let Adrift { first_n, last_mps, .. } = adrift(7.0, from_deg, "");
+        println!("from {from_deg} deg: {first_n:?} N, {last_mps:.3} m/s");
+        assert!(last_mps > 0.05 && last_mps < 0.7, "from {from_deg}: {last_mps} m/s");
     }
 }

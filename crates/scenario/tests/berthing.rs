@@ -1,5 +1,7 @@
 //! The whole story of `scenarios/berth/alongside_with_two_tugs.toml` does what it says.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::collections::BTreeSet;
 
 use fenderline_scenario::Scenario;

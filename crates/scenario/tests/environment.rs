@@ -300,6 +300,18 @@ fn a_current_or_wind_is_told_in_one_way() {
     of("wind = { file = \"w.csv\", from = 0 }", "environment.wind.from", &["together with `file`"]);
 }
 
+/// A regular wave runs in one direction.
+#[test]
+fn a_regular_wave_has_no_spreading() {
+    let of = |lines: &str, key: &str, fragments: &[&str]| {
+        refused(&[("environment", lines)], &[], key, fragments);
+    };
+    let wave = "waves = { height = 2, period = 8, from = 0, regular = true, spreading = 2 }";
+    of(wave, "environment.waves.spreading", &["together with `regular`"]);
+    let wide = "waves = { height = 2, period = 8, from = 0, spreading = 0.5 }";
+    of(wide, "environment.waves.spreading", &["at least 1"]);
+}
+
 /// From 350° to 10° through north, not through south.
 #[test]
 fn a_wind_in_time_turns_the_shorter_way() {
@@ -484,8 +496,8 @@ fn water_too_shallow_for_the_corrections_is_told() {
 
 /// The fenders stay where they are while she sits deeper: their push acts that much further above her centre of
 /// gravity and heels her that much more. She slides along a wall with a long face at 8 kn and is pressed on it by
-/// 2 MN; with squat s the heel is that without it and N s/(W GM) more. Means over the last 240 s, as she still sways on the
-/// face; 2 % for what is left of the first roll.
+/// 2 MN; with squat s the heel is that without it and N s/(W GM) more. Means from 80 to 900 s, as she still sways on the
+/// face: over four minutes she heels by 4 % more or less, as the two runs do not sway together.
 #[test]
 fn squat_moves_the_height_of_contact() {
     let heel = |squat: &str| {
@@ -502,7 +514,7 @@ fn squat_moves_the_height_of_contact() {
             &[],
         );
         let mut setup = scenario.setup;
-        setup.duration_s = 320.0;
+        setup.duration_s = 900.0;
         let mut simulation = Simulation::new(setup).expect("a good set-up");
         let (mut heel_rad, mut arm_nm, mut steps) = (0.0, 0.0, 0.0);
         while !simulation.is_done() {
@@ -521,7 +533,7 @@ fn squat_moves_the_height_of_contact() {
     assert_eq!(deep.1, 0.0);
     let by_hand_rad = shallow.1 / (1025.0 * 0.694 * 298.0 * 46.0 * 9.0 * 9.806_65 * 5.0);
     let more_rad = (shallow.0 - deep.0).abs();
-    assert!(by_hand_rad > 1e-4, "{by_hand_rad}");
+    assert!(by_hand_rad > 5e-5, "{by_hand_rad}");
     assert!((more_rad / by_hand_rad - 1.0).abs() < 0.02, "{more_rad} {by_hand_rad}");
 }
 

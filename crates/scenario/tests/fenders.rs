@@ -1,6 +1,8 @@
 //! Fender data: the built-in files against what was published beside them, and what a user's file
 //! may and may not say.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::path::{Path, PathBuf};
 
 use boon::{Compiler, Schemas};

@@ -6,6 +6,8 @@
 //! and yaw rate; of final speeds and yaw rates 0.5 % of the largest that the body has in the run, as most end nearly at
 //! rest. The time steps of the two programs leave 0.1 % of a first peak.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

@@ -6,6 +6,8 @@
 //! its first state by about a thousand (the script with one coordinate changed by 1e-13 of itself
 //! moves its columns by up to 4e-11), so that agreement to 1e-9 is agreement of every formula.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::path::{Path, PathBuf};
 
 use fenderline_contact::{Friction, Vec2};

@@ -148,7 +148,8 @@ fn full() -> Json {
             "current": { "speed": "1 kn", "towards": "10 deg" },
             "bank": [{ "from": [-500, 90], "to": [500, 90] }],
             "waves": {
-                "height": 1, "period": "8 s", "from": 0, "regular": false, "peakedness": 3.3, "seed": 1
+                "height": 1, "period": "8 s", "from": 0, "regular": false, "peakedness": 3.3,
+                "spreading": 2, "seed": 1
             }
         },
         "vessel": {
@@ -489,6 +490,8 @@ fn examples_are_accepted() {
                 "/vessel_files",
                 // And each method of wind coefficients with its own particulars.
                 "/vessel/box ship/windage/method",
+                // A regular wave has no spreading.
+                "/environment/waves/regular",
                 // Shorter than the distance of its ends.
                 "/line/breast/length",
                 // A point at the side of another ship, and another ship than the point is at.

@@ -1,5 +1,7 @@
 //! The tide in scenarios: depth, heights of fenders and bollards on what is ashore, and a ship that the water leaves.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use fenderline_scenario::{Scenario, ScenarioError};
 use fenderline_sim::{Simulation, WorldEventKind};
 

@@ -1,5 +1,7 @@
 //! Tugs that are vessels: azimuth units from scenario text, and what they do at a ship.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use fenderline_contact::Rotation;
 use fenderline_scenario::Scenario;
 use fenderline_sim::{Simulation, WorldEventKind};

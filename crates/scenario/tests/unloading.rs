@@ -1,5 +1,7 @@
 //! A moored ship on fenders with unloading laws, in gusts and over a day.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use std::path::Path;
 
 use fenderline_contact::Vec2;

@@ -265,7 +265,7 @@ fn a_vessel_from_main_particulars_says_everything_that_is_estimated() {
         ("added mass", Standing::Found),
         ("hull under way", Standing::Found),
         ("resistance ahead", Standing::Recalled),
-        ("resistance astern", Standing::Assumed),
+        ("resistance astern", Standing::Found),
         ("cross-flow drag", Standing::Found),
         ("wake", Standing::Found),
         ("thrust deduction", Standing::Found),

@@ -1,5 +1,7 @@
 //! Vessels, weather, tugs and lines from scenarios: what runs, and what is refused.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use fenderline_scenario::Scenario;
 use fenderline_sim::{Simulation, WorldEventKind};
 

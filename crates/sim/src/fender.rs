@@ -1,5 +1,6 @@
 //! Fenders: what a set-up says of them and what a run did to them.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, FenderLaw, ReactionFactors, Stop, Unloading, Vec2};
 
 /// A fender of a [`crate::Setup`].
@@ -98,7 +99,7 @@ impl Rated {
     pub fn of(law: &FenderLaw, deflection_m: f64) -> Option<Rated> {
         let FenderLaw::Curve(points) = law else { return None };
         let within = points.iter().filter(|p| p[0] < deflection_m).map(|p| p[1]);
-        let reaction_n = within.fold(law.reaction_n(deflection_m), f64::max);
+        let reaction_n = within.fold(law.reaction_n(deflection_m), greater);
         Some(Rated { deflection_m, reaction_n, energy_j: law.energy_j(deflection_m) })
     }
 }
@@ -240,7 +241,7 @@ fn first_touch(index: usize, setup: &FenderSetup, contact: &Contact, t_s: f64) -
 
 fn book_contact(summary: &mut FenderSummary, setup: &FenderSetup, contact: &Contact, t_s: f64) {
     summary.last_reaction_n += contact.normal_force_n * libm::cos(contact.tilt_rad);
-    summary.last_deflection_m = summary.last_deflection_m.max(contact.depth_m);
+    summary.last_deflection_m = greater(summary.last_deflection_m, contact.depth_m);
     let deflection_m = contact.peak_depth_m;
     if deflection_m > summary.peak_deflection_m {
         summary.peak_deflection_m = deflection_m;

@@ -1,6 +1,7 @@
 //! Stage 6, gather: contact and loads into one wrench per body, in a fixed order.
 
 use fenderline_contact::Wrench;
+use fenderline_contact::number::{greater, lesser};
 
 use crate::setup::Load;
 
@@ -11,12 +12,12 @@ pub(crate) fn mean_load(load: &Load, t_s: f64, step_s: f64) -> Wrench {
     if load.from_s <= t_s && load.until_s >= t_s + step_s {
         return Wrench { force_n: load.force_n, moment_nm: load.moment_nm };
     }
-    let acts_s = (load.until_s.min(t_s + step_s) - load.from_s.max(t_s)).max(0.0);
-    let share = (acts_s / step_s).min(1.0);
+    let acts_s = greater(lesser(load.until_s, t_s + step_s) - greater(load.from_s, t_s), 0.0);
+    let share = lesser(acts_s / step_s, 1.0);
     Wrench { force_n: load.force_n * share, moment_nm: load.moment_nm * share }
 }
 
-/// Sum of the loads on each body in the step, in the order of the set-up.
+/// Sum of the loads on each body in the step, in their order.
 pub(crate) fn gather_loads(loads: &[Load], t_s: f64, step_s: f64, into: &mut [Wrench]) {
     into.fill(Wrench::default());
     for load in loads {

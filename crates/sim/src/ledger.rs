@@ -1,5 +1,6 @@
 //! The energy ledger: where every joule of a step came from.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Contact, ContactWork, Motion, Vec2, Wrench};
 
 use crate::record::{ContactBook, Energy, LoadWorks};
@@ -59,6 +60,9 @@ pub(crate) struct Books {
     pub(crate) all: Vec<ContactBook>,
     /// For each book: is the contact there in this step, and its fender's stored energy at the start.
     seen: Vec<Seen>,
+    /// What contacts that are over gave more than they took [J].
+    gained_j: f64,
+    is_under_way: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -74,9 +78,14 @@ impl Books {
     /// Opens a step: nothing has happened yet, and contacts that had let go are forgotten.
     pub(crate) fn open(&mut self, contacts: &[Contact]) {
         let mut index = 0;
-        self.all.retain(|_| {
+        let gained_j = &mut self.gained_j;
+        self.all.retain(|book| {
             index += 1;
-            self.seen[index - 1].now
+            let goes_on = self.seen[index - 1].now;
+            if !goes_on {
+                *gained_j += greater(book.since_began_j, 0.0);
+            }
+            goes_on
         });
         self.seen.clear();
         self.seen.resize(self.all.len(), Seen::default());
@@ -84,6 +93,7 @@ impl Books {
             *book = ContactBook {
                 bodies: book.bodies,
                 fender: book.fender,
+                since_began_j: book.since_began_j,
                 stored_j: book.stored_j,
                 shear_stored_j: book.shear_stored_j,
                 ..ContactBook::default()
@@ -137,9 +147,16 @@ impl Books {
     /// Closes a step: what friction took is what the bodies lost and the shear springs do not hold.
     pub(crate) fn close(&mut self) {
         for (book, seen) in self.all.iter_mut().zip(&self.seen) {
+            book.since_began_j += book.normal_j + book.tangential_j;
             book.friction_j = -book.tangential_j - (seen.shear_stored_j - book.shear_stored_j);
             book.shear_stored_j = seen.shear_stored_j;
         }
+        self.is_under_way = true;
+    }
+
+    /// What contacts have given more than they took, those that go on included [J].
+    fn gained_j(&self) -> f64 {
+        self.all.iter().fold(self.gained_j, |sum_j, book| sum_j + greater(book.since_began_j, 0.0))
     }
 
     fn index_of(&mut self, contact: &Contact) -> usize {
@@ -147,7 +164,9 @@ impl Books {
         let fender = contact.fender.map(|id| id.0 as usize);
         let same = |b: &ContactBook| b.bodies == bodies && b.fender == fender;
         self.all.iter().position(same).unwrap_or_else(|| {
-            self.all.push(ContactBook { bodies, fender, ..ContactBook::default() });
+            // Who is in contact at the start may have been put there with energy stored.
+            let since_began_j = if self.is_under_way { 0.0 } else { f64::NEG_INFINITY };
+            self.all.push(ContactBook { bodies, fender, since_began_j, ..ContactBook::default() });
             self.seen.push(Seen { now: true, ..Seen::default() });
             self.all.len() - 1
         })
@@ -168,6 +187,9 @@ fn work_along(contact: &Contact, mean: &[MeanVelocity], seconds: f64) -> Contact
     }
 }
 
+/// Places of the bodies in the order in which they are added up, and their inertias and states.
+type Moved<'a> = (&'a [usize], &'a [Inertia], &'a [BodyState]);
+
 /// The ledger, step by step.
 #[derive(Clone, Debug)]
 pub(crate) struct Ledger {
@@ -176,25 +198,21 @@ pub(crate) struct Ledger {
 }
 
 impl Ledger {
-    pub(crate) fn new(inertias: &[Inertia], states: &[BodyState]) -> Ledger {
-        let kinetic_j = kinetic_j(inertias, states);
+    pub(crate) fn new(moved: Moved<'_>) -> Ledger {
+        let kinetic_j = kinetic_j(moved);
         Ledger { start_j: kinetic_j, energy: Energy { kinetic_j, ..Energy::default() } }
     }
 
     /// Books one step.
-    pub(crate) fn book(
-        &mut self,
-        inertias: &[Inertia],
-        after: &[BodyState],
-        loads: &LoadWorks,
-        books: &[ContactBook],
-    ) {
+    pub(crate) fn book(&mut self, moved: Moved<'_>, loads: &LoadWorks, books: &Books) {
         let energy = &mut self.energy;
-        energy.kinetic_j = kinetic_j(inertias, after);
+        energy.kinetic_j = kinetic_j(moved);
         energy.loads.add(loads);
         energy.load_work_j = energy.loads.total_j();
         (energy.stored_j, energy.shear_stored_j) = (0.0, 0.0);
-        for book in books {
+        energy.contact_gained_j = books.gained_j();
+        for book in &books.all {
+            energy.contact_taken_j += greater(-(book.normal_j + book.tangential_j), 0.0);
             energy.normal_work_j += book.normal_j;
             energy.tangential_work_j += book.tangential_j;
             energy.stored_j += book.stored_j;
@@ -210,6 +228,6 @@ impl Ledger {
     }
 }
 
-fn kinetic_j(inertias: &[Inertia], states: &[BodyState]) -> f64 {
-    inertias.iter().zip(states).map(|(inertia, state)| inertia.kinetic_j(state)).sum()
+fn kinetic_j((order, inertias, states): Moved<'_>) -> f64 {
+    order.iter().map(|&body| inertias[body].kinetic_j(&states[body])).sum()
 }

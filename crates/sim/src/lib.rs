@@ -61,6 +61,8 @@ pub mod hydro;
 
 mod error;
 mod fender;
+mod fixed_order;
+mod gain;
 mod gather;
 mod integrate;
 mod ledger;
@@ -80,6 +82,7 @@ mod world;
 
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, HullPressure, Rated};
+pub use gain::Gain;
 pub use range::OutOfRange;
 pub use record::{ContactBook, Energy, LoadWorks, StepRecord};
 pub use setup::{

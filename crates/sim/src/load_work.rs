@@ -2,6 +2,7 @@
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
+use crate::fixed_order::SumOrder;
 use crate::hydro::Force;
 use crate::ledger::MeanVelocity;
 use crate::record::LoadWorks;
@@ -22,6 +23,7 @@ pub(crate) struct LoadedStep<'a> {
     pub(crate) carried: &'a [Carried],
     pub(crate) tugs: &'a [TugAtWork],
     pub(crate) lines: &'a [Mooring],
+    pub(crate) order: &'a SumOrder,
     pub(crate) step_s: f64,
 }
 
@@ -29,18 +31,17 @@ impl LoadedStep<'_> {
     /// Force times way over the ground, load by load.
     pub(crate) fn works(&self) -> LoadWorks {
         let mut works = LoadWorks::default();
-        let bodies = self.others.iter().zip(self.mean).zip(self.inertias);
-        for ((load, mean), _) in bodies.filter(|(_, inertia)| !inertia.fixed) {
-            works.other_j += mean.power_w(load) * self.step_s;
+        for &body in self.order.bodies.iter().filter(|&&body| !self.inertias[body].fixed) {
+            works.other_j += self.mean[body].power_w(&self.others[body]) * self.step_s;
         }
-        for (index, vessel) in self.world.vessels.iter().enumerate() {
-            self.vessel(index, vessel.body, &mut works);
+        for &vessel in &self.order.vessels {
+            self.vessel(vessel, self.world.vessels[vessel].body, &mut works);
         }
-        for (tug, of) in self.tugs.iter().zip(&self.world.tugs) {
-            works.tugs_j += self.of_force(of.vessel, tug.force);
+        for &tug in &self.order.tugs {
+            works.tugs_j += self.of_force(self.world.tugs[tug].vessel, self.tugs[tug].force);
         }
-        for (mooring, line) in self.lines.iter().zip(&self.world.lines) {
-            for end in line.ends_on(mooring) {
+        for &line in &self.order.lines {
+            for end in self.world.lines[line].ends_on(&self.lines[line]) {
                 works.lines_j += self.of_line_end(end);
             }
         }

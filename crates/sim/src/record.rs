@@ -56,6 +56,9 @@ pub struct ContactBook {
     pub normal_j: f64,
     /// Work of the tangential force on the two bodies [J].
     pub tangential_j: f64,
+    /// Work of both on the two bodies since the contact began [J]: positive where it has given them more than it took;
+    /// −∞ for a contact that was there at the start, with who knows how much stored.
+    pub since_began_j: f64,
     /// Stored in spring and stop at the end of the step, and to be had back [J].
     pub stored_j: f64,
     /// Stored in the shear spring at the end of the step [J].
@@ -186,6 +189,11 @@ pub struct Energy {
     pub friction_j: f64,
     /// Sum of the contacts' residuals: see [`ContactBook::residual_j`].
     pub contact_residual_j: f64,
+    /// What came into contacts: the works of all steps and contacts in which the bodies lost energy.
+    pub contact_taken_j: f64,
+    /// What contacts have given the bodies more than they took from them since each began; those that were there at
+    /// the start of the run, and may have had energy stored, are not counted.
+    pub contact_gained_j: f64,
     /// Kinetic energy now, less that at the start, less all work. Rounding where a body's mass is the
     /// same in surge and sway, and for a vessel that nothing touches; else also what a step makes of momentum that
     /// turns with the body, which falls with Δt.

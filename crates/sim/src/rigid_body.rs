@@ -1,5 +1,6 @@
 //! A rigid body in the plane.
 
+use fenderline_contact::number::lesser;
 use fenderline_contact::{BodyState, Mobility, Vec2, Wrench, vec2};
 
 use crate::setup::{BodySetup, BodyVelocity, MassProperties, Method};
@@ -35,7 +36,7 @@ impl Inertia {
         let (added_surge_kg, added_sway_kg) = match method {
             Method::Coupled => (m.added_surge_kg, m.added_sway_kg),
             Method::Paper => {
-                let smallest_kg = m.added_surge_kg.min(m.added_sway_kg);
+                let smallest_kg = lesser(m.added_surge_kg, m.added_sway_kg);
                 (smallest_kg, smallest_kg)
             }
         };

@@ -10,6 +10,8 @@ use crate::environment::current::Current;
 use crate::environment::wind::Wind;
 use crate::error::{SetupError, SimError};
 use crate::fender::{FenderSetup, FenderSummaries, FenderSummary};
+use crate::fixed_order::sort_loads;
+use crate::gain::{Gain, TOLD_GAIN};
 use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{Rate, euler, semi_implicit};
 use crate::ledger::{Books, Ledger, MeanVelocity, WorkBy};
@@ -33,6 +35,8 @@ pub struct Simulation {
     inertias: Vec<Inertia>,
     steps_total: u64,
     index: u64,
+    /// The set-up's loads in the order in which they are added up.
+    loads: Vec<Load>,
     states: Vec<BodyState>,
     memory: Memory,
     work: Workspace,
@@ -83,6 +87,8 @@ impl Simulation {
         let states = setup.initial_states();
         setup.world.environment.check().map_err(SetupError::Environment)?;
         check_lines(&setup)?;
+        let mut loads = setup.loads.clone();
+        sort_loads(&mut loads);
         let count = states.len();
         let memory = Memory::new(&model);
         let buffers = Buffers {
@@ -101,15 +107,17 @@ impl Simulation {
             probe_work: Workspace::new(&model),
             backup: memory.clone(),
         };
+        let world = World::new(&setup.world, &setup.bodies);
         Ok(Simulation {
-            ledger: Ledger::new(&inertias, &states),
+            ledger: Ledger::new((&world.order.bodies, &inertias, &states)),
             work: Workspace::new(&model),
             books: Books::default(),
             summaries: Summaries::default(),
             fender_summaries: FenderSummaries::new(setup.fenders.len()),
             study: study(&setup)?,
-            world: World::new(&setup.world, &setup.bodies),
+            world,
             index: 0,
+            loads,
             setup,
             model,
             inertias,
@@ -191,6 +199,15 @@ impl Simulation {
     #[must_use]
     pub fn energy(&self) -> Energy {
         self.ledger.energy
+    }
+
+    /// Has the paper's method made energy that a reader must know of? Its forces are explicit, and those of a stiff
+    /// spring in a long step push for longer than they should. [`Method::Coupled`] bounds what each contact gives.
+    #[must_use]
+    pub fn gain(&self) -> Option<Gain> {
+        let Energy { contact_taken_j: taken_j, contact_gained_j: gained_j, .. } = self.energy();
+        let is_told = self.setup.method == Method::Paper && gained_j > TOLD_GAIN * taken_j;
+        is_told.then_some(Gain { gained_j, taken_j })
     }
 
     /// What has happened between each pair of bodies that touched, in the order of first touch.
@@ -306,7 +323,7 @@ impl Simulation {
         }
         let world_before = self.setup.world.changes().then(|| self.world.clone());
         // What acts besides contact, and stages 1–5: the contact engine.
-        gather_loads(&self.setup.loads, t_s, step_s, &mut self.buffers.loads);
+        gather_loads(&self.loads, t_s, step_s, &mut self.buffers.loads);
         add_external(&self.buffers.external, &mut self.buffers.loads);
         self.buffers.others.clone_from(&self.buffers.loads);
         let times = (t_s, self.velocities_t_s(), step_s);
@@ -526,9 +543,11 @@ impl Simulation {
             carried: &self.world.carried,
             tugs: &self.world.tugs,
             lines: &self.world.lines,
+            order: &self.world.order,
             step_s,
         };
-        self.ledger.book(&self.inertias, &self.states, &loaded.works(), &self.books.all);
+        let moved = (&*self.world.order.bodies, &*self.inertias, &*self.states);
+        self.ledger.book(moved, &loaded.works(), &self.books);
     }
 }
 

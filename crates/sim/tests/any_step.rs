@@ -1,6 +1,8 @@
 //! The coupled method at long time steps against its own converged solution: peak force, peak depth,
 //! and the speeds in the end.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 mod support;
 
 use fenderline_contact::BodyState;

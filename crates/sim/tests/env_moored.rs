@@ -1,6 +1,8 @@
 //! Ten hours on six lines in a gusty wind off the quay: wind, current and lines together, as a simulation
 //! will use them.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use fenderline_contact::{Vec2, vec2};
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::*;

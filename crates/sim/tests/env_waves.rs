@@ -333,6 +333,72 @@ fn a_sea_drifts_her_by_its_waves() {
     assert!((y_n / sum[1] - 1.0).abs() < 0.02, "{y_n}, {sum:?}");
 }
 
+/// Short crests: the height stays, and waves short beside the draught push a box abeam as the integral over all directions says,
+/// within the 1 % that fifteen directions leave open. For her sides alone that is (n + 1)/(n + 2) for a spreading of cosⁿ,
+/// the mean of cos² by parts; her ends, a twentieth of her each, add 2 %.
+#[test]
+fn short_crests_push_less_by_their_spreading() {
+    let box_ship =
+        DriftHull { length_m: 130.0, beam_m: 20.0, draught_m: 15.0, block_coefficient: 1.0 };
+    let spectrum = Jonswap { peak_period_s: 4.0, ..SEA };
+    let realisation = Realisation { harmonics: 200, seed: 3 };
+    let long = Sea::jonswap(&spectrum, FRAC_PI_2, 1000.0, realisation).unwrap();
+    let push = |sea: &Sea| mean_drift(sea, &box_ship, (0.0, vec2(0.0, 0.0)), 1025.0);
+    let [_, along_n, _] = push(&long);
+    let mut before = 0.0;
+    for exponent in [2.0, 4.0, 20.0, 100.0] {
+        let short = long.clone().short_crested(exponent).unwrap();
+        assert!((short.significant_height_m() - long.significant_height_m()).abs() < 1e-12);
+        assert_eq!(short.towards_rad(), long.towards_rad());
+        assert!(short.is_short_crested() && !long.is_short_crested());
+        let [_, sway_n, _] = push(&short);
+        let share = sway_n / along_n;
+        let number = wave_number(TAU / 4.0, 1000.0);
+        let [mut all, mut weights] = [0.0; 2];
+        for step in -500..=500 {
+            let off_rad = FRAC_PI_2 * f64::from(step) / 500.0;
+            let weight = off_rad.cos().max(0.0).powf(exponent);
+            all += weight * box_ship.coefficients(number, FRAC_PI_2 + off_rad)[1];
+            weights += weight;
+        }
+        let expected = all / weights / box_ship.coefficients(number, FRAC_PI_2)[1];
+        let sides = (exponent + 1.0) / (exponent + 2.0);
+        println!("n {exponent}: {share:.4}, integral {expected:.4}, sides {sides:.4}");
+        assert!((share / expected - 1.0).abs() < 0.01, "{exponent}: {share}");
+        assert!((share / sides - 1.0).abs() < 0.03, "{exponent}: {share}");
+        assert!(share > before);
+        before = share;
+    }
+    assert!(long.clone().short_crested(0.5).is_err());
+    assert!(long.clone().short_crested(f64::NAN).is_err());
+}
+
+/// The surface slopes as much as before, a quarter of it across the mean direction where n is 2.
+#[test]
+fn short_crests_slope_across_too() {
+    let long = sea(200, 9);
+    let short = long.clone().short_crested(2.0).unwrap();
+    let step_m = 0.05;
+    let slopes = |sea: &Sea| {
+        let mut sum = [0.0; 2];
+        for sample in 0..20_000 {
+            let t_s = 3.7 * f64::from(sample);
+            let at = |x: f64, y: f64| sea.elevation_m(vec2(x, y), t_s);
+            let slope = [at(step_m, 0.0) - at(-step_m, 0.0), at(0.0, step_m) - at(0.0, -step_m)];
+            for (sum, slope) in sum.iter_mut().zip(slope) {
+                *sum += slope * slope;
+            }
+        }
+        sum
+    };
+    let ([along, none], [mean, across]) = (slopes(&long), slopes(&short));
+    println!("across {:.3} of {:.3}", across / along, (mean + across) / along);
+    assert_eq!(none, 0.0);
+    // What 20 000 samples and the directions leave open: some per cent.
+    assert!(((mean + across) / along - 1.0).abs() < 0.03);
+    assert!((across / along - 0.25).abs() < 0.02);
+}
+
 #[test]
 fn absurd_seas_are_refused_by_name() {
     let realisation = Realisation { harmonics: 10, seed: 0 };

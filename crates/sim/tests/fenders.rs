@@ -1,5 +1,7 @@
 //! Fenders in a run: what they store, what they hold, and when they fail.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 mod support;
 
 use std::f64::consts::PI;

@@ -5,6 +5,8 @@
 //! piecewise smooth function halves with the spacing; a jump stays. *Lipschitz*: forces are of degree two in the
 //! velocities, so |ΔF| ≤ K · scale · V · |ΔV| with one K for all states.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 #[path = "support/ships.rs"]
 mod ships;
 

@@ -1,5 +1,7 @@
 //! Manoeuvring coefficients from main particulars: signs by known ships, routes, ranges, refusals.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 use fenderline_scenario::VesselLibrary;
 use fenderline_sim::hydro::{
     DriftPolynomial, HydroError, Known, Mmg, Particulars, Polynomial, Ratio, Route,

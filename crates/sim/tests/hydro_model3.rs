@@ -1,5 +1,7 @@
 //! The three-degree-of-freedom ship against laws of mechanics; actuators against closed forms.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 #[path = "support/ships.rs"]
 mod ships;
 

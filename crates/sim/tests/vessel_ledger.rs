@@ -1,5 +1,7 @@
 //! The energy ledger of vessels under way: it balances at every time step, in every water, by every integrator.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 #[path = "support/ships.rs"]
 mod ships;
 mod support;

@@ -22,17 +22,17 @@ export class Session implements View {
       if (text === "") page.say("Give the session a name to save it under.", "refusal");
       else void page.order({ do: "save", name: text });
     });
-    this.openingRow = h("div", { class: "row hidden" }, this.opening, button("Stop opening", () => void page.order({ do: "stop_opening" })));
+    this.openingRow = h("div", { class: "row opening hidden" }, this.opening, button("Stop opening", () => void page.order({ do: "stop_opening" })));
     this.root = h(
       "div",
       { class: "session" },
+      this.openingRow,
       this.count,
       h("h3", {}, "Who holds what"),
       this.claimRows,
       h("h3", {}, "Links to hand out"),
       this.links(hello),
       h("h3", {}, "Scenarios"),
-      this.openingRow,
       h("ul", { class: "rows gallery" }, ...hello.gallery.map((entry) => this.scenario(entry, entry.file === hello.file))),
       h("h3", {}, "Keep this session"),
       h("form", { class: "row", onsubmit: (event) => event.preventDefault() }, name, save),

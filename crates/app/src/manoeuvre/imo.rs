@@ -5,6 +5,8 @@
 //! on an even keel, at the test speed, in sheltered water of more than four draughts (MSC/Circ.1053, 2.1, likewise); the
 //! kinds of ships are recalled.
 
+use fenderline_contact::number::bounded;
+
 /// Advance at 90° with the rudder hard over [L].
 pub(super) const ADVANCE: f64 = 4.5;
 /// Tactical diameter with the rudder hard over [L].
@@ -18,12 +20,12 @@ pub(super) const TRACK_REACH: f64 = 15.0;
 
 /// First overshoot of the 10°/10° zig-zag [°], by L/V [s].
 pub(super) fn first_overshoot_10_deg(length_over_speed_s: f64) -> f64 {
-    5.0 + 0.5 * length_over_speed_s.clamp(10.0, 30.0)
+    5.0 + 0.5 * bounded(length_over_speed_s, 10.0, 30.0)
 }
 
 /// Second overshoot of the 10°/10° zig-zag [°], by L/V [s].
 pub(super) fn second_overshoot_10_deg(length_over_speed_s: f64) -> f64 {
-    17.5 + 0.75 * length_over_speed_s.clamp(10.0, 30.0)
+    17.5 + 0.75 * bounded(length_over_speed_s, 10.0, 30.0)
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Axes: what they are called, which range they cover and where their ticks stand.
 
+use fenderline_contact::number::{bounded, greater, lesser};
+
 use super::number::{fixed, order_of};
 
 /// An axis of a chart: its name, its unit, and the values it must cover beside the data.
@@ -21,7 +23,7 @@ impl Axis {
     /// Covers `value` too, whatever the data.
     pub(crate) fn including(mut self, value: f64) -> Axis {
         let (lo, hi) = self.included.unwrap_or((value, value));
-        self.included = Some((lo.min(value), hi.max(value)));
+        self.included = Some((lesser(lo, value), greater(hi, value)));
         self
     }
 
@@ -48,20 +50,22 @@ impl Axis {
     pub(super) fn fit(&self, values: impl Iterator<Item = f64>, ticks_wanted: u32) -> Fitted {
         let extremes = values.filter(|v| v.is_finite()).fold(self.included, |range, v| {
             let (lo, hi) = range.unwrap_or((v, v));
-            Some((lo.min(v), hi.max(v)))
+            Some((lesser(lo, v), greater(hi, v)))
         });
         let (lo, hi) = widened(extremes.unwrap_or((0.0, 1.0)));
+        // Zero has one sign on paper: −0 among the data would else be an end of the axis.
+        let (lo, hi) = (lo + 0.0, hi + 0.0);
         let step = nice_step(hi - lo, ticks_wanted);
         if self.is_tight {
             return Fitted::new(lo, hi, step);
         }
-        Fitted::new(libm::floor(lo / step) * step, libm::ceil(hi / step) * step, step)
+        Fitted::new(libm::floor(lo / step) * step + 0.0, libm::ceil(hi / step) * step + 0.0, step)
     }
 }
 
 /// A range that has a length, even if all the data are one value.
 fn widened((lo, hi): (f64, f64)) -> (f64, f64) {
-    let scale = lo.abs().max(hi.abs());
+    let scale = greater(lo.abs(), hi.abs());
     if hi - lo > 1e-12 * scale && (hi - lo).is_finite() {
         return (lo, hi);
     }
@@ -77,7 +81,7 @@ fn widened((lo, hi): (f64, f64)) -> (f64, f64) {
 
 /// The step of 1, 2 or 5 times a power of ten that cuts `span` into about `wanted` parts.
 pub(super) fn nice_step(span: f64, wanted: u32) -> f64 {
-    let rough = (span / f64::from(wanted.max(1))).max(f64::MIN_POSITIVE);
+    let rough = greater(span / f64::from(wanted.max(1)), f64::MIN_POSITIVE);
     let power = libm::exp10(f64::from(order_of(rough)));
     let ratio = rough / power;
     let leading = match ratio {
@@ -113,7 +117,7 @@ impl Fitted {
         let slack = 1e-9;
         let first = libm::ceil(self.lo / self.step - slack);
         let last = libm::floor(self.hi / self.step + slack);
-        let count = (last - first).clamp(0.0, 50.0) as u32;
+        let count = bounded(last - first, 0.0, 50.0) as u32;
         let decimals = usize::try_from(-order_of(self.step * 1.000_001)).unwrap_or(0);
         (0..=count)
             .map(|i| {
@@ -136,6 +140,20 @@ mod tests {
         let fitted = Axis::new("depth", "m").fit([0.0, 0.96].into_iter(), 5);
         let labels: Vec<_> = fitted.ticks().into_iter().map(|(_, label)| label).collect();
         assert_eq!(labels, ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+    }
+
+    /// On aarch64 the minimum of +0 and −0 was −0, and the report's axis began at "-0"; on x86 it was +0.
+    #[test]
+    fn an_axis_does_not_begin_at_minus_zero() {
+        for data in [[0.0, -0.0, 1.0], [-0.0, 0.0, 1.0], [-0.0, -0.0, 1.0], [-0.0, -1.0, -0.3]] {
+            for axis in [Axis::new("force", "kN"), Axis::new("force", "kN").tight()] {
+                for axis in [axis.clone(), axis.clone().including(0.0), axis.including(-0.0)] {
+                    let fitted = axis.fit(data.into_iter(), 5);
+                    let ends = format!("{} {}", fitted.lo, fitted.hi);
+                    assert!(!ends.split(' ').any(|end| end == "-0"), "{data:?} gave {ends}");
+                }
+            }
+        }
     }
 
     #[test]

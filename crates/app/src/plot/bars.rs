@@ -1,5 +1,7 @@
 //! Horizontal bars in groups: shares of a limit, one group a thing.
 
+use fenderline_contact::number::{greater, lesser};
+
 use core::fmt::Write as _;
 
 use maud::{Markup, html};
@@ -52,7 +54,7 @@ impl Bars {
     /// The bars as a `figure`.
     pub(crate) fn render(&self) -> Markup {
         let values = self.groups.iter().flat_map(|g| g.values.iter().flatten());
-        let largest = values.copied().fold(110.0, f64::max).min(LONGEST);
+        let largest = lesser(values.copied().fold(110.0, greater), LONGEST);
         let step = nice_step(largest, 8);
         let axis = Fitted::new(0.0, libm::ceil(largest / step) * step, step);
         let names = self.groups.iter().map(|g| g.name.chars().count().min(NAME)).max();
@@ -79,7 +81,7 @@ impl Bars {
                         }
                         @for (kind, value) in group.values.iter().enumerate() {
                             @if let Some(value) = value {
-                                (bar(kind, left, px(value.min(LONGEST)), top + PITCH * kind as f64))
+                                (bar(kind, left, px(lesser(*value, LONGEST)), top + PITCH * kind as f64))
                             }
                         }
                     }
@@ -88,7 +90,7 @@ impl Bars {
                         @let top = TOP + each * index as f64 + 0.5 * BETWEEN;
                         @for (kind, value) in group.values.iter().enumerate() {
                             @if let Some(value) = value {
-                                (label(*value, px(value.min(LONGEST)), top + PITCH * kind as f64))
+                                (label(*value, px(lesser(*value, LONGEST)), top + PITCH * kind as f64))
                             }
                         }
                     }
@@ -129,7 +131,7 @@ impl Bars {
 fn bar(kind: usize, left: f64, right: f64, top: f64) -> Markup {
     html! {
         rect x=(format!("{left:.1}")) y=(format!("{top:.1}")) height=(BAR)
-            width=(format!("{:.1}", (right - left).max(0.5))) fill=(FILLS[kind % 4])
+            width=(format!("{:.1}", greater(right - left, 0.5))) fill=(FILLS[kind % 4])
             stroke="#0b3a5b" stroke-width="0.8" {}
     }
 }

@@ -1,5 +1,7 @@
 //! A chart: series over two axes.
 
+use fenderline_contact::number::greater;
+
 use core::fmt::Write as _;
 
 use maud::{Markup, html};
@@ -64,7 +66,7 @@ impl Area {
         let y = chart.y.fit(points().map(|p| p.y).chain(references), 5);
         let longest = y.ticks().iter().map(|(_, label)| label.chars().count()).max().unwrap_or(1);
         let left = 30.0 + DIGIT * u32::try_from(longest).map_or(20.0, f64::from);
-        let left = left.max(LEAST_LEFT);
+        let left = greater(left, LEAST_LEFT);
         Area { x, y, left }
     }
 

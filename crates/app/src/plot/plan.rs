@@ -7,6 +7,7 @@ mod labels;
 
 use core::fmt::Write as _;
 
+use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Vec2, vec2};
 use maud::{Markup, html};
 
@@ -115,8 +116,8 @@ impl Frame {
     /// The smallest frame round both.
     pub(crate) fn with(self, other: Frame) -> Frame {
         Frame {
-            low: vec2(self.low.x.min(other.low.x), self.low.y.min(other.low.y)),
-            high: vec2(self.high.x.max(other.high.x), self.high.y.max(other.high.y)),
+            low: vec2(lesser(self.low.x, other.low.x), lesser(self.low.y, other.low.y)),
+            high: vec2(greater(self.high.x, other.high.x), greater(self.high.y, other.high.y)),
         }
     }
 
@@ -160,9 +161,9 @@ impl Map {
     fn of(frame: Frame) -> Map {
         let size = frame.size();
         // No frame is so small that doubles at its place could not tell its ends apart.
-        let far = frame.centre().x.abs().max(frame.centre().y.abs());
-        let least = 1e-6_f64.max(far * 1e-12);
-        let (tall, wide) = (size.x.max(least), size.y.max(least));
+        let far = greater(frame.centre().x.abs(), frame.centre().y.abs());
+        let least = greater(far * 1e-12, 1e-6);
+        let (tall, wide) = (greater(size.x, least), greater(size.y, least));
         let room = 1.0 + 2.0 * MARGIN;
         // The labels of the northern axis set the left margin, and so the scale; their length
         // hardly depends on it.
@@ -176,8 +177,8 @@ impl Map {
         let left =
             LEFT + DIGIT * longest.and_then(|n| u32::try_from(n).ok()).map_or(8.0, f64::from);
         let width = WIDTH - left - RIGHT;
-        let height = (width * tall / wide).clamp(HEIGHTS.0, HEIGHTS.1);
-        let px_per_m = (width / (wide * room)).min(height / (tall * room));
+        let height = bounded(width * tall / wide, HEIGHTS.0, HEIGHTS.1);
+        let px_per_m = lesser(width / (wide * room), height / (tall * room));
         let centre = frame.centre();
         let step = nice_step(width / px_per_m, 8);
         let half = vec2(height / px_per_m / 2.0, width / px_per_m / 2.0);

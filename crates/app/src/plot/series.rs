@@ -1,5 +1,7 @@
 //! Series of points, and how a long one is cut to a length that can be drawn.
 
+use fenderline_contact::number::greater;
+
 /// A point of a series, in the units of the chart's axes. A `y` that is NaN breaks the line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Point {
@@ -66,7 +68,7 @@ impl Series {
 
     /// The largest |y|, 0 for a series without points.
     pub(crate) fn largest(&self) -> f64 {
-        self.points.iter().map(|p| p.y.abs()).filter(|y| y.is_finite()).fold(0.0, f64::max)
+        self.points.iter().map(|p| p.y.abs()).filter(|y| y.is_finite()).fold(0.0, greater)
     }
 }
 

@@ -1,5 +1,7 @@
 //! Time series of the report.
 
+use fenderline_contact::number::greater;
+
 use maud::{Markup, html};
 
 use super::recorder::{BodyTrace, PairTrace};
@@ -124,7 +126,7 @@ impl<'a> Charts<'a> {
     fn rebound(&self, pair: &PairTrace) -> Option<Reference> {
         let summary = self.outcome.pairs.iter().find(|p| p.bodies == pair.bodies)?;
         let restitution = self.restitution_of(pair.bodies)?;
-        let value = -restitution * summary.approach_speed_mps.max(0.0);
+        let value = -restitution * greater(summary.approach_speed_mps, 0.0);
         Some(Reference { label: "−γV⁰".to_owned(), value })
     }
 
@@ -179,7 +181,7 @@ impl<'a> Charts<'a> {
 
 /// The series in the unit with the prefix that suits the largest of them.
 pub(super) fn scaled(series: Vec<Series>, base: &str) -> (String, Vec<Series>) {
-    let scaled = Scaled::for_largest(series.iter().map(Series::largest).fold(0.0, f64::max));
+    let scaled = Scaled::for_largest(series.iter().map(Series::largest).fold(0.0, greater));
     let series = series.into_iter().map(|s| s.scaled(scaled.factor)).collect();
     (scaled.unit(base), series)
 }

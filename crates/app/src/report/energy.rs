@@ -1,5 +1,7 @@
 //! The energy ledger in the report.
 
+use fenderline_contact::number::greater;
+
 use maud::{Markup, html};
 
 use super::Recorder;
@@ -49,7 +51,7 @@ fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
         Series::line(name, part.points()).scaled(sign).styled(style)
     });
     let mut series: Vec<Series> = all.collect();
-    let largest = series.iter().map(Series::largest).fold(0.0, f64::max);
+    let largest = series.iter().map(Series::largest).fold(0.0, greater);
     series.retain(|line| line.largest() > LEAST * largest);
     let (unit, series) = scaled(series, "J");
     let axis = Axis::new("energy", &unit).including(0.0);
@@ -67,7 +69,7 @@ fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
 fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let (start, end) = (recorder.start_energy, outcome.energy);
     let works = end.loads.parts();
-    let pushed_j: f64 = works.iter().map(|(_, work_j)| work_j.max(0.0)).sum();
+    let pushed_j: f64 = works.iter().map(|(_, work_j)| greater(*work_j, 0.0)).sum();
     let given_j = start.kinetic_j + pushed_j;
     let taken_j = pushed_j - end.load_work_j;
     let cells = |value_j: f64| {

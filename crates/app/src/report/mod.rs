@@ -141,7 +141,7 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
             }
         }
         @if !outcome.notices.is_empty() {
-            h3 { "Notices about the scenario" }
+            h3 { "Notices" }
             ul class="plain" {
                 @for notice in outcome.notices.iter().take(20) { li { (notice) } }
                 @if outcome.notices.len() > 20 {

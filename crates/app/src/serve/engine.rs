@@ -555,7 +555,7 @@ impl Engine {
             Outcome::Opened(opened) => match *opened {
                 Ok((_, recorder)) if work.is_stopped() => {
                     recorder.discard();
-                    Err("it is not opened: stopped".to_owned())
+                    Err(format!("{}, it was stopped", work.file.as_deref().unwrap_or_default()))
                 }
                 Ok((opened, recorder)) => self.take_over(&work.asked, opened, recorder),
                 Err(why) => Err(why),

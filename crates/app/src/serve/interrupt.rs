@@ -5,8 +5,7 @@ use std::process;
 
 use tokio::sync::oneshot;
 
-/// The exit code of a program that a second Ctrl-C ended, as shells have it for one that died of it.
-const INTERRUPTED: i32 = 130;
+use crate::failure::INTERRUPTED;
 
 /// Comes when Ctrl-C is pressed; pressed again it ends the program.
 ///
@@ -20,7 +19,7 @@ pub(super) fn heard() -> io::Result<oneshot::Receiver<()>> {
             if tokio::signal::ctrl_c().await.is_ok() {
                 let _ = tell.send(());
                 if tokio::signal::ctrl_c().await.is_ok() {
-                    process::exit(INTERRUPTED);
+                    process::exit(i32::from(INTERRUPTED));
                 }
             }
         });

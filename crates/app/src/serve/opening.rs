@@ -82,11 +82,11 @@ impl Work {
                 seen.plays.store(plays, Ordering::Relaxed);
                 seen.parts.store(PARTS * done.min(of) / of.max(1), Ordering::Relaxed);
                 if seen.stop.load(Ordering::Relaxed) {
-                    return Err(format!("{name} is not opened: stopped"));
+                    return Err("it was stopped".to_owned());
                 }
                 if Instant::now() > until {
                     let minutes = LONGEST.as_secs() / 60;
-                    return Err(format!("{name} is not opened: it takes more than {minutes} min"));
+                    return Err(format!("it takes more than {minutes} min, and is given up"));
                 }
                 Ok(())
             };

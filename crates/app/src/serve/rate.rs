@@ -1,5 +1,7 @@
 //! How often something may happen.
 
+use fenderline_contact::number::lesser;
+
 use std::time::Instant;
 
 /// A bucket of permissions that fills at a rate.
@@ -21,7 +23,7 @@ impl Bucket {
     pub(crate) fn take(&mut self, now: Instant) -> bool {
         let seconds = now.saturating_duration_since(self.at).as_secs_f64();
         self.at = now;
-        self.left = (self.left + seconds * self.per_s).min(self.most);
+        self.left = lesser(self.left + seconds * self.per_s, self.most);
         if self.left < 1.0 {
             return false;
         }

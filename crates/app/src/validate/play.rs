@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Mobility, Model, Vec2};
 use fenderline_scenario::Scenario;
 use fenderline_sim::{PairSummary, Setup, Simulation, StepRecord};
@@ -174,8 +175,9 @@ impl MomentumWatch {
 
     fn watch(&mut self, states: &[BodyState]) {
         let now = momentum(&self.inertias, states);
-        self.linear_change = self.linear_change.max((now.linear - self.start.linear).length());
-        self.angular_change = self.angular_change.max((now.angular - self.start.angular).abs());
+        self.linear_change = greater(self.linear_change, (now.linear - self.start.linear).length());
+        self.angular_change =
+            greater(self.angular_change, (now.angular - self.start.angular).abs());
     }
 
     /// Largest change as a share of Σ|mv| at the start.

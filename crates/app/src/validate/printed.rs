@@ -1,5 +1,7 @@
 //! The table that `validate` prints, and the texts of its cells.
 
+use fenderline_contact::number::greater;
+
 use core::fmt::Write as _;
 
 use super::published::{Tolerance, Uncertainty};
@@ -25,7 +27,7 @@ pub(super) fn tables(rows: &[Row]) -> String {
         known => format!("; {known} known not to match"),
     };
     let (within, compared) = count(rows, true);
-    let widest = rows.iter().filter_map(width_in_uncertainties).fold(0.0, f64::max);
+    let widest = rows.iter().filter_map(width_in_uncertainties).fold(0.0, greater);
     let _ = writeln!(
         text,
         "every tolerance is below twice its uncertainty: at most {} times",

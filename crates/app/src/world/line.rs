@@ -1,5 +1,6 @@
 //! What a run did to a mooring line.
 
+use fenderline_contact::number::greater;
 use fenderline_sim::mooring::{LineKind, RopeCurve};
 use fenderline_sim::{Mooring, MooringSetup};
 
@@ -44,7 +45,7 @@ impl LineTotals {
         if state.parted && self.parted_s.is_none() {
             self.parted_s = Some(t_s);
         }
-        self.tension_n.raise(now.load.tension_n.max(now.load.parted_at_n.unwrap_or(0.0)), t_s);
+        self.tension_n.raise(greater(now.load.tension_n, now.load.parted_at_n.unwrap_or(0.0)), t_s);
         let is_over = self.working_load_n.is_some_and(|limit_n| now.load.tension_n > limit_n);
         self.over_working.count(is_over, step_s);
         self.rendered_m += now.load.winch.rendered_m;

@@ -151,6 +151,11 @@ impl Client {
         }
     }
 
+    /// Was something told so far in a notice with a word in it?
+    pub(crate) fn was_told(&self, word: &str) -> bool {
+        self.notices.iter().any(|text| text.contains(word))
+    }
+
     /// The last greeting, when a frame has come after it.
     pub(crate) async fn latest_hello(&mut self) -> Value {
         self.next("frame").await;
@@ -315,4 +320,12 @@ pub(crate) async fn lines(from: std::net::SocketAddr, count: usize) -> String {
     }
     text.truncate(text.rfind('\n').expect("lines") + 1);
     text
+}
+
+/// Some bytes to the server, for a while, whatever it answers.
+pub(crate) async fn raw_for(server: &Server, request: &[u8], time: Duration) {
+    let mut stream = TcpStream::connect(("127.0.0.1", server.port)).await.expect("connected");
+    let _ = stream.write_all(request).await;
+    let mut answer = Vec::new();
+    let _ = timeout(time, stream.read_to_end(&mut answer)).await;
 }

@@ -41,7 +41,20 @@ impl Server {
         Server::start_in(Some(session), options)
     }
 
+    /// The harbour scene, by a shell that first does something to itself: limits, a library that lies.
+    #[cfg(unix)]
+    pub(crate) fn start_under(limits: &str, options: &[&str]) -> Server {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &format!("{limits}; exec \"$0\" \"$@\"")]);
+        shell.arg(env!("CARGO_BIN_EXE_fenderline"));
+        Server::start_by(shell, None, options)
+    }
+
     fn start_in(session: Option<&Path>, options: &[&str]) -> Server {
+        Server::start_by(program(), session, options)
+    }
+
+    fn start_by(mut command: Command, session: Option<&Path>, options: &[&str]) -> Server {
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
         let name = format!("fenderline-serve-{}-{number}", std::process::id());
         let folder = std::env::temp_dir().join(name);
@@ -50,7 +63,6 @@ impl Server {
         fs::write(folder.join("page/assets/a.js"), "1").expect("written");
         let scene = folder.join("harbour.toml");
         fs::copy(scenario(), &scene).expect("copied");
-        let mut command = program();
         command.arg("serve").arg(session.unwrap_or(&scene)).args(["--port", "0"]).args(options);
         command.arg("--page").arg(folder.join("page"));
         command.arg("--sessions").arg(folder.join("sessions"));

@@ -3,6 +3,7 @@
 use crate::coupled::tie::Tie;
 use crate::memory::PatchMemory;
 use crate::model::Model;
+use crate::number::greater;
 use crate::overlap::Patch;
 
 /// Share of the speed that unheld energy would give, so that it stays below v_ref in a hit, where the
@@ -60,8 +61,8 @@ fn speed_squared(unheld_j: f64, tie: &Tie) -> f64 {
 fn raise(unheld_j: f64, model: &Model, patch: &Patch, memory: &mut PatchMemory, tie: &mut Tie) {
     let material = &model.materials()[patch.candidate.material.0 as usize];
     let speed_mps = libm::sqrt(speed_squared(unheld_j, tie));
-    tie.rebound_mps = tie.rebound_mps.max(material.restitution * speed_mps);
-    memory.v_normal_0_mps = memory.v_normal_0_mps.max(speed_mps);
+    tie.rebound_mps = greater(tie.rebound_mps, material.restitution * speed_mps);
+    memory.v_normal_0_mps = greater(memory.v_normal_0_mps, speed_mps);
 }
 
 /// The unheld energy of all contacts that let go together, and what it makes of their v_ref.

@@ -8,7 +8,7 @@ use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::memory::HintMemory;
 use crate::model::Model;
-use crate::number::lesser;
+use crate::number::{bounded, greater, lesser};
 use crate::overlap::{Patch, pieces_of};
 use crate::pairing::{Bounds, Yielding};
 use crate::ranked::RankedBody;
@@ -48,8 +48,8 @@ impl Haste {
         if self.rate_squared * (turn * turn) <= 1.0 && self.travel <= 1.0 {
             return 1;
         }
-        let needed = (libm::sqrt(self.rate_squared) * turn).max(self.travel);
-        libm::ceil(needed.clamp(1.0, f64::from(MOST_SUB_STEPS))) as u32
+        let needed = greater(libm::sqrt(self.rate_squared) * turn, self.travel);
+        libm::ceil(bounded(needed, 1.0, f64::from(MOST_SUB_STEPS))) as u32
     }
 }
 
@@ -135,7 +135,7 @@ fn sub_steps(
                 let bounds = work.bounds_of(model, *pair);
                 haste.rate_squared += standing_rate_squared(bounds, only, share);
                 if may_travel(fastest_mps, ranks, bounds, step_s) {
-                    haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
+                    haste.travel = greater(haste.travel, travel(work, candidate, bounds, step_s));
                 }
             }
             (Some((only, others)), Some(face))
@@ -199,12 +199,12 @@ fn with_others(
         let (spring, damper) = rates_squared_of_face(model, work, own, candidate, face, closing_m);
         haste.rate_squared += counts * spring + damper;
         haste.travel =
-            haste.travel.max(closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m));
+            greater(haste.travel, closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m));
         return haste;
     }
     let bounds = work.bounds_of(model, *pair);
     haste.rate_squared += counts * bounds.spring_rate_squared + bounds.damping_rate_squared;
-    haste.travel = haste.travel.max(travel(work, candidate, bounds, step_s));
+    haste.travel = greater(haste.travel, travel(work, candidate, bounds, step_s));
     haste
 }
 

@@ -17,6 +17,7 @@
 //! them a little otherwise meanwhile. A contact that came about by itself never begins like this.
 
 use crate::memory::PatchMemory;
+use crate::number::{greater, lesser};
 
 /// V_out: the fastest that a contact presses bodies apart that were put into one another [m/s].
 pub const PRESSED_OUT_MPS: f64 = 0.08;
@@ -96,8 +97,9 @@ impl Put<'_> {
 
 /// What V_n⁺ may not fall below, with the other sign, as that of γ v_ref else [m/s].
 pub(crate) fn opening_mps(v_normal_mps: f64, h: f64) -> f64 {
-    let slower_mps = h * (GENTLY_MPS2 + v_normal_mps.max(0.0) / STOPPING_S);
+    let slower_mps = h * (GENTLY_MPS2 + greater(v_normal_mps, 0.0) / STOPPING_S);
     // A sub-step that is long beside T stops them.
-    let opening_mps = slower_mps.min(v_normal_mps.max(0.0) + h * GENTLY_MPS2) - v_normal_mps;
-    opening_mps.min(PRESSED_OUT_MPS)
+    let opening_mps =
+        lesser(slower_mps, greater(v_normal_mps, 0.0) + h * GENTLY_MPS2) - v_normal_mps;
+    lesser(opening_mps, PRESSED_OUT_MPS)
 }

@@ -21,6 +21,7 @@ use crate::coupled::leap::{Trial, leap};
 use crate::coupled::tie::{Forces, Tie};
 use crate::mass::InverseMatrix;
 use crate::memory::PatchMemory;
+use crate::number::greater;
 use crate::report::Friction;
 use crate::state::Velocity;
 
@@ -103,7 +104,7 @@ fn sweep(bodies: &mut [Velocity], inverses: &[InverseMatrix], ties: &mut [Tie], 
         tie.forces = forces;
         if more != (0.0, 0.0) {
             tie.push(bodies, inverses, more.0 * h, more.1 * h);
-            change_mps = f64::max(change_mps, tie.change_mps(more, h));
+            change_mps = greater(change_mps, tie.change_mps(more, h));
         }
     }
     change_mps
@@ -154,6 +155,7 @@ mod tests {
     use super::*;
     use crate::coupled::rows::Laws;
     use crate::model::Material;
+    use crate::number::bounded;
     use crate::touch::Touch;
     use crate::vec2::vec2;
 
@@ -248,8 +250,11 @@ mod tests {
             let after_mps = tie.speeds(&bodies).1;
             let slip_m = 0.25 * (touch.v_tangential_mps + after_mps);
             shear_m = tie.shear_after_m(shear_m, after_mps, 0.5);
-            stored_j = (stored_j - tie.forces.tangential_n * slip_m)
-                .clamp(0.0, tie.shear_stored_j(shear_m));
+            stored_j = bounded(
+                stored_j - tie.forces.tangential_n * slip_m,
+                0.0,
+                tie.shear_stored_j(shear_m),
+            );
             let gain_j = kinetic_j(body) + stored_j - before_j - put_in_j;
             assert!(gain_j < 1e-9 * start_j, "step {step}: {gain_j} J");
         }

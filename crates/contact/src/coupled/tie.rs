@@ -2,10 +2,15 @@
 
 use crate::coupled::rows::Laws;
 use crate::mass::{InverseMatrix, Seen};
+use crate::number::{bounded, greater, lesser};
 use crate::report::Friction;
 use crate::state::Velocity;
 use crate::touch::{Levers, Movers, Touch};
 use crate::vec2::Vec2;
+
+/// Sweeps of a contact that slides are damped where they would overshoot by more than this: below it they settle by
+/// themselves, in less than 50.
+const OVERSHOOTS: f64 = 0.5;
 
 /// A contact's forces and all that a sweep needs, so that it reads nothing else but the bodies'
 /// velocities.
@@ -310,7 +315,11 @@ impl Tie {
     pub(crate) fn relaxed(&self, (normal_mps, tangential_mps): (f64, f64), h: f64) -> Forces {
         let now = &self.forces;
         let tight_n = now.normal_n + (normal_mps + self.rebound_mps) * self.force_per_speed(h);
-        let normal_n = self.passive(normal_mps, tight_n.min(self.law_n).max(0.0), h);
+        let normal_n = self.passive(normal_mps, greater(lesser(tight_n, self.law_n), 0.0), h);
+        let normal_n = match now.friction {
+            Friction::Slip => self.with_friction(normal_n),
+            Friction::Stick => normal_n,
+        };
         if self.shear_stiffness_npm == 0.0 {
             return Forces { normal_n, tangential_n: 0.0, friction: Friction::Stick };
         }
@@ -334,6 +343,21 @@ impl Tie {
         Forces { normal_n, tangential_n, friction }
     }
 
+    /// N of a contact that slides, where it would be `normal_n` if T stayed as it is.
+    ///
+    /// T = ±μ_k N follows each change of N, and by n·K t changes V_n in its turn: by ρ = μ_k |n·K t| / n·K n of what the
+    /// change of N does by itself, and against it where T drives the bodies apart. Sweeps would then overshoot
+    /// by ρ, and above 1 go to and fro for ever; a change that is less by 1 + ρ is exact where V_n⁺ = −γ v_ref decides.
+    #[inline]
+    fn with_friction(&self, normal_n: f64) -> f64 {
+        let follows = self.friction_dynamic * self.cross.abs();
+        if follows <= OVERSHOOTS * self.normal || self.forces.tangential_n * self.cross > 0.0 {
+            return normal_n;
+        }
+        let now_n = self.forces.normal_n;
+        now_n + (normal_n - now_n) * (self.normal / (self.normal + follows))
+    }
+
     /// 1/(h n·K n) [kg/s].
     #[inline]
     fn force_per_speed(&self, h: f64) -> f64 {
@@ -353,7 +377,7 @@ impl Tie {
             return normal_n;
         }
         let root = libm::sqrt(mean_mps * mean_mps + 2.0 * self.normal * self.may_give_j);
-        ((mean_mps + root) * self.force_per_speed(h)).max(0.0)
+        greater((mean_mps + root) * self.force_per_speed(h), 0.0)
     }
 
     /// `tangential_n`, or less where it would give the bodies more than the shear spring may.
@@ -532,19 +556,19 @@ impl Tie {
     ) -> Forces {
         let line = self.line(speeds, kind, stiffness, h);
         let now = &self.forces;
-        let normal_n = (now.normal_n + line.normal_n).min(self.law_n).max(0.0);
+        let normal_n = greater(lesser(now.normal_n + line.normal_n, self.law_n), 0.0);
         let most_n = match now.friction {
             Friction::Stick => self.friction_holding,
             Friction::Slip => self.friction_dynamic,
         } * normal_n;
-        let tangential_n = (now.tangential_n + line.tangential_n).clamp(-most_n, most_n);
+        let tangential_n = bounded(now.tangential_n + line.tangential_n, -most_n, most_n);
         Forces { normal_n, tangential_n, friction: now.friction }
     }
 
     /// The largest change of its own velocity by a change of its forces [m/s].
     #[inline]
     pub(crate) fn change_mps(&self, (more_n, more_t): (f64, f64), h: f64) -> f64 {
-        (more_n * self.normal).abs().max((more_t * self.tangential).abs()) * h
+        greater((more_n * self.normal).abs(), (more_t * self.tangential).abs()) * h
     }
 
     /// Δs at the end of the sub-step from that at its start [m]: grown by h V̄, while it slips at most what the
@@ -559,7 +583,7 @@ impl Tie {
             Friction::Slip => {
                 let most_m =
                     self.friction_dynamic * self.forces.normal_n / self.shear_stiffness_npm;
-                grown_m.clamp(-most_m, most_m)
+                bounded(grown_m, -most_m, most_m)
             }
         }
     }

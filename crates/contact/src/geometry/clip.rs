@@ -8,6 +8,7 @@ use super::halfplanes::{self, Buffers, Found};
 use super::lens::{Crossing, Lens, Located, Stretch, assemble, measure, per_chord_m, trace};
 use super::through::{self, Through};
 use super::warm;
+use crate::number::lesser;
 use crate::vec2::{Pose, Vec2};
 
 /// What the last step found, to start from in this one. It decides how fast the answer comes, not
@@ -295,7 +296,7 @@ fn lies_in_both(point_m: Vec2, a: &ConvexPolygon, b_m: &[Vec2], slack_m2: f64) -
 /// What the rounding of vertices does to the area of an overlap at most [m²].
 fn rounding_m2(a: &ConvexPolygon, b: &Placed<'_>) -> f64 {
     let reach_m = a.center_m().length() + a.radius_m() + b.polygon.radius_m();
-    256.0 * f64::EPSILON * reach_m * a.radius_m().min(b.polygon.radius_m())
+    256.0 * f64::EPSILON * reach_m * lesser(a.radius_m(), b.polygon.radius_m())
 }
 
 /// Does the cached edge still keep the polygons apart? The support's neighbours certify it: the

@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::through::Edge;
+use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 
 /// Turns smaller than this (sine of the angle) are taken for straight: the vertex carries no
@@ -42,7 +43,7 @@ impl ConvexPolygon {
         let (low, high) = bounds(&closed);
         let center_m = (low + high) * 0.5;
         let radius_m =
-            closed.iter().fold(0.0, |r, &v| f64::max(r, (v - center_m).length())) * (1.0 + 1e-12);
+            closed.iter().fold(0.0, |r, &v| greater(r, (v - center_m).length())) * (1.0 + 1e-12);
         let directions = |i: usize| closed[i + 1] - closed[i];
         let first_by_angle = (0..count)
             .find(|&i| {
@@ -159,7 +160,10 @@ fn bounds(vertices: &[Vec2]) -> (Vec2, Vec2) {
     vertices.iter().fold(
         (vec2(f64::INFINITY, f64::INFINITY), vec2(f64::NEG_INFINITY, f64::NEG_INFINITY)),
         |(low, high), v| {
-            (vec2(low.x.min(v.x), low.y.min(v.y)), vec2(high.x.max(v.x), high.y.max(v.y)))
+            (
+                vec2(lesser(low.x, v.x), lesser(low.y, v.y)),
+                vec2(greater(high.x, v.x), greater(high.y, v.y)),
+            )
         },
     )
 }

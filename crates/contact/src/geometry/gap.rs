@@ -2,6 +2,7 @@
 
 use super::clip::Hint;
 use super::convex::{ConvexPolygon, Placed};
+use crate::number::greater;
 use crate::vec2::Pose;
 
 /// A bound from below on the gap between two polygons that the last clip found apart, from what it
@@ -12,7 +13,7 @@ pub(crate) fn gap_m(a: &ConvexPolygon, b: &ConvexPolygon, b_in_a: Pose, hint: Hi
         Hint::Lens(_) => 0.0,
         Hint::None => {
             let apart = b_in_a.apply(b.center_m()) - a.center_m();
-            (apart.length() - a.radius_m() - b.radius_m()).max(0.0)
+            greater(apart.length() - a.radius_m() - b.radius_m(), 0.0)
         }
         Hint::Apart { on_a, edge, support } => {
             let (edge, support) = (edge as usize, support as usize);
@@ -22,7 +23,7 @@ pub(crate) fn gap_m(a: &ConvexPolygon, b: &ConvexPolygon, b_in_a: Pose, hint: Hi
                 (placed.vertex(edge), placed.vertex(edge + 1), a.corner(support))
             };
             let along = end - start;
-            (-along.cross(nearest - start) / along.length()).max(0.0)
+            greater(-along.cross(nearest - start) / along.length(), 0.0)
         }
     }
 }

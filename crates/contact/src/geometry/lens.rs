@@ -45,9 +45,9 @@ pub(crate) struct Lens {
 pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
     // From the nearer end, so that an end on the line is met exactly.
     if share <= 0.5 {
-        start + (end - start) * share.max(0.0)
+        start + (end - start) * greater(share, 0.0)
     } else {
-        end - (end - start) * (1.0 - share).max(0.0)
+        end - (end - start) * greater(1.0 - share, 0.0)
     }
 }
 

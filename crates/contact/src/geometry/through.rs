@@ -322,7 +322,7 @@ mod tests {
 
     #[track_caller]
     fn same(one: &Lens, other: &Lens) {
-        let apart = |p: f64, q: f64| (p - q).abs() / q.abs().max(1e-3);
+        let apart = |p: f64, q: f64| (p - q).abs() / greater(q.abs(), 1e-3);
         assert!(apart(one.area_m2, other.area_m2) < 1e-13, "{one:?}, {other:?}");
         assert!((one.centroid_m - other.centroid_m).length() < 1e-13, "{one:?}, {other:?}");
         assert!((one.chord_m - other.chord_m).length() < 1e-13, "{one:?}, {other:?}");

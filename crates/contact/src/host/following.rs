@@ -15,6 +15,7 @@ use crate::host::workspace::HostWorkspace;
 use crate::host::{observer, predictor};
 use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::{BodyId, Model};
+use crate::number::greater;
 use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
@@ -334,7 +335,7 @@ impl FollowingHost {
         step_s: f64,
     ) -> Velocity {
         let rank = model.rank_of[index] as usize;
-        let left_s = self.memory.behind_s.get(rank).map_or(0.0, |&left_s| left_s.max(0.0));
+        let left_s = self.memory.behind_s.get(rank).map_or(0.0, |&left_s| greater(left_s, 0.0));
         let inverse = &model.ranked.rest(rank).inverse;
         let (present, load) = (&work.present_now[index], &work.loads_now[index]);
         inertia::kick(inverse, present, load, 0.5 * step_s - left_s)

@@ -9,6 +9,7 @@ use crate::host::following::Given;
 use crate::host::inertia;
 use crate::host::steering::Velocity;
 use crate::model::{Body, Mobility};
+use crate::number::greater;
 use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::Vec2;
@@ -65,7 +66,7 @@ impl Answers {
     fn differs(&self, body: &Body, now: &BodyState, load_n: Vec2) -> bool {
         let Some((velocity, load_before_n)) = self.began else { return false };
         let impulse_ns = self.impulse_ns.length();
-        let loads_ns = load_n.length().max(load_before_n.length()) * self.time_s;
+        let loads_ns = greater(load_n.length(), load_before_n.length()) * self.time_s;
         if self.time_s == 0.0 || self.time_s > LONGEST_S || loads_ns > LOADS * impulse_ns {
             return false;
         }

@@ -7,6 +7,7 @@ use crate::host::inertia;
 use crate::host::settings::HostIntegration;
 use crate::host::steering::Velocity;
 use crate::model::{Body, Mobility};
+use crate::number::greater;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
@@ -30,7 +31,7 @@ pub(super) fn load(
     let rate = 1.0 / given.step_s;
     let force_n = impulse.force_n * rate - given.wrench.force_n;
     let moment_nm = impulse.moment_nm * rate - given.wrench.moment_nm;
-    let largest = force_n.x.abs().max(force_n.y.abs()).max(moment_nm.abs());
+    let largest = greater(greater(force_n.x.abs(), force_n.y.abs()), moment_nm.abs());
     (largest <= LARGEST_LOAD).then_some(Wrench { force_n, moment_nm })
 }
 

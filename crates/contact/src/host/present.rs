@@ -11,6 +11,7 @@ use crate::host::steering::{Velocity, Way};
 use crate::host::workspace::HostWorkspace;
 use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::{BodyId, Model};
+use crate::number::bounded;
 use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
@@ -220,7 +221,7 @@ fn off_course(from: &BodyState, to: &BodyState, step_s: f64) -> Way {
     let (first, second) = (Velocity::of(from).way(step_s), Velocity::of(to).way(step_s));
     let gone = Way::between(from, to);
     let share =
-        |over: f64, whole: f64| if whole > 0.0 { (over / whole).clamp(0.0, 1.0) } else { 0.0 };
+        |over: f64, whole: f64| if whole > 0.0 { bounded(over / whole, 0.0, 1.0) } else { 0.0 };
     let (off_m, apart_m) = (gone.linear_m - first.linear_m, second.linear_m - first.linear_m);
     let (off_rad, apart_rad) = (gone.turn_rad - first.turn_rad, second.turn_rad - first.turn_rad);
     Way {

@@ -45,7 +45,7 @@ pub(crate) fn factor(
         (Some(_), Some(memory)) => memory.factor,
         (Some(face), None) => {
             let fender = &model.fenders()[face.id.0 as usize];
-            let speed_mps = touch.v_normal_mps.max(0.0);
+            let speed_mps = greater(touch.v_normal_mps, 0.0);
             fender.factors.at(speed_mps, touch.tilt_rad, fender.rated_deflection_m)
         }
     }

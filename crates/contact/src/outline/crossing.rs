@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::MERGE_DISTANCE_M;
 use super::exact::turn;
+use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
 /// Two edges that are not neighbours and cross, touch, overlap or come within
@@ -61,7 +62,7 @@ struct Span {
 
 impl Span {
     fn new(a: f64, b: f64) -> Span {
-        Span { low: a.min(b) - MERGE_DISTANCE_M, high: a.max(b) + MERGE_DISTANCE_M }
+        Span { low: lesser(a, b) - MERGE_DISTANCE_M, high: greater(a, b) + MERGE_DISTANCE_M }
     }
 }
 
@@ -72,8 +73,8 @@ fn swept(vertices: &[Vec2]) -> Vec<Edge> {
     for (a, b) in vertices.iter().zip(successors()) {
         along.x += (b.x - a.x).abs();
         along.y += (b.y - a.y).abs();
-        low = Vec2 { x: low.x.min(a.x), y: low.y.min(a.y) };
-        high = Vec2 { x: high.x.max(a.x), y: high.y.max(a.y) };
+        low = Vec2 { x: lesser(low.x, a.x), y: lesser(low.y, a.y) };
+        high = Vec2 { x: greater(high.x, a.x), y: greater(high.y, a.y) };
     }
     let extent = high - low;
     let along_x = along.x * extent.y <= along.y * extent.x;
@@ -127,7 +128,10 @@ fn opposite(a: f64, b: f64) -> bool {
 
 /// p is in the box that a and b span: on the segment, if it is on its line.
 fn in_box(p: Vec2, a: Vec2, b: Vec2) -> bool {
-    p.x >= a.x.min(b.x) && p.x <= a.x.max(b.x) && p.y >= a.y.min(b.y) && p.y <= a.y.max(b.y)
+    p.x >= lesser(a.x, b.x)
+        && p.x <= greater(a.x, b.x)
+        && p.y >= lesser(a.y, b.y)
+        && p.y <= greater(a.y, b.y)
 }
 
 /// Two segments that do not cross come within [`MERGE_DISTANCE_M`]: one of the four end points

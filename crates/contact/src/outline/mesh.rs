@@ -8,6 +8,7 @@ use core::cmp::Reverse;
 
 use super::exact::turn;
 use super::pieces::is_reflex;
+use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
 /// The convex pieces of a simple ring in the positive sense; the ring and the pieces are lists of
@@ -77,8 +78,8 @@ fn is_ear(points: &[Vec2], corners: [usize; 3], blunt: &[usize]) -> bool {
     if turn(a, b, c) <= 0.0 {
         return false;
     }
-    let (low_x, high_x) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
-    let (low_y, high_y) = (a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y));
+    let (low_x, high_x) = (lesser(lesser(a.x, b.x), c.x), greater(greater(a.x, b.x), c.x));
+    let (low_y, high_y) = (lesser(lesser(a.y, b.y), c.y), greater(greater(a.y, b.y), c.y));
     !blunt.iter().any(|&i| {
         let p = points[i];
         p.x >= low_x
@@ -94,9 +95,11 @@ fn is_ear(points: &[Vec2], corners: [usize; 3], blunt: &[usize]) -> bool {
 
 /// Doubled area over the square of the longest side: 0 for a needle, 0.87 for equal sides.
 fn shape_quality([a, b, c]: [Vec2; 3]) -> f64 {
-    let longest_squared =
-        (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
-    ((b - a).cross(c - a) / longest_squared).max(0.0)
+    let longest_squared = greater(
+        greater((b - a).length_squared(), (c - b).length_squared()),
+        (a - c).length_squared(),
+    );
+    greater((b - a).cross(c - a) / longest_squared, 0.0)
 }
 
 /// Faces as rings of half-edges. A half-edge on the border of the whole has no twin.

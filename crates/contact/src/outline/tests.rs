@@ -10,6 +10,7 @@ use proptest::prelude::*;
 use super::exact::turn;
 use super::shapes::{any_shape, bulbous_bow, comb, points, rectangle, spiral, star, stepped_ship};
 use super::{MAX_VERTICES, Outline, OutlineEdge, OutlineError, OutlineNotice};
+use crate::number::greater;
 use crate::vec2::{Rotation, Vec2, vec2};
 
 fn accepted(vertices: &[Vec2]) -> Outline {
@@ -50,7 +51,7 @@ fn reflex_count(ring: &[Vec2]) -> usize {
 /// No vertex turns in the negative sense by more than 32 ε of the largest coordinate explains.
 fn is_convex_to_rounding(ring: &[Vec2]) -> bool {
     let count = ring.len();
-    let largest = ring.iter().map(|v| v.x.abs().max(v.y.abs())).fold(0.0, f64::max);
+    let largest = ring.iter().map(|v| greater(v.x.abs(), v.y.abs())).fold(0.0, greater);
     (0..count).all(|i| {
         let [a, b, c] = [ring[(i + count - 1) % count], ring[i], ring[(i + 1) % count]];
         turn(a, b, c) >= -32.0 * f64::EPSILON * largest * (c - a).length()

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use super::MERGE_DISTANCE_M;
 use super::fault::{OutlineEdge, OutlineError};
+use crate::number::greater;
 use crate::vec2::{Vec2, vec2};
 
 /// A vertex and its number in the user's list.
@@ -73,7 +74,8 @@ pub(super) fn on_one_line(ring: &[Numbered]) -> bool {
 /// [`OutlineError::SelfIntersection`] where the outline doubles back: two successive edges lie on
 /// each other.
 pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, OutlineError> {
-    let largest_m = ring.iter().map(|v| v.point.x.abs().max(v.point.y.abs())).fold(0.0, f64::max);
+    let largest_m =
+        ring.iter().map(|v| greater(v.point.x.abs(), v.point.y.abs())).fold(0.0, greater);
     let rounding_m = 16.0 * f64::EPSILON * largest_m;
 
     let count = ring.len();
@@ -99,7 +101,7 @@ pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, Ou
     let dropped = ring.iter().zip(&alive).filter(|(_, a)| !**a).map(|(v, _)| v.number).collect();
     let mut still_there = alive.iter();
     ring.retain(|_| *still_there.next().expect("one flag a vertex"));
-    refuse_spikes(ring, MERGE_DISTANCE_M.max(rounding_m))?;
+    refuse_spikes(ring, greater(MERGE_DISTANCE_M, rounding_m))?;
     Ok(dropped)
 }
 
@@ -107,7 +109,7 @@ pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, Ou
 /// computed on a line, a + t(b − a), turned by a heading or read from decimal text is off by some
 /// 3 to 6 ε M, M being the largest coordinate; this is 16 ε M.
 pub(super) fn rounding_m(points: impl Iterator<Item = Vec2>) -> f64 {
-    16.0 * f64::EPSILON * points.map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max)
+    16.0 * f64::EPSILON * points.map(|p| greater(p.x.abs(), p.y.abs())).fold(0.0, greater)
 }
 
 /// b is on the way from a to c and within `limit_m` of the straight one.
@@ -121,7 +123,7 @@ fn refuse_spikes(ring: &[Numbered], limit_m: f64) -> Result<(), OutlineError> {
     for i in 0..count {
         let [a, b, c] = [ring[(i + count - 1) % count], ring[i], ring[(i + 1) % count]];
         let (to, from) = (b.point - a.point, c.point - b.point);
-        let longer_m = to.length().max(from.length());
+        let longer_m = greater(to.length(), from.length());
         if to.dot(from) < 0.0 && to.cross(from).abs() <= limit_m * longer_m {
             let edges = [
                 OutlineEdge { from: a.number, to: b.number },

@@ -1,6 +1,7 @@
 //! Causes of alarms: what a person at a control has to know at once. One stands for one thing; how long it is shown
 //! is the alarm book's.
 
+use fenderline_contact::number::greater;
 use fenderline_sim::Simulation;
 
 use crate::alarm_book::{Alarm, Level, TOUCH};
@@ -71,7 +72,7 @@ fn alarm_if(is_alarm: bool) -> Level {
 
 /// Closing speed that is no alarm at a distance [m/s].
 fn allowed_mps(off_m: f64) -> f64 {
-    libm::sqrt(TOUCH_MPS * TOUCH_MPS + 2.0 * SLOWING_MPS2 * off_m.max(0.0))
+    libm::sqrt(TOUCH_MPS * TOUCH_MPS + 2.0 * SLOWING_MPS2 * greater(off_m, 0.0))
 }
 
 fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
@@ -120,7 +121,7 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
 
 fn fenders(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     for (fender, now) in of.info.fenders.iter().zip(of.fenders) {
-        let (name, share) = (&*fender.name, now.of_energy.max(now.of_reaction));
+        let (name, share) = (&*fender.name, greater(now.of_energy, now.of_reaction));
         if now.failed {
             all.push(alarm("fender", &[name], format!("Fender {name} has failed")));
         } else if share >= FENDER_CAUTION {

@@ -1,6 +1,7 @@
 //! What the docking board says of each end of a ship: from contacts and from where the berth is, never from a distance
 //! alone. A hull behind the line of the fenders may lie at a fender, at none, or on the quay.
 
+use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Rotation, Vec2, vec2};
 
 use crate::berth::{Berth, Ends};
@@ -74,7 +75,7 @@ pub(super) fn ends(
 }
 
 fn is_over_rated(fender: &FenderNow) -> bool {
-    fender.failed || fender.of_energy.max(fender.of_reaction) >= 1.0
+    fender.failed || greater(fender.of_energy, fender.of_reaction) >= 1.0
 }
 
 /// What is not in the other end's third of the side is this end's: what is in the middle, and a
@@ -99,6 +100,6 @@ fn is_past_the_end(berth: &Berth, ends: &Ends, end: usize) -> bool {
             let at_m = ends.along_m[end];
             at_m < -apart_m || at_m > ends.length_m + apart_m
         }
-        None => bow_m.min(stern_m) > 0.0 || bow_m.max(stern_m) < 0.0,
+        None => lesser(bow_m, stern_m) > 0.0 || greater(bow_m, stern_m) < 0.0,
     }
 }

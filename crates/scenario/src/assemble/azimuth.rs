@@ -71,7 +71,10 @@ pub(crate) fn azimuths(tables: &[(String, Table)]) -> Vec<AzimuthSetup> {
             stop_rad: table.item("stop").map(|item| *item.number()),
         }
     };
-    tables.iter().map(read).collect()
+    let mut units: Vec<_> = tables.iter().map(read).collect();
+    // Their forces are added up in this order, whatever that of the file.
+    units.sort_by(|one, other| one.name.cmp(&other.name));
+    units
 }
 
 impl Assembly<'_, '_> {

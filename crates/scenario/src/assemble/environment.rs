@@ -45,7 +45,11 @@ impl Assembly<'_, '_> {
         let sea = match table.item("waves") {
             None => None,
             Some(item) => {
-                let sea = sea(item.table(), start_m.unwrap_or(DEEP_M));
+                let waves = item.table();
+                if *waves.given("regular").flag() {
+                    self.none_of(waves, &["spreading"], "regular")?;
+                }
+                let sea = sea(waves, start_m.unwrap_or(DEEP_M));
                 Some(sea.map_err(|error| self.refused(table, item, &error))?)
             }
         };
@@ -256,7 +260,11 @@ fn sea(table: &Table, depth_m: f64) -> Result<Sea, EnvironmentError> {
         peak_period_s: period_s,
         peak_enhancement: *table.given("peakedness").number(),
     };
-    Sea::jonswap(&spectrum, towards_rad, depth_m, realisation(table))
+    let sea = Sea::jonswap(&spectrum, towards_rad, depth_m, realisation(table))?;
+    match table.item("spreading") {
+        None => Ok(sea),
+        Some(item) => sea.short_crested(*item.number()),
+    }
 }
 
 fn realisation(table: &Table) -> Realisation {

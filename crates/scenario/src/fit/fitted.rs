@@ -1,5 +1,7 @@
 //! A family with one size of measured curves: normalised, with as few points as the tolerance allows.
 
+use fenderline_contact::number::lesser;
+
 use core::fmt;
 use core::fmt::Write as _;
 
@@ -391,7 +393,7 @@ fn below(unloading: Branch, loading: &Branch) -> Branch {
     let is_corner = |d: f64| loading.iter().any(|corner| corner.0 == d);
     let hair = |d: f64| if is_corner(d) { 1.0 } else { 1.0 - 2e-5 };
     let held =
-        |(d, r): (f64, f64)| (d, value(loading, d).map_or(r, |bound| r.min(hair(d) * bound)));
+        |(d, r): (f64, f64)| (d, value(loading, d).map_or(r, |bound| lesser(r, hair(d) * bound)));
     all.into_iter().map(held).collect()
 }
 

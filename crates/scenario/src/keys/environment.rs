@@ -306,9 +306,21 @@ static WAVES: TableSpec = TableSpec {
             "JONSWAP's gamma.",
             &["3.3"],
         ),
+        key(
+            "spreading",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 100.0 }),
+            Means("long crests: all waves run in one direction"),
+            "Short crests: waves run in directions about the mean one, their energy by cos^n of the angle off it. n 2 for a \
+             sea under wind, more for swell. Mean forces are less than in long crests. Not for a regular wave.",
+            &["2"],
+        ),
         key("seed", Kind::Quantity(SEED), Is("1"), "Seed of the phases.", &["7"]),
     ],
-    rules: None,
+    rules: Some(|| {
+        json!({ "not": {
+            "required": ["regular", "spreading"], "properties": { "regular": { "const": true } }
+        } })
+    }),
 };
 
 /// In the order that [`crate::assemble`] relies on.

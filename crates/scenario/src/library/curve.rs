@@ -1,5 +1,7 @@
 //! Curves of straight pieces.
 
+use fenderline_contact::number::lesser;
+
 /// The value at `x`; `None` outside the curve.
 pub(crate) fn value(points: &[(f64, f64)], x: f64) -> Option<f64> {
     let (first, last) = (points.first()?, points.last()?);
@@ -20,7 +22,7 @@ pub(crate) fn integral(points: &[(f64, f64)], x: f64) -> f64 {
         if x <= x0 {
             break;
         }
-        let end = x.min(x1);
+        let end = lesser(x, x1);
         let y_end = y0 + (y1 - y0) * ((end - x0) / (x1 - x0));
         sum += 0.5 * (y0 + y_end) * (end - x0);
     }

@@ -553,7 +553,11 @@ impl Reading<'_, '_> {
                 lag_s: *table.given("lag").number(),
             })
         };
-        self.table.given("thruster").named().iter().map(read).collect()
+        let thrusters = self.table.given("thruster").named().iter().map(read);
+        let mut thrusters: Vec<ThrusterSetup> = thrusters.collect::<Read<_>>()?;
+        // Their forces are added up in this order, whatever that of the file.
+        thrusters.sort_by(|one, other| one.name.cmp(&other.name));
+        Ok(thrusters)
     }
 
     fn azimuths(&self, ship: &Particulars) -> Read<Vec<AzimuthSetup>> {

@@ -1,5 +1,6 @@
 //! Outline, chocks, bitts and belting: where they are, and that they are on her.
 
+use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Outline, Vec2, vec2};
 use fenderline_sim::hydro::Particulars;
 
@@ -67,8 +68,8 @@ fn extent(points: &[Vec2]) -> [Vec2; 2] {
     let start = [vec2(f64::INFINITY, f64::INFINITY), vec2(-f64::INFINITY, -f64::INFINITY)];
     points.iter().fold(start, |[low, high], point| {
         [
-            vec2(low.x.min(point.x), low.y.min(point.y)),
-            vec2(high.x.max(point.x), high.y.max(point.y)),
+            vec2(lesser(low.x, point.x), lesser(low.y, point.y)),
+            vec2(greater(high.x, point.x), greater(high.y, point.y)),
         ]
     })
 }

@@ -6,6 +6,8 @@
 //!
 //! Ends with 1 where a hit gained.
 
+#![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
+
 #[path = "../../tests/support/mod.rs"]
 mod support;
 

@@ -1,5 +1,7 @@
 //! Cm, displacement and the water that moves with it over displacement, in sway.
 
+use fenderline_contact::number::bounded;
+
 use core::f64::consts::PI;
 
 use super::check::{BEAM, BLOCK_COEFFICIENT, DRAUGHT, UNDER_KEEL_CLEARANCE};
@@ -17,7 +19,7 @@ pub fn pianc_2002_added_mass(
     draught_m: f64,
 ) -> Result<f64, BerthingError> {
     let ratio = UNDER_KEEL_CLEARANCE.check(under_keel_clearance_m)? / DRAUGHT.check(draught_m)?;
-    Ok((1.875 - 0.75 * ratio).clamp(1.5, 1.8))
+    Ok(bounded(1.875 - 0.75 * ratio, 1.5, 1.8))
 }
 
 /// Cm by Shigeru Ueda, 1 + πD/(2·Cb·B).

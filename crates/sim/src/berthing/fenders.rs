@@ -1,5 +1,7 @@
 //! What a berth's fenders have to satisfy besides taking the energy.
 
+use fenderline_contact::number::lesser;
+
 use super::check::{LENGTH, Range};
 use super::error::BerthingError;
 
@@ -34,9 +36,9 @@ pub fn largest_spacing_m(
         return Err(BerthingError::NoClearance { projection_m, clearance_m });
     }
     // R² − (R − s)² without its cancellation; beyond a half circle the chord does not grow.
-    let sagitta_m = sagitta_m.min(radius_m);
+    let sagitta_m = lesser(sagitta_m, radius_m);
     let half_chord_m = libm::sqrt(sagitta_m * (2.0 * radius_m - sagitta_m));
-    Ok((2.0 * half_chord_m).min(by_length_m))
+    Ok(lesser(2.0 * half_chord_m, by_length_m))
 }
 
 /// Mean pressure on the hull [N/m²]: the reaction over the flat area of the panel. The panel, not

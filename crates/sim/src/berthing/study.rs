@@ -1,5 +1,6 @@
 //! A berthing in a run beside the same berthing by formula.
 
+use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{BodyState, Contact, Rotation};
 
 use super::added_mass::{pianc_2002_added_mass, ueda_added_mass, vasco_costa_added_mass};
@@ -157,10 +158,10 @@ impl Study {
         let Some(Ok(outcome)) = self.outcome.as_mut() else { return };
         let peaks_j: f64 = step.contacts.iter().map(|c| c.peak_loaded_j).sum();
         self.heat_j += step.hysteresis_j;
-        self.most_stored_j = self.most_stored_j.max(step.stored_j);
+        self.most_stored_j = greater(self.most_stored_j, step.stored_j);
         // Peaks of one step need not come together; what is taken by its end does.
         let taken_j = step.stored_j + self.heat_j;
-        outcome.fender_energy_j = outcome.fender_energy_j.max(taken_j.min(peaks_j));
+        outcome.fender_energy_j = greater(outcome.fender_energy_j, lesser(taken_j, peaks_j));
         outcome.eccentricity_measured = outcome.fender_energy_j / outcome.kinetic_j;
         // A first brush of no account is not the hit.
         let was_hit = outcome.fender_energy_j > 0.05 * outcome.kinetic_j;

@@ -1,5 +1,7 @@
 //! Which of several thrusters and tugs gives how much of a lateral force and a yaw moment.
 
+use fenderline_contact::number::{bounded, greater, lesser};
+
 /// A device that pushes sideways at a place along the hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LateralDevice {
@@ -58,7 +60,7 @@ pub fn allocate(devices: &[LateralDevice], force_n: f64, moment_nm: f64, forces_
         let excess = |i: usize| {
             let wanted_n = level + slope * devices[i].forward_m;
             let [low, high] = devices[i].limits_n;
-            (wanted_n - wanted_n.clamp(low.min(high), high.max(low))).abs()
+            (wanted_n - bounded(wanted_n, lesser(low, high), greater(high, low))).abs()
         };
         let worst = free().fold(None, |worst: Option<usize>, i| match worst {
             Some(w) if excess(w) >= excess(i) => Some(w),
@@ -69,7 +71,7 @@ pub fn allocate(devices: &[LateralDevice], force_n: f64, moment_nm: f64, forces_
         if over_n > 0.0 {
             let wanted_n = level + slope * devices[worst].forward_m;
             let [low, high] = devices[worst].limits_n;
-            forces_n[worst] = wanted_n.clamp(low.min(high), high.max(low));
+            forces_n[worst] = bounded(wanted_n, lesser(low, high), greater(high, low));
             continue;
         }
         let open: Vec<usize> = free().collect();

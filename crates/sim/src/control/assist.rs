@@ -5,6 +5,7 @@
 //! They are simple and ours: no published tug master's law was found. A tug does not find her way round a
 //! ship: bring her to the right side first.
 
+use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Rotation, Vec2};
 
 use super::station::Demand;
@@ -78,7 +79,7 @@ impl Handling {
     #[must_use]
     pub fn turning_moment(&self, state: &BodyState, heading_rad: f64, felt_nm: f64) -> f64 {
         let turn = turn_to(state.heading_rad, heading_rad) / self.place_time_s;
-        let turn = turn.clamp(-self.fastest_turn_radps, self.fastest_turn_radps);
+        let turn = bounded(turn, -self.fastest_turn_radps, self.fastest_turn_radps);
         self.inertia[2] / self.speed_time_s * (turn - state.yaw_rate_radps) - felt_nm
     }
 }
@@ -143,10 +144,10 @@ pub struct Asked {
 fn steered(going_mps: Vec2, heading_rad: f64) -> (f64, f64) {
     let own = Rotation::from_angle(heading_rad).apply_inverse(going_mps);
     let [begins_mps, whole_mps] = STEERS_MPS;
-    let share = ((own.x - begins_mps) / (whole_mps - begins_mps)).clamp(0.0, 1.0);
+    let share = bounded((own.x - begins_mps) / (whole_mps - begins_mps), 0.0, 1.0);
     // Without way there is nothing to steer with, and the angle would mean nothing.
     let angle_rad = if share > 0.0 { libm::atan2(own.y, own.x) } else { 0.0 };
-    (share, share * angle_rad.clamp(-MOST_STEERED_RAD, MOST_STEERED_RAD))
+    (share, share * bounded(angle_rad, -MOST_STEERED_RAD, MOST_STEERED_RAD))
 }
 
 /// What her thrusters should give, in her own axes about her centre of gravity.
@@ -203,7 +204,7 @@ pub fn assist(
                 thrust_n = Some(along * if over_bow { -eased_n } else { eased_n });
                 0.0
             } else {
-                (slack_m / handling.place_time_s).max(TAKE_UP_MPS).min(fastest_mps)
+                lesser(greater(slack_m / handling.place_time_s, TAKE_UP_MPS), fastest_mps)
             };
             (velocity_mps + way + outward * out_mps, libm::atan2(facing.y, facing.x))
         }
@@ -237,14 +238,14 @@ fn alongside(
     let gap_m = off.dot(inward);
     let across = off - inward * gap_m;
     let turn = turn_to(state.heading_rad, libm::atan2(inward.y, inward.x));
-    let astray = (turn.abs() / OFF[0]).max(across.length() / OFF[1]);
-    let waits = ((astray - NEAR_ENOUGH) / (1.0 - NEAR_ENOUGH)).clamp(0.0, 1.0);
+    let astray = greater(turn.abs() / OFF[0], across.length() / OFF[1]);
+    let waits = bounded((astray - NEAR_ENOUGH) / (1.0 - NEAR_ENOUGH), 0.0, 1.0);
     let to_go_m = gap_m - waits * STAND_OFF * handling.length_m;
-    let touch_mps = TOUCH_MPS.min(fastest_mps);
+    let touch_mps = lesser(TOUCH_MPS, fastest_mps);
     let closing = to_go_m / (PATIENCE * handling.place_time_s) + touch_mps * (1.0 - waits);
     // Once she is that far, no harder into the ship than she may touch.
     let most_mps = if gap_m <= 0.0 { touch_mps } else { fastest_mps };
-    inward * closing.clamp(-fastest_mps, most_mps)
+    inward * bounded(closing, -fastest_mps, most_mps)
         + cut(across * (1.0 / handling.place_time_s), fastest_mps)
 }
 

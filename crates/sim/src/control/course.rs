@@ -1,5 +1,7 @@
 //! Keeping a course and a speed with rudder and engine.
 
+use fenderline_contact::number::{bounded, greater};
+
 use super::turn_to;
 
 /// Keeps a heading with the rudder: δ = Kp (ψ_wanted − ψ) − Kd r, within the stops.
@@ -22,7 +24,7 @@ impl CoursePilot {
     /// For a ship of this length at this speed.
     #[must_use]
     pub fn of_ship(heading_rad: f64, length_m: f64, speed_mps: f64, stop_rad: f64) -> CoursePilot {
-        let rate_gain_s = 1.5 * length_m / speed_mps.abs().max(0.5);
+        let rate_gain_s = 1.5 * length_m / greater(speed_mps.abs(), 0.5);
         CoursePilot { heading_rad, gain: 1.0, rate_gain_s, stop_rad }
     }
 
@@ -32,7 +34,7 @@ impl CoursePilot {
         let ask =
             self.gain * turn_to(heading_rad, self.heading_rad) - self.rate_gain_s * yaw_rate_radps;
         let ask = if surge_mps < -0.1 { -ask } else { ask };
-        ask.clamp(-self.stop_rad, self.stop_rad)
+        bounded(ask, -self.stop_rad, self.stop_rad)
     }
 }
 
@@ -59,7 +61,7 @@ impl SpeedPilot {
         if ask.abs() < 1.0 {
             self.integral += 3.0 * error * step_s / self.integral_s;
         }
-        ask.clamp(-1.0, 1.0)
+        bounded(ask, -1.0, 1.0)
     }
 }
 

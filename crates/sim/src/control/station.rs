@@ -1,5 +1,6 @@
 //! Keeping or reaching a place and a heading with forces: for holding position, and for berthing.
 
+use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2};
 
 use super::turn_to;
@@ -64,14 +65,17 @@ impl StationPilot {
         let limits = [largest.surge_n, largest.sway_n, largest.yaw_nm];
         let (mut asked, mut learnt) = ([0.0; 3], [0.0; 3]);
         for axis in 0..3 {
-            let wanted = (errors[axis] * omega / (2.0 * gains.damping))
-                .clamp(-gains.fastest[axis], gains.fastest[axis]);
+            let wanted = bounded(
+                errors[axis] * omega / (2.0 * gains.damping),
+                -gains.fastest[axis],
+                gains.fastest[axis],
+            );
             let change =
                 gains.inertia[axis] * 2.0 * gains.damping * omega * (wanted - speeds[axis]);
             asked[axis] = change + steady[axis];
             let full = asked[axis].abs() >= limits[axis];
             learnt[axis] = if full { 0.0 } else { change * step_s / gains.integral_s };
-            asked[axis] = asked[axis].clamp(-limits[axis], limits[axis]);
+            asked[axis] = bounded(asked[axis], -limits[axis], limits[axis]);
         }
         let learnt_n = attitude.apply(fenderline_contact::vec2(learnt[0], learnt[1]));
         self.steady[0] += learnt_n.x;
@@ -84,7 +88,7 @@ impl StationPilot {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use fenderline_contact::vec2;
+    use fenderline_contact::{number::greater, vec2};
 
     #[test]
     fn a_ship_comes_to_her_place_against_the_wind_and_no_faster_than_allowed() {
@@ -115,7 +119,7 @@ mod tests {
             state.yaw_rate_radps += ask.yaw_nm / inertia[2] * 0.2;
             state.position_m += state.velocity_mps * 0.2;
             state.heading_rad += state.yaw_rate_radps * 0.2;
-            fastest = fastest.max(attitude.apply_inverse(state.velocity_mps).y.abs());
+            fastest = greater(fastest, attitude.apply_inverse(state.velocity_mps).y.abs());
         }
         assert!((state.position_m - pilot.position_m).length() < 0.1, "{:?}", state.position_m);
         assert!((state.heading_rad - 0.3).abs() < 1e-3);

@@ -1,6 +1,7 @@
 //! Which of several devices gives how much of a force in the plane and a yaw moment, where some of them can
 //! push any way: azimuth units beside a propeller, tunnel thrusters and tugs.
 
+use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Vec2, vec2};
 
 use super::station::Demand;
@@ -64,7 +65,7 @@ pub fn allocate_thrust(
     forces_n: &mut [Vec2],
 ) {
     assert_eq!(devices.len(), forces_n.len(), "one force a device");
-    let scale_m = devices.iter().map(|device| device.at_m.length()).fold(1.0, f64::max);
+    let scale_m = devices.iter().map(|device| device.at_m.length()).fold(1.0, greater);
     let wanted = [demand.surge_n, demand.sway_n, demand.yaw_nm / scale_m];
     let problem = Problem { devices, scale_m, sway };
     let mut fixed: Vec<Option<Vec2>> = vec![None; devices.len()];
@@ -90,7 +91,7 @@ pub fn allocate_thrust(
         let still = |i: usize| if fixed[i].is_some() { Vec2::ZERO } else { part_n[i] };
         let share = (0..devices.len())
             .map(|i| largest_share(devices[i].reach, forces_n[i], still(i)))
-            .fold(1.0, f64::min);
+            .fold(1.0, lesser);
         for (i, force_n) in forces_n.iter_mut().enumerate() {
             *force_n += still(i) * share;
         }
@@ -115,12 +116,11 @@ pub fn bias_pairs(devices: &[ThrustDevice], forces_n: &mut [Vec2]) {
                 continue;
             }
             // Along the line between them, so that there is no moment either.
-            let bias_n = apart * (BIAS * one_n.min(other_n) / apart.length());
-            let share = largest_share(devices[i].reach, forces_n[i], -bias_n).min(largest_share(
-                devices[j].reach,
-                forces_n[j],
-                bias_n,
-            ));
+            let bias_n = apart * (BIAS * lesser(one_n, other_n) / apart.length());
+            let share = lesser(
+                largest_share(devices[i].reach, forces_n[i], -bias_n),
+                largest_share(devices[j].reach, forces_n[j], bias_n),
+            );
             forces_n[i] += bias_n * -share;
             forces_n[j] += bias_n * share;
         }
@@ -200,7 +200,7 @@ impl Problem<'_> {
                 Reach::Round(_) => continue,
             };
             let asked_n = forces_n[i].dot(direction);
-            let given_n = asked_n.clamp(low, high);
+            let given_n = bounded(asked_n, low, high);
             let over_n = (asked_n - given_n).abs();
             if over_n > worst.map_or(0.0, |(_, _, over_n)| over_n) {
                 worst = Some((i, direction * given_n, over_n));
@@ -220,8 +220,8 @@ impl Problem<'_> {
 /// The largest share of `more` in [0, 1] that a device can give on top of `given`.
 fn largest_share(reach: Reach, given: Vec2, more: Vec2) -> f64 {
     let within = |from: f64, by: f64, [low, high]: [f64; 2]| match by {
-        by if by > 0.0 => ((high - from) / by).clamp(0.0, 1.0),
-        by if by < 0.0 => ((low - from) / by).clamp(0.0, 1.0),
+        by if by > 0.0 => bounded((high - from) / by, 0.0, 1.0),
+        by if by < 0.0 => bounded((low - from) / by, 0.0, 1.0),
         _ => 1.0,
     };
     match reach {
@@ -234,7 +234,7 @@ fn largest_share(reach: Reach, given: Vec2, more: Vec2) -> f64 {
             if a == 0.0 {
                 return 1.0;
             }
-            ((libm::sqrt((b * b - a * c).max(0.0)) - b) / a).clamp(0.0, 1.0)
+            bounded((libm::sqrt(greater(b * b - a * c, 0.0)) - b) / a, 0.0, 1.0)
         }
     }
 }
@@ -246,7 +246,7 @@ fn solve(matrix: [[f64; 3]; 3], right: Axes) -> Axes {
         for j in 0..=i {
             let inner: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
             lower[i][j] = if i == j {
-                libm::sqrt((matrix[i][i] - inner).max(f64::MIN_POSITIVE))
+                libm::sqrt(greater(matrix[i][i] - inner, f64::MIN_POSITIVE))
             } else {
                 (matrix[i][j] - inner) / lower[j][j]
             };
@@ -307,7 +307,7 @@ mod tests {
         let hardest = |sway| {
             let (sum, forces_n) = given(&tug, demand(0.0, 0.0, 1e6), sway);
             assert!((sum.yaw_nm - 1e6).abs() < 100.0);
-            forces_n.iter().map(|f| f.length()).fold(0.0, f64::max)
+            forces_n.iter().map(|f| f.length()).fold(0.0, greater)
         };
         // By the long arm to the stern rather than by the short one between the units: 12 m and 2.5 m.
         assert!((hardest(Sway::Held) - 2e5).abs() < 100.0);

@@ -1,5 +1,6 @@
 //! Banks: what a wall beside a ship under way does to her. Unvalidated.
 
+use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Rotation, Vec2, vec2};
 
 use super::error::EnvironmentError;
@@ -73,17 +74,18 @@ impl Bank {
         let offset_m = ship.position_m - self.from_m;
         let cos = along.dot(ahead);
         let (at_m, half_m) = (along.dot(offset_m), 0.5 * ship.length_m * cos.abs());
-        let abreast_m = (at_m + half_m).min(length_m) - (at_m - half_m).max(0.0);
-        let share = (abreast_m / ship.length_m).max(0.0);
+        let abreast_m = lesser(at_m + half_m, length_m) - greater(at_m - half_m, 0.0);
+        let share = greater(abreast_m / ship.length_m, 0.0);
         // Positive where the bank's line is to starboard of her: x north, y east, so that the vector to the
         // line is minus the offset across it.
         let across_m = -along.cross(offset_m);
         // Through the line itself, where no ship is, the side changes without a jump.
         let half_beam_m = 0.5 * ship.beam_m;
-        let side = (across_m * cos.signum() / half_beam_m).clamp(-1.0, 1.0);
-        let distance_m = across_m.abs().max(half_beam_m);
+        let side = bounded(across_m * cos.signum() / half_beam_m, -1.0, 1.0);
+        let distance_m = greater(across_m.abs(), half_beam_m);
         let along_mps = ship.surge_mps * cos.abs();
-        let ratio = water.depth_m.map_or(0.0, |depth_m| (ship.draught_m / depth_m).clamp(0.0, 1.0));
+        let ratio =
+            water.depth_m.map_or(0.0, |depth_m| bounded(ship.draught_m / depth_m, 0.0, 1.0));
         let section_m2 = ship.beam_m * ship.draught_m;
         let unit_n = 0.5 * water.density_kgpm3 * section_m2 * (ship.beam_m / distance_m) * share;
         let suction_n = unit_n * along_mps * along_mps * (0.0925 + 0.372 * ratio * ratio);

@@ -1,5 +1,7 @@
 //! The level of the water above datum over time.
 
+use fenderline_contact::number::{greater, lesser};
+
 use core::f64::consts::TAU;
 
 use super::error::EnvironmentError;
@@ -97,7 +99,7 @@ impl Tide {
             Tide::Curve(points) => {
                 let start_m = self.level_m(0.0);
                 let later = points.iter().filter(|point| point[0] > 0.0);
-                later.fold([start_m; 2], |[low, high], p| [low.min(p[1]), high.max(p[1])])
+                later.fold([start_m; 2], |[low, high], p| [lesser(low, p[1]), greater(high, p[1])])
             }
             Tide::Harmonic { mean_m, constituents } => {
                 let reach_m: f64 = constituents.iter().map(|c| c.amplitude_m).sum();

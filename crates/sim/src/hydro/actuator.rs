@@ -2,6 +2,8 @@
 //!
 //! Every step is exact for any Δt: two steps of Δt/2 under one order end where one of Δt does.
 
+use fenderline_contact::number::bounded;
+
 use std::f64::consts::{PI, TAU};
 
 /// Something that follows its order at a constant rate: a rudder, a shaft.
@@ -36,9 +38,9 @@ impl RateLimited {
         if order.is_nan() {
             return Order::Clamped;
         }
-        let target = order.clamp(-self.stop, self.stop);
+        let target = bounded(order, -self.stop, self.stop);
         let reach = self.rate_per_s * step_s;
-        self.value += (target - self.value).clamp(-reach, reach);
+        self.value += bounded(target - self.value, -reach, reach);
         if target == order { Order::Taken } else { Order::Clamped }
     }
 }
@@ -64,11 +66,11 @@ impl Slewing {
         }
         let ordered_rad = wrapped(order_rad);
         let stop_rad = self.stop_rad.unwrap_or(PI);
-        let target_rad = ordered_rad.clamp(-stop_rad, stop_rad);
+        let target_rad = bounded(ordered_rad, -stop_rad, stop_rad);
         let way_rad = target_rad - self.angle_rad;
         let way_rad = if self.stop_rad.is_none() { wrapped(way_rad) } else { way_rad };
         let reach_rad = self.rate_radps * step_s;
-        self.angle_rad = wrapped(self.angle_rad + way_rad.clamp(-reach_rad, reach_rad));
+        self.angle_rad = wrapped(self.angle_rad + bounded(way_rad, -reach_rad, reach_rad));
         if target_rad == ordered_rad { Order::Taken } else { Order::Clamped }
     }
 }

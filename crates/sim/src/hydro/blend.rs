@@ -12,15 +12,13 @@
 //! has the cross-flow form. A polynomial in v', r' has no meaning there: r' grows without end as U falls.
 
 use super::added_mass::AddedMass;
-use super::low_speed::{CrossFlow, LowSpeedHull, hoerner_drag_coefficient};
+use super::low_speed::LowSpeedHull;
 use super::mmg::{Polynomial, coriolis};
 use super::particulars::Particulars;
 use super::quantities::{Force, Velocity, Water, smooth_step};
 
 /// c below which the low-speed form counts alone, and above which the polynomial does.
 const COSINES: [f64; 2] = [0.4, 0.8];
-/// Resistance astern over ahead where it is not known: that of Esso Osaka, 0.0319/0.0214.
-const ASTERN_OVER_AHEAD: f64 = 0.0319 / 0.0214;
 
 /// Hull coefficients for every way of moving.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,25 +30,9 @@ pub struct Hull {
 }
 
 impl Hull {
-    /// A hull with a polynomial and no low-speed tests. Estimated: the low-speed form takes the
-    /// polynomial's linear terms, Hoerner's drag of the midship section, no gain of the yaw rate, and a
-    /// resistance astern that stands to the one ahead as Esso Osaka's.
+    /// A hull with a polynomial and no low-speed tests, estimated by [`LowSpeedHull::from_linear`].
     pub fn from_polynomial(polynomial: Polynomial, ship: &Particulars, added: &AddedMass) -> Hull {
-        let linear = polynomial.linear(ship, added);
-        let low_speed = LowSpeedHull {
-            ahead: linear.ahead,
-            astern: linear.ahead * ASTERN_OVER_AHEAD,
-            surge_vr: linear.surge_vr,
-            sway_v: linear.sway_v,
-            sway_r: linear.sway_r,
-            yaw_v: linear.yaw_v,
-            yaw_r: linear.yaw_r,
-            cross_flow: CrossFlow {
-                drag_coefficient: hoerner_drag_coefficient(ship.beam_m, ship.draught_m),
-                yaw_gain_force: 1.0,
-                yaw_gain_moment: 1.0,
-            },
-        };
+        let low_speed = LowSpeedHull::from_linear(&polynomial.linear(ship, added), ship);
         Hull { under_way: Some(polynomial), low_speed }
     }
 

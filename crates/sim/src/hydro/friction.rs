@@ -9,7 +9,7 @@ use super::mmg::{Mmg, Polynomial};
 /// Kinematic viscosity of fresh water at 15 °C, of a tank [m²/s].
 const TANK_M2PS: f64 = 1.139e-6;
 /// Kinematic viscosity of sea water at 15 °C [m²/s].
-const SEA_M2PS: f64 = 1.189e-6;
+pub(super) const SEA_M2PS: f64 = 1.189e-6;
 
 /// C_F = 0.075/(log₁₀ Re − 2)², the ITTC 1957 model-ship correlation line (read in Morrall, NPL Ship Report 142, 1970).
 ///

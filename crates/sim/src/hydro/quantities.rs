@@ -1,6 +1,8 @@
 //! Velocities and forces in the ship's own axes: x forward, y to starboard, moments positive to
 //! starboard, all about midship.
 
+use fenderline_contact::number::bounded;
+
 use std::ops::{Add, Mul};
 
 /// Velocity through the water at midship.
@@ -93,6 +95,6 @@ pub struct Controls {
 
 /// 3t² − 2t³ between 0 and 1, flat outside: no kink at either end.
 pub(super) fn smooth_step(t: f64) -> f64 {
-    let t = t.clamp(0.0, 1.0);
+    let t = bounded(t, 0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }

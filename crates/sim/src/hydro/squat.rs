@@ -1,5 +1,7 @@
 //! Squat: how much deeper a ship under way sits in shallow water.
 
+use fenderline_contact::number::{greater, lesser};
+
 use super::particulars::Particulars;
 use super::shallow::{SHALLOWEST_RATIO, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
 
@@ -52,9 +54,9 @@ impl Squat {
     #[must_use]
     pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
         assert!(!depth_m.is_nan() && !surge_mps.is_nan(), "depth and speed are numbers");
-        let depth_m = depth_m.max(SHALLOWEST_RATIO * ship.draught_m);
+        let depth_m = greater(depth_m, SHALLOWEST_RATIO * ship.draught_m);
         let fastest_mps = FASTEST_FROUDE * (GRAVITY_MPS2 * depth_m).sqrt();
-        let speed_mps = surge_mps.abs().min(fastest_mps);
+        let speed_mps = lesser(surge_mps.abs(), fastest_mps);
         let formula = match self {
             Squat::Barrass => barrass_squat_m,
             Squat::Icorels => icorels_squat_m,

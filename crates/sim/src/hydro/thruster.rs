@@ -1,5 +1,7 @@
 //! Thrusters: in a tunnel across the ship, and on an azimuth.
 
+use fenderline_contact::number::greater;
+
 use super::propeller::Propeller;
 use super::quantities::{Force, Velocity, Water, smooth_step};
 
@@ -106,6 +108,6 @@ impl AzimuthThruster {
     /// Revolutions [1/s] that give a thrust ahead at rest [N]: thrust goes with their square.
     pub fn revolutions_for(&self, thrust_n: f64, water: Water) -> f64 {
         let of_one_n = (1.0 - self.thrust_deduction) * self.propeller.thrust_n(0.0, 1.0, water);
-        libm::sqrt(thrust_n.max(0.0) / of_one_n)
+        libm::sqrt(greater(thrust_n, 0.0) / of_one_n)
     }
 }

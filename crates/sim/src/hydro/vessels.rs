@@ -1,6 +1,8 @@
 //! A ship's numbers with where they come from and how sure they are. The numbers themselves are data, in
 //! `vessels/` at the root of the repository.
 
+use fenderline_contact::number::bounded;
+
 use super::actuator::RateLimited;
 use super::estimate::{Outside, Route};
 use super::mmg::Mmg;
@@ -49,7 +51,7 @@ impl Figure {
         let decimals = if value == 0.0 {
             0.0
         } else {
-            (3.0 - libm::floor(libm::log10(value.abs()))).clamp(0.0, 6.0)
+            bounded(3.0 - libm::floor(libm::log10(value.abs())), 0.0, 6.0)
         };
         let text = format!(
             "{value:.*}{}{unit}",

@@ -1,5 +1,7 @@
 //! The elastic catenary: a heavy cable between two points, hanging or partly on the bottom.
 
+use fenderline_contact::number::greater;
+
 use super::solve::root;
 
 /// A uniform cable.
@@ -87,7 +89,7 @@ fn newton(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Option<(f
     for _ in 0..30 {
         let e = extent(cable, h, v, on_bottom);
         let (x, z) = (span_m - e.x, rise_m - e.z);
-        if x.abs().max(z.abs()) <= 1e-12 * l {
+        if greater(x.abs(), z.abs()) <= 1e-12 * l {
             return Some((h, v));
         }
         let det = e.x_h * e.z_v - e.x_v * e.z_h;

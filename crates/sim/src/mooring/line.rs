@@ -1,5 +1,7 @@
 //! A mooring line: rope or cable, its two ends, and what holds it on board.
 
+use fenderline_contact::number::{bounded, greater, lesser};
+
 use super::catenary::{Cable, catenary};
 use super::error::MooringError;
 use super::rope::Rope;
@@ -183,17 +185,18 @@ impl Line {
         let wanted_m = state.length_m + winch.ordered_m(order, step_s, notes);
         if wanted_m < state.length_m {
             let shortest_m = match self.length_for(winch.stall_n, ends) {
-                Some(stalled_m) => stalled_m.max(self.shortest_m()),
+                Some(stalled_m) => greater(stalled_m, self.shortest_m()),
                 None => state.length_m,
             };
             notes.stalled = wanted_m < shortest_m;
-            state.length_m = wanted_m.max(shortest_m).min(state.length_m);
+            state.length_m = lesser(greater(wanted_m, shortest_m), state.length_m);
         } else {
-            state.length_m = wanted_m.min(self.longest_m);
+            state.length_m = lesser(wanted_m, self.longest_m);
         }
         if self.load(state.length_m, ends).tension_n > winch.render_n {
             let rendered = self.length_for(winch.render_n, ends);
-            let length_m = rendered.unwrap_or(self.longest_m).clamp(state.length_m, self.longest_m);
+            let length_m =
+                bounded(rendered.unwrap_or(self.longest_m), state.length_m, self.longest_m);
             notes.rendered_m = length_m - state.length_m;
             state.length_m = length_m;
         }
@@ -221,7 +224,7 @@ impl Line {
             Fitting::Pretension(tension_n) => {
                 let error = || MooringError::Pretension { line: line(), tension_n };
                 let held_n = match self.setup.holding {
-                    Holding::Winch(winch) => winch.render_n.min(self.break_load_n),
+                    Holding::Winch(winch) => lesser(winch.render_n, self.break_load_n),
                     Holding::Bitts => self.break_load_n,
                 };
                 let length_m = self.length_for(tension_n, ends).ok_or_else(error)?;
@@ -279,7 +282,7 @@ impl Line {
                     (t.length_m, t.length_m * (1.0 + strain(&t.rope, tension_n)))
                 });
                 let main_m = (span.distance_m - tail_reach_m) / (1.0 + strain(main, tension_n));
-                Some(main_m.max(0.0) + tail_m)
+                Some(greater(main_m, 0.0) + tail_m)
             }
             LineKind::Heavy { axial_stiffness_n, .. } => {
                 // At this length the straight cable, without weight, has the tension; with weight more.
@@ -367,7 +370,7 @@ fn heavy_load(cable: &Cable, span: &Span, on_bottom: bool) -> LineLoad {
 /// The greater tension of the two ends [N].
 fn greatest(load: &LineLoad) -> f64 {
     let [n, e, u] = load.on_shore_n;
-    load.tension_n.max(libm::hypot(libm::hypot(n, e), u))
+    greater(load.tension_n, libm::hypot(libm::hypot(n, e), u))
 }
 
 fn strain(rope: &Rope, tension_n: f64) -> f64 {
@@ -377,7 +380,7 @@ fn strain(rope: &Rope, tension_n: f64) -> f64 {
 fn break_load(kind: &LineKind) -> f64 {
     match kind {
         LineKind::Light { main, tail } => {
-            tail.as_ref().map_or(f64::INFINITY, |t| t.rope.break_load_n).min(main.break_load_n)
+            lesser(tail.as_ref().map_or(f64::INFINITY, |t| t.rope.break_load_n), main.break_load_n)
         }
         LineKind::Heavy { break_load_n, .. } => *break_load_n,
     }

@@ -1,5 +1,7 @@
 //! A mooring winch: what its brake holds, and what its motor hauls.
 
+use fenderline_contact::number::bounded;
+
 use crate::range::{OutOfRange, within};
 
 /// A winch with a band brake on a split drum.
@@ -72,7 +74,7 @@ impl Winch {
         };
         notes.rate_limited = rate_mps.is_nan() || rate_mps < 0.0 || rate_mps > self.rate_mps;
         // A rate that is no number moves nothing.
-        let rate_mps = if rate_mps.is_nan() { 0.0 } else { rate_mps.clamp(0.0, self.rate_mps) };
+        let rate_mps = if rate_mps.is_nan() { 0.0 } else { bounded(rate_mps, 0.0, self.rate_mps) };
         sign * rate_mps * step_s
     }
 }

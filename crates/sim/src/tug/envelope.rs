@@ -1,5 +1,7 @@
 //! What a tug has left of her bollard pull at speed.
 
+use fenderline_contact::number::greater;
+
 use crate::range::{OutOfRange, within};
 
 /// Limits of a tug that goes along with a ship.
@@ -48,7 +50,7 @@ impl TugEnvelope {
         let across_n = drag_n * sin;
         let along_squared = self.bollard_pull_n * self.bollard_pull_n - across_n * across_n;
         // Below 0 she cannot keep her station: no force.
-        let force_n = along_squared.max(0.0).sqrt() - drag_n * cos.max(0.0);
-        force_n.max(0.0)
+        let force_n = greater(along_squared, 0.0).sqrt() - drag_n * greater(cos, 0.0);
+        greater(force_n, 0.0)
     }
 }

@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use fenderline_contact::number::lesser;
 use fenderline_contact::{Vec2, vec2};
 
 use super::envelope::TugEnvelope;
@@ -138,10 +139,10 @@ impl VectorTug {
         }
         let available_n = self.available_n(state.direction_rad, water_mps, water_density_kgpm3);
         let wanted_n = if at_hand { target.wanted_n } else { 0.0 };
-        let goal_n = wanted_n.min(available_n);
+        let goal_n = lesser(wanted_n, available_n);
         state.force_n += (goal_n - state.force_n) * share(step_s, self.force_lag_s);
         // What she has at this moment bounds what the lag still shows of an older one.
-        let given_n = state.force_n.min(available_n);
+        let given_n = lesser(state.force_n, available_n);
         let at_m = if state.on_line { self.pull_at_m } else { self.push_at_m };
         let direction =
             vec2(libm::cos(state.direction_rad), libm::sin(state.direction_rad)) * given_n;

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use fenderline_contact::number::{bounded, greater};
 use fenderline_contact::{BodyState, Contact, Outline, Vec2, vec2};
 
 use super::line::{LineEnd, Mooring, MooringSetup};
@@ -111,7 +112,7 @@ fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     let mut best = (f64::INFINITY, Vec2::ZERO, Vec2::ZERO);
     for (&from, &to) in edges {
         let along = to - from;
-        let share = ((at_m - from).dot(along) / along.dot(along)).clamp(0.0, 1.0);
+        let share = bounded((at_m - from).dot(along) / along.dot(along), 0.0, 1.0);
         let place = from + along * share;
         let off = (place - at_m).length();
         if off < best.0 {
@@ -127,7 +128,7 @@ fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSe
     fenders
         .filter(|fender| libm::cos(fender.facing_rad) > 0.7)
         .map(|fender| fender.position_m.x + fender.projection_m)
-        .fold(most.x, f64::max)
+        .fold(most.x, greater)
 }
 
 /// A job under way: plain data.
@@ -194,7 +195,7 @@ impl AssistPilot {
                     velocity_mps: velocity_at(ship, at_m),
                     outward: states[ship].pose().rotation.apply(direction),
                     over_bow: own_at_m.x >= 0.0,
-                    slack_m: (length_m - span_m).max(0.0),
+                    slack_m: greater(length_m - span_m, 0.0),
                     force_n,
                     tension_n: lines.1[line].load.tension_n,
                 }

@@ -1,6 +1,8 @@
 //! Thrusters of a vessel in a run: tunnel thrusters, and azimuth units with their own order, lag and rate of
 //! turn.
 
+use fenderline_contact::number::bounded;
+
 use crate::hydro::actuator::{Lag, Order, Slewing};
 use crate::hydro::{AzimuthThruster, Force, TunnelThruster, Velocity, Water};
 
@@ -69,7 +71,7 @@ impl AzimuthState {
     /// Moves towards an order; true where it was beyond a stop.
     pub(crate) fn act(&mut self, order: &AzimuthOrder, step_s: f64) -> bool {
         let power =
-            if order.power.is_nan() { self.power.value } else { order.power.clamp(0.0, 1.0) };
+            if order.power.is_nan() { self.power.value } else { bounded(order.power, 0.0, 1.0) };
         self.power.step(power, step_s);
         let turned = self.direction.step(order.direction_rad, step_s);
         power != order.power || turned == Order::Clamped

@@ -1,5 +1,6 @@
 //! What pilots do with azimuth units: under way, on a station, at work on a ship.
 
+use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup};
@@ -98,7 +99,7 @@ pub(crate) fn assist(
     let learnt = demand.yaw_nm - pilot.steady_nm;
     let rate = if leans { learnt } else { -pilot.steady_nm };
     let towards =
-        (pilot.steady_nm + rate * (step_s / LEARNING_S).min(1.0)).clamp(-most_nm, most_nm);
+        bounded(pilot.steady_nm + rate * lesser(step_s / LEARNING_S, 1.0), -most_nm, most_nm);
     pilot.steady_nm = towards;
     let mut devices = azimuth_devices(setup);
     let own = setup.thrusters.iter().map(|thruster| ThrustDevice {
@@ -174,7 +175,7 @@ fn order_azimuths(
             if idle { before.direction_rad } else { libm::atan2(force_n.y, force_n.x) };
         let now_rad = azimuths[index].direction.angle_rad;
         let (sin, cos) = libm::sincos(now_rad);
-        let useful_n = force_n.dot(vec2(cos, sin)).max(0.0);
+        let useful_n = greater(force_n.dot(vec2(cos, sin)), 0.0);
         let Stream { velocity, water } = *stream;
         let full_rps = azimuth.unit.revolutions_for(azimuth.bollard_n, water);
         let rps = azimuth.unit.revolutions_at(useful_n, now_rad, &velocity, water, full_rps);

@@ -1,6 +1,7 @@
 //! Wind, current and water of a run.
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::greater;
 
 use crate::environment::current::Current;
 use crate::environment::waves::Sea;
@@ -53,13 +54,14 @@ impl Environment {
     /// Depth of the water at a time [m], tide within, 0 where the bottom has fallen dry; `None`: deep.
     #[must_use]
     pub fn depth_at_m(&self, t_s: f64) -> Option<f64> {
-        self.depth_m.map(|depth_m| (depth_m + self.tide.level_m(t_s)).max(0.0))
+        self.depth_m.map(|depth_m| greater(depth_m + self.tide.level_m(t_s), 0.0))
     }
 
     /// The least and the greatest depth of a run [m]; `None`: deep.
     #[must_use]
     pub fn depth_range_m(&self) -> Option<[f64; 2]> {
-        self.depth_m.map(|depth_m| self.tide.range_m().map(|level_m| (depth_m + level_m).max(0.0)))
+        self.depth_m
+            .map(|depth_m| self.tide.range_m().map(|level_m| greater(depth_m + level_m, 0.0)))
     }
 
     /// Checks depth and tide; wind, current and sea were checked when they were made.

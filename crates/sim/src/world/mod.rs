@@ -25,6 +25,7 @@ use self::azimuth_pilot::Stream;
 use self::pilot::Abilities;
 use self::shore::Shore;
 use crate::fender::FenderSetup;
+use crate::fixed_order::SumOrder;
 use crate::setup::BodySetup;
 
 pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
@@ -56,6 +57,7 @@ pub(crate) struct World {
     /// Vessels that had an order beyond a stop in the last step: told once.
     clamped: Vec<bool>,
     helpers_n: Vec<f64>,
+    pub(crate) order: SumOrder,
     /// Bodies that do not float: the tide comes and goes about them.
     fixed: Vec<bool>,
 }
@@ -77,6 +79,7 @@ impl World {
             taken: 0,
             clamped: vec![false; setup.vessels.len()],
             helpers_n: Vec::new(),
+            order: SumOrder::new(setup, bodies),
             fixed: bodies.iter().map(BodySetup::is_fixed).collect(),
         }
     }
@@ -95,9 +98,9 @@ impl World {
         for (index, vessel) in setup.vessels.iter().enumerate() {
             let (state, own) = (&states[vessel.body], &mut self.vessels[index]);
             let abilities = &self.abilities[index];
-            let serves = |tug: &&TugSetup| tug.vessel == index;
-            let helpers: Vec<_> =
-                setup.tugs.iter().filter(serves).map(|tug| tug.device(vessel)).collect();
+            let serves = |tug: &&usize| setup.tugs[**tug].vessel == index;
+            let helpers = self.order.tugs.iter().filter(serves);
+            let helpers: Vec<_> = helpers.map(|&tug| setup.tugs[tug].device(vessel)).collect();
             let helpers_n = &mut self.helpers_n;
             let stream = Stream {
                 velocity: vessel.velocity(state, &setup.environment, velocities_t_s),
@@ -109,9 +112,9 @@ impl World {
             azimuth_pilot::under_way(own, of, last, state, step_s);
             let lines = (&*setup.lines, &*self.lines);
             azimuth_pilot::assist(own, of, last, states, lines, step_s);
-            let tugs = self.tugs.iter_mut().zip(&setup.tugs).filter(|(_, tug)| serves(tug));
-            for ((tug, of), &starboard_n) in tugs.zip(&*helpers_n) {
-                tug.push_or_pull(of, t_s, starboard_n);
+            let tugs = self.order.tugs.iter().filter(serves);
+            for (&tug, &starboard_n) in tugs.zip(&*helpers_n) {
+                self.tugs[tug].push_or_pull(&setup.tugs[tug], t_s, starboard_n);
             }
             let clamped = own.act(step_s);
             if clamped && !self.clamped[index] {
@@ -139,7 +142,8 @@ impl World {
             loads[vessel.body].moment_nm += wrench.moment_nm;
             (self.forces[index], self.carried[index]) = (forces, carried);
         }
-        for (index, (tug, of)) in self.tugs.iter_mut().zip(&setup.tugs).enumerate() {
+        for &index in &self.order.tugs {
+            let (tug, of) = (&mut self.tugs[index], &setup.tugs[index]);
             let vessel = &setup.vessels[of.vessel];
             let (state, times) = (&states[vessel.body], (t_s, step_s));
             let events = &mut self.events;
@@ -147,7 +151,8 @@ impl World {
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
         }
-        for (index, (mooring, line)) in self.lines.iter_mut().zip(&setup.lines).enumerate() {
+        for &index in &self.order.lines {
+            let (mooring, line) = (&mut self.lines[index], &setup.lines[index]);
             let shore = Shore { fixed: &self.fixed, level_m: setup.environment.tide.level_m(t_s) };
             let (times, events) = ((t_s, step_s), &mut self.events);
             mooring.step(index, line, (states, shore), times, loads, events);

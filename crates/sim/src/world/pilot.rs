@@ -1,6 +1,7 @@
 //! A vessel's pilots: what turns standing orders for a course, a speed or a place into rudder, engine and
 //! thruster orders, step by step.
 
+use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{BodyState, Rotation};
 
 use super::assist::AssistPilot;
@@ -77,9 +78,9 @@ impl Abilities {
     fn revolutions(&self, surge_n: f64) -> f64 {
         let [astern_n, ahead_n] = self.bollard_n;
         if surge_n >= 0.0 {
-            libm::sqrt(surge_n / ahead_n.max(1.0)).min(1.0)
+            lesser(libm::sqrt(surge_n / greater(ahead_n, 1.0)), 1.0)
         } else {
-            -libm::sqrt(surge_n / astern_n.min(-1.0)).min(1.0)
+            -lesser(libm::sqrt(surge_n / lesser(astern_n, -1.0)), 1.0)
         }
     }
 }
@@ -199,9 +200,9 @@ pub(crate) fn pilot(
         .collect();
     devices.extend_from_slice(helpers);
     let [astern_n, forward_n] = abilities.bollard_n;
-    let reach = |device: &LateralDevice| device.limits_n[1].max(-device.limits_n[0]);
+    let reach = |device: &LateralDevice| greater(device.limits_n[1], -device.limits_n[0]);
     let mut largest = Demand {
-        surge_n: forward_n.min(-astern_n),
+        surge_n: lesser(forward_n, -astern_n),
         sway_n: devices.iter().map(reach).sum(),
         yaw_nm: devices.iter().map(|d| reach(d) * d.forward_m.abs()).sum(),
     };

@@ -1,5 +1,6 @@
 //! A ship in her water and wind: from her state and controls to the wrench on her body.
 
+use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
@@ -196,7 +197,7 @@ impl VesselState {
         clamped |= self.shaft.step(shaft_rps, step_s) == Order::Clamped;
         for (lag, &order) in self.thrusters.iter_mut().zip(&self.orders.thrusters) {
             let order = if faults.no_thrusters() { 0.0 } else { order };
-            let within = if order.is_nan() { lag.value } else { order.clamp(-1.0, 1.0) };
+            let within = if order.is_nan() { lag.value } else { bounded(order, -1.0, 1.0) };
             clamped |= within != order;
             lag.step(within, step_s);
         }
@@ -252,11 +253,12 @@ impl VesselSetup {
         }
     }
 
-    /// Hull, propeller and rudder in the water of a time. Her added mass stays that of the start.
+    /// Hull, propeller and rudder in the water of a time. The added mass in it is that of the time, as the hull's force has
+    /// its Coriolis terms; she moves with that of the start.
     fn ship_now(&self, environment: &Environment, t_s: f64) -> Mmg {
         match (&environment.tide, environment.depth_at_m(t_s)) {
             (Tide::Level(_), _) | (_, None) => self.ship,
-            (_, Some(depth_m)) => self.deep.at_depth_moving(depth_m, self.ship.added_mass),
+            (_, Some(depth_m)) => self.deep.at_depth(depth_m),
         }
     }
 

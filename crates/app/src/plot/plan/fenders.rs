@@ -3,6 +3,7 @@
 use core::fmt::Write as _;
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::greater;
 use maud::{Markup, html};
 
 use super::Map;
@@ -55,7 +56,7 @@ pub(super) fn fender(fender: &FenderBox, map: &Map) -> Markup {
     let direction = |v: Vec2, least: f64| {
         let (dx, dy) = (v.y * map.px_per_m, -v.x * map.px_per_m);
         let length = libm::hypot(dx, dy);
-        let grown = if length > 0.0 { (length.max(least)) / length } else { 0.0 };
+        let grown = if length > 0.0 { (greater(length, least)) / length } else { 0.0 };
         (dx * grown, dy * grown)
     };
     let (ox, oy) = direction(fender.out_m, LEAST.0);

@@ -1,6 +1,7 @@
 //! Lines, tugs, wind and current in a plan view.
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::greater;
 use maud::{Markup, html};
 
 use super::Map;
@@ -87,7 +88,7 @@ pub(super) fn bank(ends_m: [Vec2; 2], map: &Map) -> Markup {
 }
 
 pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
-    let length = (TUG.0 * map.px_per_m).max(LEAST_TUG);
+    let length = greater(TUG.0 * map.px_per_m, LEAST_TUG);
     let half = 0.5 * length * TUG.1 / TUG.0;
     // Right and down.
     let (dx, dy) = match tug.direction {
@@ -116,9 +117,9 @@ pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
         .collect();
     let (text_x, text_y) = at(0.5 * length, 0.0);
     let (is_left, aside) = if dx > 0.3 || (dx.abs() <= 0.3 && x < 0.5 * map.width) {
-        (true, -half.max(0.5 * length) - 6.0)
+        (true, -greater(half, 0.5 * length) - 6.0)
     } else {
-        (false, half.max(0.5 * length) + 6.0)
+        (false, greater(half, 0.5 * length) + 6.0)
     };
     html! {
         @if tug.on_line {

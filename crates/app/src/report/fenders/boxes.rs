@@ -1,5 +1,6 @@
 //! Fenders as the plan views draw them.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
 use fenderline_sim::FenderSetup;
 
@@ -56,7 +57,7 @@ fn placed(fender: &FenderSetup, state: &BodyState, pressed_m: f64, used: Use) ->
     let outward = pose.rotation.apply(facing.apply(vec2(1.0, 0.0)));
     FenderBox {
         mount_m: pose.apply(fender.position_m),
-        out_m: outward * (fender.projection_m - pressed_m).max(0.0),
+        out_m: outward * greater(fender.projection_m - pressed_m, 0.0),
         half_width_m: outward.quarter_turn() * (0.5 * fender.width_m),
         used,
     }

@@ -1,6 +1,7 @@
 //! Charts of the fenders: how far each is used, reactions over time, and the path that the run took in
 //! the diagram of reaction against deflection.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{FenderLaw, Unloading};
 use fenderline_sim::{FenderSetup, FenderSummary};
 use maud::{Markup, html};
@@ -196,9 +197,9 @@ fn curve(
 ) -> Vec<Point> {
     const POINTS: u32 = 300;
     let rated_m = fender.rated.map_or(0.0, |rated| rated.deflection_m);
-    let end_m = summary.peak_deflection_m.max(rated_m);
+    let end_m = greater(summary.peak_deflection_m, rated_m);
     let at = |deflection_m: f64| {
-        let past_m = fender.stop.map_or(0.0, |stop| (deflection_m - stop.from_m).max(0.0));
+        let past_m = fender.stop.map_or(0.0, |stop| greater(deflection_m - stop.from_m, 0.0));
         let stop_n = fender.stop.map_or(0.0, |stop| stop.stiffness_npm * past_m);
         let reaction_n = fender.law.reaction_n(deflection_m);
         let share = match unloading {

@@ -1,5 +1,6 @@
 //! How far a vessel's ends are from a row of fenders, and how fast they close.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Outline, Rotation, Vec2, vec2};
 use fenderline_sim::Setup;
 
@@ -32,7 +33,7 @@ impl Berth {
             .fenders
             .iter()
             .map(|fender| fender.position_m.dot(outward) + fender.projection_m)
-            .fold(f64::NEG_INFINITY, f64::max);
+            .fold(f64::NEG_INFINITY, greater);
         is_one_row.then_some(Berth { body: first.body, outward, out_m })
     }
 }

@@ -1,5 +1,6 @@
 //! What the report follows of a pair of bodies.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Contact, ForceParts};
 use fenderline_sim::StepRecord;
 
@@ -70,7 +71,7 @@ impl Touch {
         Touch {
             normal_n: self.normal_n + contact.normal_force_n,
             tangential_n: self.tangential_n + contact.tangential_force_n,
-            depth_m: self.depth_m.max(contact.depth_m),
+            depth_m: greater(self.depth_m, contact.depth_m),
             strongest: if is_stronger { *contact } else { self.strongest },
             parts,
         }

@@ -1,5 +1,7 @@
 //! A path in a plane, in bounded memory whatever its length.
 
+use fenderline_contact::number::greater;
+
 use crate::plot::Point;
 
 /// Points kept of a path.
@@ -23,7 +25,7 @@ impl Path {
     /// Goes on to a point of finite coordinates.
     pub(super) fn push(&mut self, x: f64, y: f64) {
         let point = Point { x, y };
-        self.extent = (self.extent.0.max(x.abs()), self.extent.1.max(y.abs()));
+        self.extent = (greater(self.extent.0, x.abs()), greater(self.extent.1, y.abs()));
         let is_far = self.points.last().is_none_or(|kept| self.is_apart(*kept, point));
         if is_far {
             self.points.push(point);
@@ -77,7 +79,7 @@ mod tests {
         }
         let points = path.points();
         assert!(points.len() <= POINTS + 1);
-        let top = points.iter().map(|p| p.x).fold(0.0, f64::max);
+        let top = points.iter().map(|p| p.x).fold(0.0, greater);
         assert!(top > 99.5, "{top}");
         assert_eq!(points.last(), Some(&Point { x: 0.0, y: 0.0 }));
         assert!(points.iter().any(|p| (p.y - 0.5 * p.x).abs() < 1e-9 && p.x > 20.0));

@@ -105,9 +105,10 @@ fn weather(environment: &Environment) -> Vec<Weather> {
         Weather {
             towards: direction(sea.towards_rad()),
             text: format!(
-                "waves Hs {} m from {}",
+                "waves Hs {} m from {}{}",
                 plain(sea.significant_height_m(), 2),
-                compass(from_rad)
+                compass(from_rad),
+                if sea.is_short_crested() { ", short-crested" } else { "" }
             ),
             colour: "#7F5F3F",
         }

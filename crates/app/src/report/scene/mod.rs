@@ -4,6 +4,7 @@ mod harbour;
 
 use std::collections::BTreeSet;
 
+use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Vec2};
 use fenderline_sim::{BodySetup, Setup};
 use maud::Markup;
@@ -144,7 +145,7 @@ fn stages<'a>(
 /// vanish.
 fn scene_frame(floating: Option<Frame>, fixed: Option<Frame>) -> Option<Frame> {
     let (Some(floating), Some(fixed)) = (floating, fixed) else { return floating.or(fixed) };
-    let extent = |frame: Frame| frame.size().x.max(frame.size().y);
+    let extent = |frame: Frame| greater(frame.size().x, frame.size().y);
     let both = floating.with(fixed);
     if extent(both) <= WIDEN * extent(floating) {
         return Some(both);
@@ -186,8 +187,8 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         if style_1 % STYLES == style_2 % STYLES { [0, 1] } else { [style_1, style_2] };
     let outlines =
         [0, 1].map(|k| outlined(bodies[k], &peak.states[k], stage(bodies[k]), pair_styles[k]));
-    let smaller_m = bodies[0].outline.radius_m().min(bodies[1].outline.radius_m());
-    let half_m = (12.0 * peak.contact.depth_m).clamp(0.25 * smaller_m, smaller_m);
+    let smaller_m = lesser(bodies[0].outline.radius_m(), bodies[1].outline.radius_m());
+    let half_m = bounded(12.0 * peak.contact.depth_m, 0.25 * smaller_m, smaller_m);
     let centre = peak.contact.point_m;
     let frame = Frame::about(centre, half_m);
     // Names stand off from the contact along the normal: body 1 behind it, body 2 before it.

@@ -1,5 +1,7 @@
 //! What of vessels, tugs, lines and providers stands at the top of the page.
 
+use fenderline_contact::number::greater;
+
 use maud::{Markup, html};
 
 use crate::output::Outcome;
@@ -16,7 +18,7 @@ pub(in crate::report) fn headline(outcome: &Outcome<'_>) -> Markup {
     let aground = aground.filter(|(_, totals)| totals.aground.s() > 0.0);
     let worst = world.lines.iter().map(|line| line.verdict()).max();
     let share = world.lines.iter().filter_map(|line| line.share_of_break_load());
-    let share = share.fold(0.0, f64::max);
+    let share = share.fold(0.0, greater);
     let parted = world.lines.iter().filter(|line| line.parted_s.is_some()).count();
     html! {
         @for (vessel, totals) in aground {

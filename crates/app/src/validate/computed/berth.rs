@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use fenderline_contact::number::greater;
 use fenderline_scenario::Scenario;
 use fenderline_sim::{Simulation, StepRecord};
 
@@ -43,7 +44,7 @@ fn run(name: &str, text: &str, values: &mut Values) {
         let record = simulation.step().expect("a good step");
         for (contact, (force_n, depth_m)) in step_peaks(&record, &bodies, &fenders) {
             let peak = peaks.entry(contact).or_default();
-            *peak = (peak.0.max(force_n), peak.1.max(depth_m));
+            *peak = (greater(peak.0, force_n), greater(peak.1, depth_m));
         }
     }
     for (contact, (force_n, depth_m)) in peaks {
@@ -74,7 +75,7 @@ fn step_peaks(
             }
         };
         let sum = sums.entry(name).or_default();
-        *sum = (sum.0 + contact.peak_normal_force_n, sum.1.max(contact.peak_depth_m));
+        *sum = (sum.0 + contact.peak_normal_force_n, greater(sum.1, contact.peak_depth_m));
     }
     sums
 }

@@ -1,6 +1,7 @@
 //! Fenders fitted to finite-element curves: reaction and energy of the fitted curve, and of the one stiffness that takes
 //! the same rated energy. The files are made by `validation/finite_elements/analyse.py`.
 
+use fenderline_contact::number::lesser;
 use fenderline_scenario::FenderLibrary;
 
 use super::Values;
@@ -80,7 +81,7 @@ fn on_curve(curve: &[(f64, f64)], deflection_m: f64) -> (f64, f64) {
         if deflection_m <= from_m {
             break;
         }
-        let end_m = deflection_m.min(to_m);
+        let end_m = lesser(deflection_m, to_m);
         reaction_n = from_n + (to_n - from_n) * (end_m - from_m) / (to_m - from_m);
         energy_j += 0.5 * (from_n + reaction_n) * (end_m - from_m);
     }

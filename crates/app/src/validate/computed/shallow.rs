@@ -32,7 +32,7 @@ const FACTORS: [(&str, usize, &[&str]); 7] = [
     (
         "tanker",
         0,
-        &["y_v", "y_r", "y_vvv", "n_v", "n_r", "n_vvr", "x_vr", "resistance", "m_y", "j_z"],
+        &["y_v", "y_r", "y_vvv", "n_v", "n_r", "n_vvr", "x_vr", "resistance", "m_x", "m_y", "j_z"],
     ),
     ("tanker", 1, &["n_r"]),
     ("tanker", 2, &["n_r"]),
@@ -105,6 +105,7 @@ fn factor(all: &Corrections, term: &str) -> f64 {
         "n_vvr" => all.hull.n_vvr,
         "x_vr" => all.hull.x_vr,
         "resistance" => all.hull.resistance,
+        "m_x" => all.mass.surge,
         "m_y" => all.mass.sway,
         "j_z" => all.mass.yaw,
         other => unreachable!("no factor is called {other}"),

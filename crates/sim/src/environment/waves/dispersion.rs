@@ -1,5 +1,7 @@
 //! How long a wave is.
 
+use fenderline_contact::number::greater;
+
 use super::GRAVITY_MPS2;
 
 /// Wave number k [rad/m] of a wave of ω > 0 [rad/s] in water of a depth > 0 [m]: ω² = g k tanh(kh) (linear
@@ -9,7 +11,7 @@ pub fn wave_number(frequency_radps: f64, depth_m: f64) -> f64 {
     let deep = frequency_radps * frequency_radps / GRAVITY_MPS2;
     // In x = kh: x tanh x = deep·h = d. max(d, √d) ≤ x; x tanh x is convex enough there for Newton.
     let d = deep * depth_m;
-    let mut x = d.max(d.sqrt());
+    let mut x = greater(d, d.sqrt());
     for _ in 0..50 {
         let tanh = libm::tanh(x);
         let slope = tanh + x * (1.0 - tanh * tanh);

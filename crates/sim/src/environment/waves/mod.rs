@@ -1,6 +1,6 @@
 //! Waves: what the surface does, and what first-order motion and mean drift they give a ship.
 //!
-//! A [`Sea`] is a sum of long-crested harmonics; its elevation is ζ = Σ a·cos(ωt − k·x + ε), upwards. A
+//! A [`Sea`] is a sum of harmonics, all in one direction or in several about it; its elevation is ζ = Σ a·cos(ωt − k·x + ε), upwards. A
 //! [`MotionResponse`] turns it into the motion of a ship that is superposed on her manoeuvring:
 //! [`first_order_motion`]. Not Cummins' equations: no memory, no coupling back.
 //!
@@ -25,7 +25,7 @@ pub use drift::{DriftHull, mean_drift};
 pub use jonswap::Jonswap;
 pub use motion::{FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion};
 pub use rao::RaoTable;
-pub use sea::{RegularWave, Sea};
+pub use sea::{DIRECTIONS, RegularWave, Sea};
 
 /// Acceleration of gravity [m/s²].
 pub(super) const GRAVITY_MPS2: f64 = 9.806_65;

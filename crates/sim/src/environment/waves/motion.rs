@@ -55,11 +55,11 @@ pub fn first_order_motion(
     ship: &ShipInWaves,
     t_s: f64,
 ) -> FirstOrderMotion {
-    let direction_rad = sea.towards_rad() - ship.heading_rad;
     let (sin, cos) = (libm::sin(ship.heading_rad), libm::cos(ship.heading_rad));
     let ahead_mps = ship.velocity_mps.x * cos + ship.velocity_mps.y * sin;
     let mut sum = FirstOrderMotion::default();
     for c in &sea.components {
+        let direction_rad = sea.directions_rad[c.direction] - ship.heading_rad;
         let operators = response.at(c.frequency_radps, direction_rad, ahead_mps);
         let angle_rad = c.angle_rad(ship.position_m, t_s);
         let wave = Complex::new(libm::cos(angle_rad), libm::sin(angle_rad)) * c.amplitude_m;

@@ -1,18 +1,23 @@
-//! A sea: long-crested harmonics.
+//! A sea: harmonics that run in one direction, or in several about it.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 use fenderline_contact::{Vec2, vec2};
 
 use super::dispersion::wave_number;
 use super::jonswap::Jonswap;
 use crate::environment::error::EnvironmentError;
-use crate::environment::harmonics::Realisation;
+use crate::environment::harmonics::{Realisation, integral};
 use crate::range::within;
 
 /// The band of a JONSWAP sea in multiples of ω_p; outside of it lie 0.3 % of the energy, which the
 /// harmonics within get besides.
 const BAND: [f64; 2] = [0.5, 4.0];
+
+/// Directions of a short-crested sea.
+pub const DIRECTIONS: usize = 15;
+/// From a harmonic's direction to its neighbour's: no two of fifteen in a row are the same.
+const STRIDE: usize = 4;
 
 /// One regular wave.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,10 +30,12 @@ pub struct RegularWave {
     pub phase_rad: f64,
 }
 
-/// A sum of harmonics that run in one direction; a pure function of place and time.
+/// A sum of harmonics that run in one direction, or in several about it; a pure function of place and time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sea {
     towards_rad: f64,
+    /// Those that its harmonics run towards.
+    pub(super) directions_rad: Vec<f64>,
     pub(super) components: Vec<Component>,
 }
 
@@ -40,6 +47,8 @@ pub(super) struct Component {
     pub(super) phase_rad: f64,
     /// k, north and east [rad/m].
     pub(super) number_radpm: Vec2,
+    /// Which of the sea's directions it has.
+    pub(super) direction: usize,
 }
 
 impl Component {
@@ -70,8 +79,9 @@ impl Sea {
             amplitude_m: 0.5 * wave.height_m,
             phase_rad: wave.phase_rad,
             number_radpm: number_towards(number, towards_rad),
+            direction: 0,
         };
-        Ok(Sea { towards_rad, components: vec![component] })
+        Ok(Sea { towards_rad, directions_rad: vec![towards_rad], components: vec![component] })
     }
 
     /// A JONSWAP sea that runs towards a direction, in water of a depth [m] (which sets the lengths of the
@@ -98,14 +108,43 @@ impl Sea {
             amplitude_m: scale * h.amplitude,
             phase_rad: h.phase_rad,
             number_radpm: number_towards(wave_number(h.frequency, depth_m), towards_rad),
+            direction: 0,
         };
-        Ok(Sea { towards_rad, components: harmonics.iter().map(component).collect() })
+        let components = harmonics.iter().map(component).collect();
+        Ok(Sea { towards_rad, directions_rad: vec![towards_rad], components })
     }
 
-    /// Direction that the waves run towards, clockwise from north [rad].
+    /// The same sea with short crests: its energy is spread over directions as cosⁿ of the angle off the mean one, up to a
+    /// right angle to both sides. Each harmonic runs in one of [`DIRECTIONS`] directions that have equal shares of the
+    /// energy, neighbours in frequency in different ones.
+    ///
+    /// n 2 is what IMO takes for ships (MEPC.1/Circ.796, 2.3: the circular was found, its formula is recalled) and many for
+    /// a sea under wind; swell has narrower ones.
+    ///
+    /// # Errors
+    /// An exponent outside 1 to 100.
+    pub fn short_crested(mut self, exponent: f64) -> Result<Sea, EnvironmentError> {
+        within("exponent of the spreading of waves", exponent, 1.0, 100.0)?;
+        let off_rad = equal_shares(exponent);
+        self.directions_rad = off_rad.iter().map(|off_rad| self.towards_rad + off_rad).collect();
+        for (index, component) in self.components.iter_mut().enumerate() {
+            component.direction = index * STRIDE % DIRECTIONS;
+            let towards_rad = self.directions_rad[component.direction];
+            component.number_radpm = number_towards(component.number_radpm.length(), towards_rad);
+        }
+        Ok(self)
+    }
+
+    /// Direction that the waves run towards, of a short-crested sea the mean one, clockwise from north [rad].
     #[must_use]
     pub fn towards_rad(&self) -> f64 {
         self.towards_rad
+    }
+
+    /// Do its harmonics run in more than one direction?
+    #[must_use]
+    pub fn is_short_crested(&self) -> bool {
+        self.directions_rad.len() > 1
     }
 
     /// Elevation of the surface at a place and a time [m].
@@ -145,6 +184,38 @@ fn check_place(towards_rad: f64, depth_m: f64) -> Result<(), EnvironmentError> {
     within("depth of the water [m]", depth_m, 0.1, 12_000.0)?;
     Ok(())
 }
+
+/// Angles off the mean direction that halve each of [`DIRECTIONS`] equal shares of cosⁿ [rad].
+fn equal_shares(exponent: f64) -> Vec<f64> {
+    let energy = |to_rad: f64| {
+        integral(|angle_rad| libm::pow(libm::cos(angle_rad), exponent), 0.0, to_rad, SUB_INTERVALS)
+    };
+    let whole = 2.0 * energy(FRAC_PI_2);
+    let quantile = |share: f64| {
+        let (mut low, mut high) = (0.0, FRAC_PI_2);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if energy(middle) < share.abs() * whole {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        (0.5 * (low + high)).copysign(share)
+    };
+    let middle = 0.5 * (DIRECTIONS - 1) as f64;
+    (0..DIRECTIONS)
+        .map(|index| {
+            let share = (index as f64 - middle) / DIRECTIONS as f64;
+            if share == 0.0 { 0.0 } else { quantile(share) }
+        })
+        .collect()
+}
+
+/// Of Simpson's rule over cosⁿ: for n 100 its width is a fifteenth of the range.
+const SUB_INTERVALS: usize = 200;
+/// They halve a right angle down to rounding.
+const BISECTIONS: usize = 52;
 
 fn number_towards(number: f64, towards_rad: f64) -> Vec2 {
     vec2(libm::cos(towards_rad), libm::sin(towards_rad)) * number

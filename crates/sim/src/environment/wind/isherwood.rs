@@ -1,5 +1,7 @@
 //! Isherwood's regression.
 
+use fenderline_contact::number::bounded;
+
 use super::windage::{ShipWindage, WindCoefficients};
 use crate::range::{OutOfRange, within};
 
@@ -50,7 +52,7 @@ impl Isherwood {
             sway: sum(&CY[k][..6]) + CY[k][6] * self.superstructure_m2 / ship.lateral_m2,
             yaw: sum(&CN[k]),
         };
-        let tens = (angle_rad.to_degrees() / 10.0).clamp(0.0, 18.0);
+        let tens = bounded(angle_rad.to_degrees() / 10.0, 0.0, 18.0);
         let low = (tens as usize).min(17);
         let share = tens - low as f64;
         let (one, two) = (at(low), at(low + 1));

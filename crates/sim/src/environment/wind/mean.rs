@@ -1,5 +1,6 @@
 //! The mean wind and its growth with height.
 
+use fenderline_contact::number::greater;
 use fenderline_contact::{Vec2, vec2};
 
 use super::gust::Gusts;
@@ -64,7 +65,7 @@ impl MeanWind {
     /// that at 1 m.
     #[must_use]
     pub fn speed_at(&self, height_m: f64) -> f64 {
-        let z_m = height_m.max(1.0);
+        let z_m = greater(height_m, 1.0);
         let factor = match self.profile {
             WindProfile::Uniform => 1.0,
             WindProfile::Power { exponent } => libm::pow(z_m / REFERENCE_HEIGHT_M, exponent),

@@ -8,7 +8,8 @@
 //! | hull under way, rudder and hull | [`Route`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, signs by KCS and KVLCC2 |
 //! | hull of any other vessel | [`Route`]: Clarke, Gedling & Hine (1983) with cross-flow drag | found in a public toolbox |
 //! | cross-flow drag | Hoerner's midship section | found in a public toolbox |
-//! | resistance | C_T = 0.004 on Mumford's wetted surface; astern as Esso Osaka | *recalled* |
+//! | resistance ahead | C_T = 0.004 on Mumford's wetted surface | *recalled* |
+//! | resistance astern | UFC 4-159-03 (`resistance.rs`) | found in a stored copy of the manual |
 //! | wake, thrust deduction | w = 0.5 Cb − 0.05 (Taylor), t = 0.6 w | found in public programs |
 //! | propeller | Wageningen B4-70 | as [`super::Propeller`] |
 //! | rudder | f_α = 6.13Λ/(2.25 + Λ) | found in public programs |
@@ -17,6 +18,7 @@
 
 mod clarke;
 mod known;
+mod resistance;
 mod route;
 mod stern;
 mod yoshimura_masumoto;
@@ -24,18 +26,13 @@ mod yoshimura_masumoto;
 use super::added_mass::{AddedMass, zhou_added_mass};
 use super::blend::Hull;
 use super::error::HydroError;
-use super::low_speed::{CrossFlow, LowSpeedHull, hoerner_drag_coefficient};
+use super::low_speed::LowSpeedHull;
 use super::mmg::{Mmg, Polynomial};
 use super::particulars::Particulars;
 use super::vessels::{Figure, Source, Standing};
 
 pub use known::{Known, SternCoefficients, SternGear};
 pub use route::{HELD_AGAINST_SHIPS, Outside, Ratio, Route};
-
-/// Total resistance coefficient on the wetted surface.
-const TOTAL_RESISTANCE: f64 = 0.004;
-/// Resistance astern over ahead: Esso Osaka's.
-const ASTERN_OVER_AHEAD: f64 = 0.0319 / 0.0214;
 
 /// A ship of which something was estimated.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,8 +128,8 @@ fn hull(
         all.push(told(
             "resistance astern",
             vec![Figure::of("X'₀ astern", hull.low_speed.astern, "")],
-            "astern over ahead as of Esso Osaka, Miyauchi et al. (2022)",
-            Standing::Assumed,
+            "UFC 4-159-03 (2005), 4-5.2: form drag 0.1 on the midship section, and friction",
+            Standing::Found,
         ));
         all.push(told(
             "cross-flow drag",
@@ -151,8 +148,8 @@ fn estimated_hull(
     added: &AddedMass,
     all: &mut Vec<Source>,
 ) -> Hull {
-    let ahead = resistance_ahead(ship);
-    let hull = match route {
+    let ahead = resistance::ahead(ship);
+    let mut hull = match route {
         Route::YoshimuraMasumoto => {
             let polynomial = Polynomial::Drift(yoshimura_masumoto::polynomial(ship, added, ahead));
             all.push(told(
@@ -164,7 +161,7 @@ fn estimated_hull(
             Hull::from_polynomial(polynomial, ship, added)
         }
         Route::Clarke => {
-            let low_speed = clarke_hull(ship, ahead);
+            let low_speed = LowSpeedHull::from_linear(&clarke::linear(ship, ahead), ship);
             all.push(told(
                 "linear hull derivatives",
                 linear_figures(&low_speed),
@@ -174,6 +171,7 @@ fn estimated_hull(
             Hull { under_way: None, low_speed }
         }
     };
+    hull.low_speed.astern = resistance::astern(ship);
     all.push(told(
         "resistance ahead",
         vec![Figure::of("X'₀ ahead", ahead, "")],
@@ -181,30 +179,6 @@ fn estimated_hull(
         Standing::Recalled,
     ));
     hull
-}
-
-/// X'₀ ahead.
-fn resistance_ahead(ship: &Particulars) -> f64 {
-    let wetted_m2 = 1.7 * ship.length_m * ship.draught_m + ship.volume_m3 / ship.draught_m;
-    -TOTAL_RESISTANCE * wetted_m2 / (ship.length_m * ship.draught_m)
-}
-
-fn clarke_hull(ship: &Particulars, ahead: f64) -> LowSpeedHull {
-    let linear = clarke::linear(ship, ahead);
-    LowSpeedHull {
-        ahead,
-        astern: ahead * ASTERN_OVER_AHEAD,
-        surge_vr: linear.surge_vr,
-        sway_v: linear.sway_v,
-        sway_r: linear.sway_r,
-        yaw_v: linear.yaw_v,
-        yaw_r: linear.yaw_r,
-        cross_flow: CrossFlow {
-            drag_coefficient: hoerner_drag_coefficient(ship.beam_m, ship.draught_m),
-            yaw_gain_force: 1.0,
-            yaw_gain_moment: 1.0,
-        },
-    }
 }
 
 fn linear_figures(hull: &LowSpeedHull) -> Vec<Figure> {

@@ -1,5 +1,7 @@
 //! Propeller and rudder behind the hull: what is known of them, and the route's formulas for the rest.
 
+use fenderline_contact::number::{greater, lesser};
+
 use super::known::{SternCoefficients, SternGear};
 use super::route::Route;
 use super::{told, yoshimura_masumoto};
@@ -156,7 +158,7 @@ pub(super) fn propulsion(
         ));
     }
     let mut missing = Missing { all };
-    let taylor = (0.5 * ship.block_coefficient() - 0.05).max(0.05);
+    let taylor = greater(0.5 * ship.block_coefficient() - 0.05, 0.05);
     let wake = missing.number(
         own.wake,
         ("wake", "w"),
@@ -200,7 +202,7 @@ pub(super) fn propulsion(
             fujii,
             ("6.13 Λ/(2.25 + Λ), Fujii, as in public programs", Standing::Found),
         ),
-        propeller_to_span: gear.propeller_to_span.min(1.0),
+        propeller_to_span: lesser(gear.propeller_to_span, 1.0),
         wake_ratio: missing.number(
             own.wake_ratio,
             ("wake at the rudder", "ε"),

@@ -7,6 +7,8 @@ pub use cross_flow::{CrossFlow, hoerner_drag_coefficient};
 
 use std::f64::consts::PI;
 
+use super::mmg::LinearTerms;
+use super::particulars::Particulars;
 use super::quantities::{Force, Velocity, Water};
 
 /// Low-speed hull coefficients in the form of Yoshimura, Nakao & Ishibashi (2009) as used by Miyauchi et
@@ -31,7 +33,30 @@ pub struct LowSpeedHull {
     pub cross_flow: CrossFlow,
 }
 
+/// Resistance astern over ahead where it is not known: that of Esso Osaka, 0.0319/0.0214.
+const ASTERN_OVER_AHEAD: f64 = 0.0319 / 0.0214;
+
 impl LowSpeedHull {
+    /// Estimated for a hull of which the linear terms are known: Hoerner's drag of the midship section, no gain of the
+    /// yaw rate, and a resistance astern that stands to the one ahead as Esso Osaka's.
+    #[must_use]
+    pub fn from_linear(linear: &LinearTerms, ship: &Particulars) -> LowSpeedHull {
+        LowSpeedHull {
+            ahead: linear.ahead,
+            astern: linear.ahead * ASTERN_OVER_AHEAD,
+            surge_vr: linear.surge_vr,
+            sway_v: linear.sway_v,
+            sway_r: linear.sway_r,
+            yaw_v: linear.yaw_v,
+            yaw_r: linear.yaw_r,
+            cross_flow: CrossFlow {
+                drag_coefficient: hoerner_drag_coefficient(ship.beam_m, ship.draught_m),
+                yaw_gain_force: 1.0,
+                yaw_gain_moment: 1.0,
+            },
+        }
+    }
+
     /// Force at midship, without the added mass' Coriolis terms:
     /// X = ½ρLd{[X₀F + (X₀A − X₀F)|β|/π]uU + Xvr v r L}, Y = ½ρLd{Yv v|u| + Yr r L u} and
     /// N = ½ρL²d{Nv v u + Nr r L|u|}, Y and N with the cross-flow drag.

@@ -1,5 +1,7 @@
 //! Zig-zag.
 
+use fenderline_contact::number::greater;
+
 use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::Model3;
 
@@ -92,7 +94,7 @@ impl Trial<'_> {
             }
             let shaft_rps = self.shaft.value;
             self.advance(rudder_rad, shaft_rps);
-            greatest_rad = greatest_rad.max(side * self.motion.heading_rad);
+            greatest_rad = greater(greatest_rad, side * self.motion.heading_rad);
         }
         Ok(greatest_rad)
     }

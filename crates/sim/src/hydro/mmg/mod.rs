@@ -15,13 +15,15 @@ pub use wake::Wake;
 
 pub(crate) use polynomial::coriolis;
 
+use fenderline_contact::number::greater;
+
 use super::added_mass::AddedMass;
 use super::blend::Hull;
 use super::particulars::Particulars;
 use super::propeller::Propeller;
 use super::quantities::{Controls, Force, Velocity, Water};
 use super::rudder::{Race, Rudder};
-use super::shallow::{CorrectionSet, Corrections, MassFactors, SHALLOWEST_RATIO};
+use super::shallow::{CorrectionSet, Corrections, SHALLOWEST_RATIO};
 
 /// A ship's manoeuvring model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,24 +110,7 @@ impl Mmg {
     #[must_use]
     pub fn at_depth_by(&self, set: CorrectionSet, depth_m: f64) -> Mmg {
         let corrections = Corrections::of(set, &self.particulars, depth_m);
-        let MassFactors { surge, sway, yaw } = corrections.mass;
-        let added_mass = self.added_mass.scaled(surge, sway, yaw);
-        corrections.on(self, self.held_depth_m(depth_m), added_mass)
-    }
-
-    /// The same ship in water of a depth, moving with an added mass that was found for another depth: where a mass
-    /// matrix is fixed while the tide rises. Every force is that of the depth; only the mass is not.
-    ///
-    /// # Panics
-    /// As [`Mmg::at_depth`].
-    #[must_use]
-    pub fn at_depth_moving(&self, depth_m: f64, added_mass: AddedMass) -> Mmg {
-        let corrections = Corrections::of(CorrectionSet::default(), &self.particulars, depth_m);
-        corrections.on(self, self.held_depth_m(depth_m), added_mass)
-    }
-
-    fn held_depth_m(&self, depth_m: f64) -> f64 {
-        depth_m.max(SHALLOWEST_RATIO * self.particulars.draught_m)
+        corrections.on(self, greater(depth_m, SHALLOWEST_RATIO * self.particulars.draught_m))
     }
 }
 

@@ -45,8 +45,9 @@ impl Ankudinov {
     }
 
     /// The whole set. (m_y + X_vr) grows as m_y does: in the tanker of van Berlekom & Goddard (1972) both have the same
-    /// slope. The added mass in surge stays: what is published for it contradicts itself (at h/T 1.2 six times as much
-    /// for that tanker, less than nothing for a bulk carrier by Li & Wu), and it is a few per cent of the mass.
+    /// slope. So does the added mass in surge, which is ours: at h/T 1.5 and 1.2 that tanker's is 3 and 6 times as much, and
+    /// by Li & Wu KVLCC2's 2.4 and 5.7 times; by the same formula that of the paper's container ship is less than nothing.
+    /// It goes with Y_r, whose water it turns: (m + m_x) u r is what Y_r u r works against.
     pub(super) fn corrections(&self, ship: &Particulars, share: f64) -> Corrections {
         let Ankudinov { g_v, g_nr, f_yr, f_nr, f_yv, f_nv } = *self;
         let hull = HullFactors {
@@ -68,7 +69,7 @@ impl Ankudinov {
             n_vrr: f_nr,
             n_rrr: g_nr,
         };
-        let mass = MassFactors { surge: 1.0, sway: g_v, yaw: g_nr };
+        let mass = MassFactors { surge: g_v, sway: g_v, yaw: g_nr };
         Corrections { hull, stern: stern::factors(ship, share), mass }
     }
 }

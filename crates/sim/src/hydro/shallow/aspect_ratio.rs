@@ -6,6 +6,8 @@
 //! would then end at 2k instead of at the 2 of a wing between walls. That it belongs there is recalled; with it Y_v and
 //! N_v of KVLCC2 agree with the other sets within 10 % at h/T 1.5 and 1.2, without it they are a third of theirs.
 
+use fenderline_contact::number::lesser;
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::DEEPEST_HULL;
@@ -23,9 +25,9 @@ pub(super) fn linear(ship: &Particulars, share: f64) -> [f64; 4] {
     let viscous = 1.4 * ship.block_coefficient() * ship.beam_m / ship.length_m;
     let [sway, turning, yaw] = EXPONENTS.map(|exponent| growth(ratio, share, exponent));
     let y_v = (0.5 * PI * ratio * sway + viscous) / (0.5 * PI * ratio + viscous);
-    let damped = ratio.min(2.0 * DEEPEST_HULL);
+    let damped = lesser(ratio, 2.0 * DEEPEST_HULL);
     let damping = |k: f64| 0.54 * k - k * k;
-    let effective = (damped * growth(damped, share, EXPONENTS[1])).min(TURNING_POINT);
+    let effective = lesser(damped * growth(damped, share, EXPONENTS[1]), TURNING_POINT);
     [y_v, turning, yaw, damping(effective) / damping(damped)]
 }
 

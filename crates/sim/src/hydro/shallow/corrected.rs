@@ -1,6 +1,6 @@
 //! A ship with corrections.
 
-use super::{Corrections, HullFactors, SternFactors, shallow_cross_flow_drag};
+use super::{Corrections, HullFactors, MassFactors, SternFactors, shallow_cross_flow_drag};
 use crate::hydro::added_mass::AddedMass;
 use crate::hydro::blend::Hull;
 use crate::hydro::low_speed::{CrossFlow, LowSpeedHull};
@@ -11,14 +11,13 @@ use crate::hydro::rudder::Rudder;
 impl Corrections {
     /// A ship in deep water, as she is in water of a depth [m], which must be deeper than her draught.
     ///
-    /// `added_mass` is the one that she moves with, by these corrections or, where a mass matrix is fixed, another: what
-    /// the hull's terms hold of it is kept apart.
-    ///
     /// The cross-flow drag of a ship which crabs, drifts or lies at her berth grows by [`shallow_cross_flow_drag`]; that
     /// of a ship under way does not. How she moves decides, as in [`crate::hydro::polynomial_weight`]: a ship without a
     /// polynomial has her form for low speed twice.
-    pub(crate) fn on(&self, deep: &Mmg, depth_m: f64, added_mass: AddedMass) -> Mmg {
+    pub(crate) fn on(&self, deep: &Mmg, depth_m: f64) -> Mmg {
         let ship = &deep.particulars;
+        let MassFactors { surge, sway, yaw } = self.mass;
+        let added_mass = deep.added_mass.scaled(surge, sway, yaw);
         let masses = [&deep.added_mass, &added_mass];
         let deep_hull = &deep.hull;
         let slow = low_speed(&deep_hull.low_speed, &self.hull, ship, masses);

@@ -4,6 +4,8 @@
 //! The cubics were fitted to tankers: for a container ship of B/T 5 that on N_vrr is −21 at h/T 2. The two branches of
 //! γ_R do not meet. So it is not what the program takes.
 
+use fenderline_contact::number::lesser;
+
 use super::ankudinov::Ankudinov;
 use super::{Corrections, DEEPEST_HULL, HullFactors, MassFactors, SternFactors};
 use crate::hydro::particulars::Particulars;
@@ -48,8 +50,8 @@ pub(super) fn corrections(ship: &Particulars, x: f64) -> Corrections {
 }
 
 /// On N_r, (1 − x)^(14.28 T/L − 1.5) − x, of Kijima et al. (1990).
-pub(super) fn yaw_damping(ship: &Particulars, x: f64) -> f64 {
-    let slender = (ship.draught_m / ship.length_m).min(DEEPEST_HULL);
+fn yaw_damping(ship: &Particulars, x: f64) -> f64 {
+    let slender = lesser(ship.draught_m / ship.length_m, DEEPEST_HULL);
     libm::pow(1.0 - x, 14.28 * slender - 1.5) - x
 }
 

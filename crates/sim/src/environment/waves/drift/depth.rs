@@ -1,5 +1,7 @@
 //! How much of a wave a hull of a draught turns back: 1 in short waves, nothing in long ones.
 
+use fenderline_contact::number::greater;
+
 use core::f64::consts::PI;
 
 use super::DriftHull;
@@ -9,7 +11,7 @@ use super::DriftHull;
 /// 206, 2020, 107357; as two public programs have it): α_T = 1 − exp(−4π(T/λ − T/(2.5 L))), 0 from λ = 2.5 L on.
 pub(super) fn along(hull: &DriftHull, number_radpm: f64) -> f64 {
     let least_radpm = 2.0 * PI / (2.5 * hull.length_m);
-    let beyond_radpm = (number_radpm - least_radpm).max(0.0);
+    let beyond_radpm = greater(number_radpm - least_radpm, 0.0);
     -libm::expm1(-2.0 * hull.draught_m * beyond_radpm)
 }
 

@@ -20,6 +20,7 @@ mod motion;
 mod waterline;
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::bounded;
 
 use super::GRAVITY_MPS2;
 use super::sea::Sea;
@@ -94,16 +95,18 @@ pub fn mean_drift(
     (heading_rad, velocity_mps): (f64, Vec2),
     water_density_kgpm3: f64,
 ) -> [f64; 3] {
-    let direction_rad = sea.towards_rad() - heading_rad;
-    let reflected = Waterline::of(hull).reflection(direction_rad);
     let mut sum = [0.0; 3];
-    for wave in &sea.components {
-        let squared_m2 = wave.amplitude_m * wave.amplitude_m;
-        let with_waves = wave.number_radpm.dot(velocity_mps) / wave.frequency_radps;
-        let (number_radpm, share) = encountered(wave.number_radpm.length(), -with_waves);
-        let coefficients = hull.add_up(&reflected, number_radpm, direction_rad);
-        for (sum, coefficient) in sum.iter_mut().zip(coefficients) {
-            *sum += squared_m2 * share * coefficient;
+    for (index, towards_rad) in sea.directions_rad.iter().enumerate() {
+        let direction_rad = towards_rad - heading_rad;
+        let reflected = Waterline::of(hull).reflection(direction_rad);
+        for wave in sea.components.iter().filter(|wave| wave.direction == index) {
+            let squared_m2 = wave.amplitude_m * wave.amplitude_m;
+            let with_waves = wave.number_radpm.dot(velocity_mps) / wave.frequency_radps;
+            let (number_radpm, share) = encountered(wave.number_radpm.length(), -with_waves);
+            let coefficients = hull.add_up(&reflected, number_radpm, direction_rad);
+            for (sum, coefficient) in sum.iter_mut().zip(coefficients) {
+                *sum += squared_m2 * share * coefficient;
+            }
         }
     }
     sum.map(|sum| water_density_kgpm3 * GRAVITY_MPS2 * sum)
@@ -114,7 +117,7 @@ pub fn mean_drift(
 /// floating body", J. Fluid Mech. 275, 1994; recalled, without the change of direction that goes with it). It is of
 /// first order in τ: held beyond a quarter, where a ship that goes with the waves is not drifted any more.
 fn encountered(number_radpm: f64, against: f64) -> (f64, f64) {
-    let against = against.clamp(-0.25, 0.25);
+    let against = bounded(against, -0.25, 0.25);
     let ratio = 1.0 + against;
     (number_radpm * ratio * ratio, 1.0 + 4.0 * against)
 }

@@ -1,5 +1,7 @@
 //! What heave and pitch make of the mean force along the ship.
 
+use fenderline_contact::number::bounded;
+
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::DriftHull;
@@ -17,7 +19,7 @@ const PITCH_GYRATION: f64 = 0.25;
 pub(super) fn surge_m(hull: &DriftHull, number_radpm: f64, direction_rad: f64) -> f64 {
     let block = hull.block_coefficient;
     let [least, most] = BEAM_OVER_DRAUGHT;
-    let flatness = libm::log((hull.beam_m / hull.draught_m).clamp(least, most));
+    let flatness = libm::log(bounded(hull.beam_m / hull.draught_m, least, most));
     let off_head_rad = PI - libm::remainder(direction_rad, TAU).abs();
     let (cos, slenderness) = (libm::cos(off_head_rad), hull.length_m / hull.beam_m);
     // (13 + cos 2α)/14, cos 2α = 2cos²α − 1.

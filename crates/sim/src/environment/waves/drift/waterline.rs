@@ -1,5 +1,7 @@
 //! The waterline that waves meet, and what it turns back of those that are short beside the draught.
 
+use fenderline_contact::number::bounded;
+
 use super::DriftHull;
 
 /// Chords that each end's half of the waterline is made of: the force is that of the curve to 1 %.
@@ -23,7 +25,7 @@ pub(super) struct Waterline {
 
 impl Waterline {
     pub(super) fn of(hull: &DriftHull) -> Waterline {
-        let end = (1.0 - hull.block_coefficient).clamp(SHORTEST_END, 0.5);
+        let end = bounded(1.0 - hull.block_coefficient, SHORTEST_END, 0.5);
         Waterline {
             half_length_m: 0.5 * hull.length_m,
             half_beam_m: 0.5 * hull.beam_m,

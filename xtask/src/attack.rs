@@ -1,0 +1,177 @@
+//! `cargo xtask attack`: every hostile check of the repository for a given time, from a given seed. Each part is a test
+//! that also runs in seconds with all others; here it is told for how long.
+
+use std::process::ExitCode;
+use std::time::Instant;
+
+use crate::command::{cargo, run};
+use crate::fuzz;
+use crate::live_load;
+use crate::step::Done;
+
+/// Time for all parts together where the caller does not say [s]: that of continuous integration.
+pub(crate) const SECONDS: u64 = 600;
+/// The seed where the caller does not say.
+pub(crate) const SEED: u64 = 20_261_122;
+
+/// What is attacked.
+struct Part {
+    name: &'static str,
+    /// What is done to it, for who reads the output.
+    what: &'static str,
+    attack: Kind,
+}
+
+enum Kind {
+    /// A test of a package, by its file and the start of its name.
+    Test { package: &'static str, file: &'static str, test: &'static str },
+    /// The same for a test that is told how many: so many a second by each key, on a machine as slow as ours.
+    Counted {
+        package: &'static str,
+        file: &'static str,
+        tests: &'static [&'static str],
+        counts: &'static [(&'static str, u64)],
+    },
+    /// The live server with steering and hostile clients.
+    LiveLoad,
+    /// The fuzz targets.
+    Fuzz,
+}
+
+const fn test(package: &'static str, file: &'static str, test: &'static str) -> Kind {
+    Kind::Test { package, file, test }
+}
+
+const PARTS: [Part; 9] = [
+    Part {
+        name: "files",
+        what: "scenarios with something changed, checked and run",
+        attack: test("fenderline", "attack_files", "a_changed_scenario"),
+    },
+    Part {
+        name: "odd-files",
+        what: "pipes, devices, folders, links and sockets in every place for a file",
+        attack: test("fenderline", "attack_files", "what_is_no_file"),
+    },
+    Part {
+        name: "one-folder",
+        what: "eight runs at once into one folder, on slowed files",
+        attack: Kind::Counted {
+            package: "fenderline",
+            file: "one_folder",
+            tests: &["of_eight_runs"],
+            counts: &[("FENDERLINE_ROUNDS", 1)],
+        },
+    },
+    Part {
+        name: "recordings",
+        what: "recordings damaged and forged, in memory",
+        attack: Kind::Counted {
+            package: "fenderline-live",
+            file: "recordings",
+            tests: &["damaged", "forged", "absurd"],
+            counts: &[("FENDERLINE_DAMAGED", 2000), ("FENDERLINE_FORGED", 200)],
+        },
+    },
+    Part {
+        name: "recording-files",
+        what: "recordings damaged and forged, by `fenderline replay`",
+        attack: Kind::Counted {
+            package: "fenderline",
+            file: "recordings",
+            tests: &["damaged", "forged", "absurd"],
+            counts: &[("FENDERLINE_DAMAGED_FILES", 40)],
+        },
+    },
+    Part {
+        name: "server",
+        what: "broken heads and any command from every link",
+        attack: test("fenderline", "attack_server", ""),
+    },
+    Part {
+        name: "server-load",
+        what: "fifty hostile clients beside eight that steer",
+        attack: Kind::LiveLoad,
+    },
+    Part {
+        name: "providers",
+        what: "programs that answer with anything, at any time, or not at all",
+        attack: test("fenderline", "attack_providers", ""),
+    },
+    Part {
+        name: "fuzz",
+        what: "engine, clip, scenario and snapshot, by coverage",
+        attack: Kind::Fuzz,
+    },
+];
+
+/// `cargo xtask attack [SECONDS] [SEED] [PART...]`.
+pub(crate) fn attack_command(arguments: &[&str]) -> ExitCode {
+    let mut left = arguments.iter().copied().peekable();
+    let mut number = |otherwise: u64| match left.peek().map(|text| text.parse()) {
+        Some(Ok(number)) => {
+            left.next();
+            number
+        }
+        _ => otherwise,
+    };
+    let (seconds, seed) = (number(SECONDS), number(SEED));
+    let asked: Vec<&str> = left.collect();
+    if let Some(unknown) = asked.iter().find(|name| PARTS.iter().all(|part| part.name != **name)) {
+        let names: Vec<&str> = PARTS.iter().map(|part| part.name).collect();
+        eprintln!("there is no part `{unknown}`; there are {}", names.join(", "));
+        return ExitCode::from(2);
+    }
+    match attack(seconds, seed, &asked) {
+        Ok(_) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The parts that are asked for, or all where none is; the time is shared out evenly.
+///
+/// # Errors
+/// What did not survive.
+pub(crate) fn attack(seconds: u64, seed: u64, asked: &[&str]) -> Result<Done, String> {
+    let is_asked = |part: &&Part| asked.is_empty() || asked.contains(&part.name);
+    let parts: Vec<&Part> = PARTS.iter().filter(is_asked).collect();
+    let each = (seconds / parts.len() as u64).max(1);
+    for part in &parts {
+        println!("-- {}: {}; {each} s, seed {seed}", part.name, part.what);
+        let began = Instant::now();
+        attack_part(part, each, seed).map_err(|why| format!("{}: {why}", part.name))?;
+        println!("   survived, {:.0} s", began.elapsed().as_secs_f64());
+    }
+    Ok(Done::Good)
+}
+
+fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
+    match part.attack {
+        Kind::Test { package, file, test } => {
+            let mut command = cargo(["test", "--quiet", "--package", package, "--test", file]);
+            command.args(["--", "--nocapture", "--include-ignored", test]);
+            command.env("FENDERLINE_ATTACK_SECONDS", seconds.to_string());
+            run(command.env("FENDERLINE_ATTACK_SEED", seed.to_string()))
+        }
+        Kind::Counted { package, file, tests, counts } => {
+            let mut command = cargo(["test", "--quiet", "--package", package, "--test", file]);
+            command.args(["--", "--nocapture"]).args(tests);
+            for (key, a_second) in counts {
+                command.env(key, (a_second * seconds).to_string());
+            }
+            run(command.env("FENDERLINE_SEED", seed.to_string()))
+        }
+        // Times are told: other programs may have the processor too.
+        Kind::LiveLoad => live_load::live_load(seconds, true),
+        Kind::Fuzz => match fuzz::fuzz((seconds / fuzz::TARGETS.len() as u64).max(1))? {
+            Done::Good => Ok(()),
+            Done::NotRun(missing) => {
+                println!("   not run: {} is missing; install: {}", missing.tool, missing.install);
+                Ok(())
+            }
+        },
+    }
+}
