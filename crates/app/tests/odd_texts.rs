@@ -61,6 +61,12 @@ fn a_number_of_1e308_is_not_printed_with_three_hundred_digits() {
     let place = Workplace::new("digits");
     place.write("curve.csv", b"deflection_mm,reaction_kn\n100,1e308\n200,80\n300,100\n400,150\n");
     place.write("good.csv", b"deflection_mm,reaction_kn\n100,40\n200,80\n300,100\n400,150\n");
+    let far =
+        TUG.replace("930 t", "1 kg") + "[[load]]\nbody = \"tug\"\nforce = [\"1e14 N\", \"0 N\"]\n";
+    place.write("far.toml", far.as_bytes());
+    let run = place.run(&["run", "far.toml", "--step", "100", "--duration", "1000"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    contains_all(&run.stderr, &["north position of body `tug` is 9.25", "e17"]);
     for args in [
         &["fender", "fit", "curve.csv", "--out", "f.toml", "--height", "1"][..],
         &["fender", "fit", "good.csv", "--out", "f.toml", "--height", "1e308"],

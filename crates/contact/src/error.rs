@@ -50,7 +50,7 @@ impl fmt::Display for ModelError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             ModelError::OutOfRange { owner, field, value, must } => {
-                write!(f, "{field} of `{owner}` is {value}: it must be {must}")
+                write!(f, "{field} of `{owner}` is {}: it must be {must}", Shown(*value))
             }
             ModelError::BadMatrix { body } => {
                 write!(f, "the mass matrix of `{body}` is not symmetric and positive definite")
@@ -109,11 +109,12 @@ impl fmt::Display for StepError {
             StepError::BadTimeStep { step_s } => {
                 write!(
                     f,
-                    "the time step is {step_s} s: 1e-9 s to 1e6 s is taken, and 0 for a pause"
+                    "the time step is {} s: 1e-9 s to 1e6 s is taken, and 0 for a pause",
+                    Shown(*step_s)
                 )
             }
             StepError::BadState { body, field, value } => {
-                write!(f, "{field} of body `{body}` is {value}")
+                write!(f, "{field} of body `{body}` is {}", Shown(*value))
             }
             StepError::NotFinite { body } => {
                 write!(
@@ -165,3 +166,21 @@ impl fmt::Display for RestoreError {
 }
 
 impl core::error::Error for RestoreError {}
+
+/// A number as messages show it: the shortest form that reads back to it, by powers of ten where its digits would run
+/// away.
+///
+/// ```
+/// use fenderline_contact::Shown;
+/// assert_eq!([0.1, 1852.0, 1e308].map(|number| Shown(number).to_string()), ["0.1", "1852", "1e308"]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shown(pub f64);
+
+impl fmt::Display for Shown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Shown(value) = self;
+        let is_plain = *value == 0.0 || !value.is_finite() || (1e-6..1e12).contains(&value.abs());
+        if is_plain { fmt::Display::fmt(value, f) } else { fmt::LowerExp::fmt(value, f) }
+    }
+}

@@ -73,7 +73,7 @@ mod workspace;
 
 pub use coupled::press_out::PRESSED_OUT_MPS;
 pub use coupled::{advance, advance_in_place, advance_on};
-pub use error::{ModelError, RestoreError, StepError};
+pub use error::{ModelError, RestoreError, Shown, StepError};
 pub use fender::{Fender, FenderId, FenderLaw, ReactionFactors, Stop};
 pub use geometry::clip::{Clip, PairClip};
 pub use geometry::convex::ConvexPolygon;

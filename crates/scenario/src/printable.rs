@@ -3,6 +3,8 @@
 use core::fmt::Write as _;
 use std::borrow::Cow;
 
+use fenderline_contact::Shown;
+
 /// What stands for a character that is not shown.
 const REPLACED: char = '\u{FFFD}';
 
@@ -49,8 +51,7 @@ pub fn escaped_json(text: &str) -> Cow<'_, str> {
 /// A number in the shortest form that reads back to it, by powers of ten where its digits would run away.
 #[must_use]
 pub fn printable_number(value: f64) -> String {
-    let is_plain = value == 0.0 || !value.is_finite() || (1e-6..1e12).contains(&value.abs());
-    if is_plain { format!("{value}") } else { format!("{value:e}") }
+    Shown(value).to_string()
 }
 
 /// One character as it is printed in a snippet of a file: a tab is a space there, so that marks stay below what

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use fenderline_contact::Shown;
+
 /// A quantity that is not a number within its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfRange {
@@ -18,6 +20,7 @@ pub struct OutOfRange {
 impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let OutOfRange { quantity, value, low, high } = self;
+        let [low, high, value] = [*low, *high, *value].map(Shown);
         write!(f, "{quantity} must be between {low} and {high}, but is {value}")
     }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use fenderline_contact::Shown;
+
 use crate::range::OutOfRange;
 
 /// A line that cannot be simulated.
@@ -44,7 +46,11 @@ impl fmt::Display for MooringError {
                  give a pretension instead"
             ),
             MooringError::Pretension { line, tension_n } => {
-                write!(f, "line `{line}` cannot be fitted with a tension of {tension_n} N")
+                write!(
+                    f,
+                    "line `{line}` cannot be fitted with a tension of {} N",
+                    Shown(*tension_n)
+                )
             }
         }
     }
