@@ -10,6 +10,7 @@
 //! cargo run --release -p fenderline-bench -- instructions SCENE METHOD N
 //! cargo run --release -p fenderline-bench -- callgrind
 //! ```
+#![allow(clippy::disallowed_methods, reason = "what is measured and drawn, not what is computed")]
 
 mod accuracy;
 mod berth;
