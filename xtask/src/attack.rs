@@ -1,7 +1,8 @@
 //! `cargo xtask attack`: every hostile check of the repository for a given time, from a given seed. Each part is a test
 //! that also runs in seconds with all others; here it is told for how long.
 
-use std::process::ExitCode;
+use std::path::PathBuf;
+use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use crate::command::{cargo, run};
@@ -34,6 +35,8 @@ enum Kind {
     },
     /// The live server with steering and hostile clients.
     LiveLoad,
+    /// Tests of the Python package, where `crates/python/test.py` has installed it.
+    Python,
     /// The fuzz targets.
     Fuzz,
 }
@@ -42,7 +45,7 @@ const fn test(package: &'static str, file: &'static str, test: &'static str) -> 
     Kind::Test { package, file, test }
 }
 
-const PARTS: [Part; 11] = [
+const PARTS: [Part; 12] = [
     Part {
         name: "files",
         what: "scenarios with something changed, checked and run",
@@ -108,6 +111,7 @@ const PARTS: [Part; 11] = [
         what: "states of FMI 3 altered and absurd, inputs and steps of any size, calls in any order",
         attack: test("fenderline-fmu", "attack_fmi3", "altered_states"),
     },
+    Part { name: "python", what: "hosts that lie, through Python", attack: Kind::Python },
     Part {
         name: "fuzz",
         what: "engine, clip, scenario and snapshot, by coverage",
@@ -176,6 +180,7 @@ fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
         }
         // Times are told: other programs may have the processor too.
         Kind::LiveLoad => live_load::live_load(seconds, true),
+        Kind::Python => python(seconds, seed),
         Kind::Fuzz => match fuzz::fuzz((seconds / fuzz::TARGETS.len() as u64).max(1))? {
             Done::Good => Ok(()),
             Done::NotRun(missing) => {
@@ -184,4 +189,21 @@ fn attack_part(part: &Part, seconds: u64, seed: u64) -> Result<(), String> {
             }
         },
     }
+}
+
+/// By the environment that the tests of the package made.
+fn python(seconds: u64, seed: u64) -> Result<(), String> {
+    let target =
+        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from);
+    let python = target.join("python-package/bin/python");
+    if !python.is_file() {
+        println!(
+            "   not run: the package is not installed; `python3 crates/python/test.py` does it"
+        );
+        return Ok(());
+    }
+    let mut pytest = Command::new(python);
+    pytest.args(["-B", "-m", "pytest", "-s", "crates/python/tests/test_attack.py"]);
+    pytest.env("FENDERLINE_ATTACK_SECONDS", seconds.to_string());
+    run(pytest.env("FENDERLINE_ATTACK_SEED", seed.to_string()))
 }

@@ -244,6 +244,23 @@ fn the_good_scenario_is_good() {
 }
 
 #[test]
+fn friction_beyond_all_materials_is_noticed_with_its_line() {
+    let parse = |friction: &str| {
+        let text = GOOD.replace("friction_static = 0.5", &format!("friction_static = {friction}"));
+        Scenario::parse(&text, "slippery.toml")
+    };
+    assert_eq!(parse("1.5").unwrap().notices, []);
+    let rough = parse("3").unwrap();
+    let [notice] = &rough.notices[..] else { panic!("{:?}", rough.notices) };
+    assert_eq!(notice.key, "material.paper.friction_static");
+    assert!(notice.to_string().contains("slippery.toml:14:"), "{notice}");
+    assert!(notice.message.starts_with("3 is more than the 1.5"), "{notice}");
+    let absurd = parse("11").unwrap_err();
+    assert_eq!(absurd.key(), Some("material.paper.friction_static"));
+    assert!(absurd.to_string().contains("must be at most 10"), "{absurd}");
+}
+
+#[test]
 fn every_mistake_names_key_and_line() {
     let mut faults = Vec::new();
     for case in CASES {
