@@ -91,12 +91,16 @@ def test_whatever_a_host_says_its_engine_answers_with_numbers_or_an_error() -> N
             steps += 1
             assert np.isfinite(engine.wrenches).all(), (SEED, engines)
             assert np.isfinite(engine.peaks).all(), (SEED, engines)
-        saved = bytearray(engine.save())
+        whole = engine.save()
+        saved = bytearray(whole)
         for _ in range(draw.randrange(1, 4)):
             saved[draw.randrange(len(saved))] ^= 1 << draw.randrange(8)
+        length = draw.randrange(len(saved) + 1) if draw.random() < 0.3 else len(saved)
+        # Two flips may undo each other.
+        if bytes(saved[:length]) == whole:
+            continue
         altered += 1
         try:
-            length = draw.randrange(len(saved) + 1) if draw.random() < 0.3 else len(saved)
             engine.restore(bytes(saved[:length]))
             taken += 1
         except EngineError:
