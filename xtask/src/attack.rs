@@ -2,7 +2,7 @@
 //! that also runs in seconds with all others; here it is told for how long.
 
 use std::path::PathBuf;
-use std::process::{Command, ExitCode};
+use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 
 use crate::command::{cargo, run};
@@ -119,9 +119,10 @@ const PARTS: [Part; 12] = [
     },
 ];
 
-/// `cargo xtask attack [SECONDS] [SEED] [PART...]`.
+/// `cargo xtask attack [together] [SECONDS] [SEED] [PART...]`.
 pub(crate) fn attack_command(arguments: &[&str]) -> ExitCode {
     let mut left = arguments.iter().copied().peekable();
+    let at_once = left.next_if_eq(&"together").is_some();
     let mut number = |otherwise: u64| match left.peek().map(|text| text.parse()) {
         Some(Ok(number)) => {
             left.next();
@@ -136,7 +137,8 @@ pub(crate) fn attack_command(arguments: &[&str]) -> ExitCode {
         eprintln!("there is no part `{unknown}`; there are {}", names.join(", "));
         return ExitCode::from(2);
     }
-    match attack(seconds, seed, &asked) {
+    let done = if at_once { together } else { attack }(seconds, seed, &asked);
+    match done {
         Ok(_) => ExitCode::SUCCESS,
         Err(why) => {
             eprintln!("{why}");
@@ -145,15 +147,63 @@ pub(crate) fn attack_command(arguments: &[&str]) -> ExitCode {
     }
 }
 
-/// The parts that are asked for, or all where none is; the time is shared out evenly.
+/// Those that are asked for, or all where none is.
+fn parts(asked: &[&str]) -> Vec<&'static Part> {
+    PARTS.iter().filter(|part| asked.is_empty() || asked.contains(&part.name)).collect()
+}
+
+/// Each part for the whole time, all at once, with its output in `target/attack`: an hour of each in an hour.
+///
+/// # Errors
+/// Which parts did not survive.
+fn together(seconds: u64, seed: u64, asked: &[&str]) -> Result<Done, String> {
+    let folder = PathBuf::from("target/attack");
+    std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    let own = std::env::current_exe().map_err(|e| format!("this program: {e}"))?;
+    let mut running = Vec::new();
+    for part in parts(asked) {
+        let output = folder.join(part.name).with_extension("txt");
+        let told = |e| format!("{}: {e}", output.display());
+        let file = std::fs::File::create(&output).map_err(told)?;
+        let errors = file.try_clone().map_err(told)?;
+        let mut command = Command::new(&own);
+        command.args(["attack", &seconds.to_string(), &seed.to_string(), part.name]);
+        command.stdin(Stdio::null()).stdout(file).stderr(errors);
+        let child = command.spawn().map_err(|e| format!("{}: {e}", part.name))?;
+        println!(
+            "-- {}: {}; {seconds} s, seed {seed}, to {}",
+            part.name,
+            part.what,
+            output.display()
+        );
+        running.push((part.name, output, child));
+    }
+    let mut lost = Vec::new();
+    for (name, output, mut child) in running {
+        let status = child.wait().map_err(|e| format!("{name}: {e}"))?;
+        let said =
+            std::fs::read_to_string(&output).map_err(|e| format!("{}: {e}", output.display()))?;
+        println!("-- {name}: {}", if status.success() { "survived" } else { "DID NOT SURVIVE" });
+        said.lines().filter(|line| line.contains(" tried") || line.contains("seed ")).for_each(
+            |line| {
+                println!("   {}", line.trim_start_matches(['-', '.', ' ']));
+            },
+        );
+        if !status.success() {
+            lost.push(format!("{name} (see {})", output.display()));
+        }
+    }
+    if lost.is_empty() { Ok(Done::Good) } else { Err(format!("lost: {}", lost.join(", "))) }
+}
+
+/// One part after the other; the time is shared out evenly.
 ///
 /// # Errors
 /// What did not survive.
 pub(crate) fn attack(seconds: u64, seed: u64, asked: &[&str]) -> Result<Done, String> {
-    let is_asked = |part: &&Part| asked.is_empty() || asked.contains(&part.name);
-    let parts: Vec<&Part> = PARTS.iter().filter(is_asked).collect();
+    let parts = parts(asked);
     let each = (seconds / parts.len() as u64).max(1);
-    for part in &parts {
+    for part in parts {
         println!("-- {}: {}; {each} s, seed {seed}", part.name, part.what);
         let began = Instant::now();
         attack_part(part, each, seed).map_err(|why| format!("{}: {why}", part.name))?;

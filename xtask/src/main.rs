@@ -26,8 +26,9 @@ use std::process::ExitCode;
 
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
-       cargo xtask attack [SECONDS] [SEED] [PART]...
-                                          all hostile checks, or some, for so long together (600 s)
+       cargo xtask attack [together] [SECONDS] [SEED] [PART]...
+                                          all hostile checks, or some, for so long (600 s): one after the other,
+                                          or each for so long at once
        cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
        cargo xtask bench [clip|step|border|accuracy|mmg|berth|callgrind]...
                                           times and answers against the peers, instructions a step
