@@ -159,6 +159,14 @@ fn the_server_lives_on_whatever_it_is_told() {
                 }
                 one.vanish();
             }
+            if number % 10 == 9 {
+                // Rewound or paused nothing is carried out: go on from there, as an instructor would.
+                let mut instructor = Client::join(&server, "instructor").await;
+                for word in ["branch", "resume"] {
+                    instructor.ask(json!({ "do": word })).await;
+                }
+                instructor.vanish();
+            }
             if number == 50 {
                 early_kib = server.memory_kib();
             }
