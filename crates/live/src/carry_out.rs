@@ -90,7 +90,7 @@ pub(crate) fn carry_out(
     }
     // Kept is what is for other controls, and the one just given.
     let mut forgotten = false;
-    simulation.keep_orders(|other| {
+    simulation.retain_orders(|other| {
         let keep = moved_by(other) != moved || *other == order;
         forgotten |= !keep;
         keep
@@ -285,7 +285,7 @@ fn to_line(simulation: &Simulation, action: &Action) -> Result<(usize, Do), Refu
     let order = match action {
         Action::Winch { order, rate_mps, .. } => {
             let rate_mps = within("a winch's rate [m/s]", *rate_mps, 0.0, 20.0)?;
-            if matches!(lines[index].line.holding, fenderline_sim::mooring::Holding::Bitts) {
+            if matches!(lines[index].line.inboard_end, fenderline_sim::mooring::InboardEnd::Bitts) {
                 return Err(Refusal::new(format_args!("line `{name}` is on bitts: no winch")));
             }
             let order = match order {

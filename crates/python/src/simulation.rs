@@ -256,7 +256,7 @@ impl Simulation {
         for (name, work_j) in e.loads.parts() {
             dict.set_item(format!("{name}_work_j"), work_j)?;
         }
-        dict.set_item("turned_over_j", e.turned_over_j())?;
+        dict.set_item("exchanged_j", e.exchanged_j())?;
         Ok(dict)
     }
 

@@ -57,7 +57,7 @@ impl Summaries {
             let pair = self.pair(bodies, record.t_s, first.v_normal_mps);
             book_touch(pair, own, record);
         }
-        for work in record.books {
+        for work in record.contact_energies {
             let Some(pair) = self.pairs.iter_mut().find(|p| p.bodies == work.bodies) else {
                 continue; // touched only at a later stage of Runge-Kutta; the next step sees it
             };

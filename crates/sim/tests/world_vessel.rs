@@ -233,7 +233,7 @@ fn orders_that_are_forgotten_are_not_carried_out_and_the_others_are() {
         Order { at_s: 20.0, vessel: 0, action: Action::Engine(0.2) },
     ];
     let mut run = Simulation::new(setup).expect("a good set-up");
-    run.keep_orders(|order| matches!(order.action, Action::Engine(_)));
+    run.retain_orders(|order| matches!(order.action, Action::Engine(_)));
     while !run.is_done() {
         run.step().expect("a good step");
     }

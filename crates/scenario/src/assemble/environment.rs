@@ -245,7 +245,7 @@ fn wind(table: &Table) -> Result<Wind, EnvironmentError> {
         return Wind::steady(mean);
     }
     let gusts = Gusts::new(&mean, &GustSpectrum::Npd, realisation(table))?;
-    Wind::gusty(mean, gusts)
+    Wind::with_gusts(mean, gusts)
 }
 
 fn sea(table: &Table, depth_m: f64) -> Result<Sea, EnvironmentError> {

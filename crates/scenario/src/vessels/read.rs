@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Display;
 
-use fenderline_sim::attitude::{FloatParticulars, Hydrostatics, oscillators_told};
+use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics, oscillator_estimates};
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::{Figure, Origin, Source};
 use fenderline_sim::hydro::{
@@ -187,8 +187,12 @@ impl Reading<'_, '_> {
         }
         all.extend(estimate.sources);
         all.extend(oscillators(vessel.stability.as_ref(), &particulars));
-        vessel.origin =
-            Origin { title, sources: all, route: estimate.route, outside: estimate.outside };
+        vessel.origin = Origin {
+            title,
+            sources: all,
+            estimate_method: estimate.method,
+            outside: estimate.outside,
+        };
         Ok(vessel)
     }
 
@@ -614,7 +618,7 @@ pub(crate) fn hydrostatics(
     ship: &Particulars,
     water_kgpm3: f64,
 ) -> Result<Hydrostatics, fenderline_sim::attitude::AttitudeError> {
-    Hydrostatics::of(&FloatParticulars {
+    Hydrostatics::of(&HydrostaticParticulars {
         mass_kg: water_kgpm3 * ship.volume_m3,
         length_m: ship.length_m,
         beam_m: ship.beam_m,
@@ -628,7 +632,7 @@ pub(crate) fn hydrostatics(
 /// How heave, roll and pitch are estimated, where they are, in sea water.
 fn oscillators(stability: Option<&Stability>, ship: &Particulars) -> Option<Source> {
     let of_sea = |stability| hydrostatics(stability, ship, SEA_KGPM3).ok();
-    stability.and_then(of_sea).map(|of| oscillators_told(&of))
+    stability.and_then(of_sea).map(|of| oscillator_estimates(&of))
 }
 
 fn figure(name: &str, text: &str) -> Figure {

@@ -5,7 +5,7 @@ use fenderline_contact::number::{bounded, greater, lesser};
 use super::catenary::{Cable, catenary};
 use super::error::MooringError;
 use super::rope::Rope;
-use super::winch::{Winch, WinchNotes, WinchOrder};
+use super::winch::{Winch, WinchOrder, WinchReport};
 use crate::range::{OutOfRange, within};
 
 /// A line before it is made fast.
@@ -16,9 +16,9 @@ pub struct LineSetup {
     /// What it is made of.
     pub kind: LineKind,
     /// What holds it on board.
-    pub holding: Holding,
+    pub inboard_end: InboardEnd,
     /// How much of it is outboard at the start.
-    pub fitting: Fitting,
+    pub initial_length: InitialLength,
 }
 
 /// What a line is made of.
@@ -55,7 +55,7 @@ pub struct Tail {
 
 /// What holds a line on board.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Holding {
+pub enum InboardEnd {
     /// Turned up on bitts: it holds until the line parts.
     Bitts,
     /// A winch.
@@ -64,11 +64,11 @@ pub enum Holding {
 
 /// How much of a line is outboard at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fitting {
+pub enum InitialLength {
     /// Unstretched length outboard, the tail included [m]; not less than the distance of the ends.
-    Length(f64),
+    Outboard(f64),
     /// As much as gives this tension at the ship's end [N].
-    Pretension(f64),
+    FromPretension(f64),
 }
 
 /// Where the two ends of a line are: north, east, up [m].
@@ -99,7 +99,7 @@ pub struct LineLoad {
     /// Force on what the other end is fast to [N].
     pub on_shore_n: [f64; 3],
     /// What the winch did.
-    pub winch: WinchNotes,
+    pub winch: WinchReport,
     /// The tension at which the line parted in this step [N].
     pub parted_at_n: Option<f64>,
 }
@@ -127,9 +127,9 @@ impl Line {
         let break_load_n = break_load(&setup.kind);
         let mut line = Line { setup, corners_n, break_load_n, longest_m: 0.0 };
         let length_m = line.fitted_length_m(ends)?;
-        let reserve_m = match line.setup.holding {
-            Holding::Winch(winch) => winch.reserve_m,
-            Holding::Bitts => 0.0,
+        let reserve_m = match line.setup.inboard_end {
+            InboardEnd::Winch(winch) => winch.reserve_m,
+            InboardEnd::Bitts => 0.0,
         };
         line.longest_m = length_m + reserve_m;
         Ok((line, LineState { length_m, parted: false }))
@@ -157,13 +157,13 @@ impl Line {
         order: WinchOrder,
         step_s: f64,
     ) -> LineLoad {
-        let mut winch = WinchNotes::default();
+        let mut winch = WinchReport::default();
         if state.parted {
             return LineLoad::default();
         }
-        match &self.setup.holding {
-            Holding::Winch(of) => self.work_winch(of, state, ends, (order, step_s), &mut winch),
-            Holding::Bitts => winch.no_winch = order != WinchOrder::Hold,
+        match &self.setup.inboard_end {
+            InboardEnd::Winch(of) => self.work_winch(of, state, ends, (order, step_s), &mut winch),
+            InboardEnd::Bitts => winch.no_winch = order != WinchOrder::Hold,
         }
         let load = LineLoad { winch, ..self.load(state.length_m, ends) };
         let greatest_n = greatest(&load);
@@ -180,7 +180,7 @@ impl Line {
         state: &mut LineState,
         ends: &LineEnds,
         (order, step_s): (WinchOrder, f64),
-        notes: &mut WinchNotes,
+        notes: &mut WinchReport,
     ) {
         let wanted_m = state.length_m + winch.ordered_m(order, step_s, notes);
         if wanted_m < state.length_m {
@@ -213,19 +213,19 @@ impl Line {
 
     fn fitted_length_m(&self, ends: &LineEnds) -> Result<f64, MooringError> {
         let line = || self.setup.name.clone();
-        match self.setup.fitting {
-            Fitting::Length(length_m) => {
+        match self.setup.initial_length {
+            InitialLength::Outboard(length_m) => {
                 let span_m = Span::of(ends).distance_m;
                 if length_m < span_m || length_m < self.shortest_m() {
                     return Err(MooringError::TooShort { line: line(), length_m, span_m });
                 }
                 Ok(length_m)
             }
-            Fitting::Pretension(tension_n) => {
+            InitialLength::FromPretension(tension_n) => {
                 let error = || MooringError::Pretension { line: line(), tension_n };
-                let held_n = match self.setup.holding {
-                    Holding::Winch(winch) => lesser(winch.render_n, self.break_load_n),
-                    Holding::Bitts => self.break_load_n,
+                let held_n = match self.setup.inboard_end {
+                    InboardEnd::Winch(winch) => lesser(winch.render_n, self.break_load_n),
+                    InboardEnd::Bitts => self.break_load_n,
                 };
                 let length_m = self.length_for(tension_n, ends).ok_or_else(error)?;
                 if tension_n > held_n || length_m < self.shortest_m() {
@@ -422,12 +422,12 @@ fn check(setup: &LineSetup, ends: &LineEnds) -> Result<(), OutOfRange> {
             within("break load of the cable [N]", *break_load_n, 1.0, 1e10)?;
         }
     }
-    match setup.fitting {
-        Fitting::Length(length_m) => within("length of the line [m]", length_m, 0.0, 1e5)?,
-        Fitting::Pretension(tension_n) => within("pretension [N]", tension_n, 0.0, 1e9)?,
+    match setup.initial_length {
+        InitialLength::Outboard(length_m) => within("length of the line [m]", length_m, 0.0, 1e5)?,
+        InitialLength::FromPretension(tension_n) => within("pretension [N]", tension_n, 0.0, 1e9)?,
     };
-    match &setup.holding {
-        Holding::Winch(winch) => winch.check(),
-        Holding::Bitts => Ok(()),
+    match &setup.inboard_end {
+        InboardEnd::Winch(winch) => winch.check(),
+        InboardEnd::Bitts => Ok(()),
     }
 }

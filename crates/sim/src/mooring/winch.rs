@@ -31,7 +31,7 @@ pub enum WinchOrder {
 
 /// What happened at the winch in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WinchNotes {
+pub struct WinchReport {
     /// Rope that the brake let go [m]; 0 where it held.
     pub rendered_m: f64,
     /// The motor heaved less than it was told, because of the tension.
@@ -66,7 +66,7 @@ impl Winch {
     }
 
     /// Rope that an order moves in a step, out positive [m], its rate within the winch's.
-    pub(super) fn ordered_m(&self, order: WinchOrder, step_s: f64, notes: &mut WinchNotes) -> f64 {
+    pub(super) fn ordered_m(&self, order: WinchOrder, step_s: f64, notes: &mut WinchReport) -> f64 {
         let (sign, rate_mps) = match order {
             WinchOrder::Hold => return 0.0,
             WinchOrder::Heave(rate_mps) => (-1.0, rate_mps),

@@ -7,7 +7,7 @@ use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::environment::Environment;
 use super::fault::Faults;
 use super::pilot::Pilots;
-use crate::attitude::{Attitude, Drive, Hydrostatics};
+use crate::attitude::{Attitude, AttitudeLoad, Hydrostatics};
 use crate::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
@@ -474,8 +474,8 @@ impl VesselSetup {
 
     /// What heels and trims her: forces of the hull and its appendages at half the draught, of the wind at
     /// the height of its area.
-    pub(crate) fn drive(&self, forces: &VesselForces, float: &Float) -> Drive {
-        let mut drive = Drive::default();
+    pub(crate) fn drive(&self, forces: &VesselForces, float: &Float) -> AttitudeLoad {
+        let mut drive = AttitudeLoad::default();
         let gravity_m = float.gravity_above_water_m;
         let water_m = -0.5 * float.draught_m - gravity_m;
         let below = [

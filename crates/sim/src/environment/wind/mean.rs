@@ -106,7 +106,7 @@ impl Wind {
     ///
     /// # Errors
     /// As [`MeanWind::check`].
-    pub fn gusty(mean: MeanWind, gusts: Gusts) -> Result<Wind, EnvironmentError> {
+    pub fn with_gusts(mean: MeanWind, gusts: Gusts) -> Result<Wind, EnvironmentError> {
         mean.check()?;
         Ok(Wind(Course::Mean(mean, Some(gusts))))
     }

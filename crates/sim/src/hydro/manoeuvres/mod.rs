@@ -9,9 +9,9 @@ mod turning;
 mod zig_zag;
 
 pub use steady::{Crabbing, bollard_pull_n, crabbing, self_propulsion_rps};
-pub use stop::{CrashStop, crash_stop, crash_stop_watched};
-pub use turning::{SteadyTurn, TurningCircle, turning_circle, turning_circle_watched};
-pub use zig_zag::{ZigZag, zig_zag, zig_zag_watched};
+pub use stop::{CrashStop, crash_stop, crash_stop_observed};
+pub use turning::{SteadyTurn, TurningCircle, turning_circle, turning_circle_observed};
+pub use zig_zag::{ZigZag, zig_zag, zig_zag_observed};
 
 use std::fmt;
 

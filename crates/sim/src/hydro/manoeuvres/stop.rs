@@ -38,14 +38,14 @@ pub fn crash_stop(
     astern_rps: f64,
     shaft_rate_rps2: f64,
 ) -> Result<CrashStop, ManoeuvreError> {
-    crash_stop_watched(model, approach, astern_rps, shaft_rate_rps2, &mut |_| {})
+    crash_stop_observed(model, approach, astern_rps, shaft_rate_rps2, &mut |_| {})
 }
 
 /// [`crash_stop`], showing every step to `watch`.
 ///
 /// # Errors
 /// As [`crash_stop`].
-pub fn crash_stop_watched(
+pub fn crash_stop_observed(
     model: &Model3,
     approach: &Approach,
     astern_rps: f64,

@@ -48,14 +48,14 @@ pub fn turning_circle(
     approach: &Approach,
     rudder_rad: f64,
 ) -> Result<TurningCircle, ManoeuvreError> {
-    turning_circle_watched(model, approach, rudder_rad, &mut |_| {})
+    turning_circle_observed(model, approach, rudder_rad, &mut |_| {})
 }
 
 /// [`turning_circle`], showing every step to `watch`.
 ///
 /// # Errors
 /// As [`turning_circle`].
-pub fn turning_circle_watched(
+pub fn turning_circle_observed(
     model: &Model3,
     approach: &Approach,
     rudder_rad: f64,

@@ -32,14 +32,14 @@ pub fn zig_zag(
     rudder_rad: f64,
     check_rad: f64,
 ) -> Result<ZigZag, ManoeuvreError> {
-    zig_zag_watched(model, approach, rudder_rad, check_rad, &mut |_| {})
+    zig_zag_observed(model, approach, rudder_rad, check_rad, &mut |_| {})
 }
 
 /// [`zig_zag`], showing every step to `watch`.
 ///
 /// # Errors
 /// As [`zig_zag`].
-pub fn zig_zag_watched(
+pub fn zig_zag_observed(
     model: &Model3,
     approach: &Approach,
     rudder_rad: f64,
