@@ -90,7 +90,7 @@ def test_whatever_a_host_says_its_engine_answers_with_numbers_or_an_error() -> N
                 slowest_s = max(slowest_s, time.process_time() - began)
             steps += 1
             assert np.isfinite(engine.wrenches).all(), (SEED, engines)
-            assert np.isfinite(engine.peaks).all(), (SEED, engines)
+            assert np.isfinite(engine.peak_wrenches).all(), (SEED, engines)
         whole = engine.save()
         saved = bytearray(whole)
         for _ in range(draw.randrange(1, 4)):

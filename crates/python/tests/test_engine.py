@@ -92,7 +92,7 @@ def test_contacts_are_a_structured_array() -> None:
     parts = contacts["spring_n"] + contacts["stop_n"] + contacts["damper_n"]
     assert contacts["normal_force_n"] == pytest.approx(parts - contacts["limiter_n"])
     assert [event.kind for event in engine.events] == ["contact_began", "put_into"]
-    assert engine.events[0].who == ["ship", "tug"]
+    assert engine.events[0].subjects == ["ship", "tug"]
 
 
 def test_refused_calls_change_nothing() -> None:
@@ -156,18 +156,18 @@ def test_a_tug_that_is_put_into_a_ship_is_pressed_out_slowly() -> None:
 
 def test_the_peaks_of_a_step_stand_beside_its_means() -> None:
     engine = Engine(coupled_tug())
-    assert (engine.peaks == 0.0).all()
+    assert (engine.peak_wrenches == 0.0).all()
     engine.states[1, 1] += 1.0
     engine.step(4.0)
-    assert engine.peaks[1, 1] < 3.0 * engine.wrenches[1, 1] < 0.0
-    assert abs(engine.peaks[0, 1] / engine.peaks[1, 1] + 1.0) < 1e-9
-    assert not engine.peaks.flags.writeable
-    saved, peaks = engine.save(), engine.peaks.copy()
+    assert engine.peak_wrenches[1, 1] < 3.0 * engine.wrenches[1, 1] < 0.0
+    assert abs(engine.peak_wrenches[0, 1] / engine.peak_wrenches[1, 1] + 1.0) < 1e-9
+    assert not engine.peak_wrenches.flags.writeable
+    saved, peaks = engine.save(), engine.peak_wrenches.copy()
     other = Engine(coupled_tug())
     other.restore(saved)
-    assert (other.peaks == peaks).all()
+    assert (other.peak_wrenches == peaks).all()
     engine.reset()
-    assert (engine.peaks == 0.0).all()
+    assert (engine.peak_wrenches == 0.0).all()
 
 
 def test_save_restore_and_copy() -> None:
@@ -225,9 +225,9 @@ def test_settings_that_do_not_go_together(scenarios: Path) -> None:
     with pytest.raises(ValueError, match="present, following"):
         Engine(scenario, host="absent")  # type: ignore[arg-type]
     paper = Engine(scenario)
-    assert (paper.method, paper.tells_loads) == ("paper", False)
+    assert (paper.method, paper.uses_loads) == ("paper", False)
     with pytest.raises(EngineError, match="knows no loads"):
-        paper.tells_loads = True
+        paper.uses_loads = True
     with pytest.raises(EngineError, match="states after"):
         paper.states_after  # noqa: B018
     berth = Scenario.load(scenarios / "berth" / "alongside_with_two_tugs.toml")
