@@ -218,10 +218,10 @@ fn sheet(vessel: &VesselData) -> String {
     text
 }
 
-/// Frequencies of the drift table [rad/s].
+/// Frequencies of the drift table (rad/s).
 const FREQUENCIES_RADPS: [f64; 12] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0];
 
-/// Depth that waves do not feel [m].
+/// Depth that waves do not feel (m).
 const DEEP_M: f64 = 10_000.0;
 
 /// Mean drift in one wave.
@@ -229,7 +229,7 @@ struct Drift {
     frequency_radps: f64,
     length_m: f64,
     /// Waves from ahead, on the port bow, from port, on the port quarter, from astern: what they come from, off the
-    /// bow [rad], and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
+    /// bow (rad), and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
     /// N·m/m²].
     by_heading: [(f64, [f64; 3]); 5],
 }

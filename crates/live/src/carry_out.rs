@@ -14,7 +14,7 @@ use fenderline_sim::{
 use crate::action::{Action, TugWord, WinchWord};
 use crate::refusal::Refusal;
 
-/// A tug's fastest beside a ship that she pushes or pulls, and beside one that she follows [m/s]: 2 and 4 knots, the
+/// A tug's fastest beside a ship that she pushes or pulls, and beside one that she follows (m/s): 2 and 4 knots, the
 /// defaults of the scenario's keys.
 const PUSH_MPS: f64 = 2.0 * 1852.0 / 3600.0;
 const FOLLOW_MPS: f64 = 4.0 * 1852.0 / 3600.0;

@@ -31,7 +31,7 @@ pub struct Info {
     pub tugs: Vec<TugInfo>,
     /// The berth that distances are to.
     pub berth: Option<Berth>,
-    /// Depth of the water [m].
+    /// Depth of the water (m).
     pub depth_m: Option<f64>,
 }
 

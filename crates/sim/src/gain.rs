@@ -8,9 +8,9 @@ pub(crate) const REPORTED_GAIN: f64 = 0.01;
 /// What contacts gave the bodies more than they took from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyGain {
-    /// Given on top [J].
+    /// Given on top (J).
     pub gained_j: f64,
-    /// What came into contacts in the run [J].
+    /// What came into contacts in the run (J).
     pub taken_j: f64,
 }
 

@@ -49,7 +49,7 @@ impl MeanVelocity {
 pub(crate) enum WorkBy {
     /// The engine moved the bodies, and knows impulse and work of each of its sub-steps.
     Engine,
-    /// The mean forces act along the host's motion for a time [s].
+    /// The mean forces act along the host's motion for a time (s).
     Motion(f64),
 }
 
@@ -60,7 +60,7 @@ pub(crate) struct ContactTotals {
     pub(crate) all: Vec<ContactEnergy>,
     /// For each book: is the contact there in this step, and its fender's stored energy at the start.
     seen: Vec<Seen>,
-    /// What contacts that are over gave more than they took [J].
+    /// What contacts that are over gave more than they took (J).
     gained_j: f64,
     is_under_way: bool,
 }
@@ -154,7 +154,7 @@ impl ContactTotals {
         self.is_under_way = true;
     }
 
-    /// What contacts have given more than they took, those that go on included [J].
+    /// What contacts have given more than they took, those that go on included (J).
     fn gained_j(&self) -> f64 {
         self.all.iter().fold(self.gained_j, |sum_j, book| sum_j + greater(book.since_began_j, 0.0))
     }

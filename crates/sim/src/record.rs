@@ -9,7 +9,7 @@ use crate::world::{Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};
 pub struct StepRecord<'a> {
     /// Number of the step, from 0.
     pub index: u64,
-    /// Start of the step [s].
+    /// Start of the step (s).
     pub t_s: f64,
     /// States at the start of the step, one a body, in the order of the set-up.
     pub states: &'a [BodyState],
@@ -50,35 +50,35 @@ pub struct ContactEnergy {
     pub bodies: [usize; 2],
     /// Index of the fender in the set-up; `None`: outline on outline.
     pub fender: Option<usize>,
-    /// ∫ N dt [N·s].
+    /// ∫ N dt (N·s).
     pub normal_impulse_ns: f64,
-    /// Work of the normal force on the two bodies [J]: negative while it takes energy.
+    /// Work of the normal force on the two bodies (J): negative while it takes energy.
     pub normal_j: f64,
-    /// Work of the tangential force on the two bodies [J].
+    /// Work of the tangential force on the two bodies (J).
     pub tangential_j: f64,
-    /// Work of both on the two bodies since the contact began [J]: positive where it has given them more than it took;
+    /// Work of both on the two bodies since the contact began (J): positive where it has given them more than it took;
     /// −∞ for a contact that was there at the start, with who knows how much stored.
     pub since_began_j: f64,
-    /// Stored in spring and stop at the end of the step, and to be had back [J].
+    /// Stored in spring and stop at the end of the step, and to be had back (J).
     pub stored_j: f64,
-    /// Stored in the shear spring at the end of the step [J].
+    /// Stored in the shear spring at the end of the step (J).
     pub shear_stored_j: f64,
-    /// Turned into heat by a fender's unloading law [J].
+    /// Turned into heat by a fender's unloading law (J).
     pub hysteresis_j: f64,
-    /// Turned into heat by damping [J].
+    /// Turned into heat by damping (J).
     pub damping_j: f64,
-    /// What the springs gave back and the limiter kept from the bodies [J].
+    /// What the springs gave back and the limiter kept from the bodies (J).
     pub restitution_j: f64,
-    /// Turned into heat by friction, and by the implicit shear spring [J].
+    /// Turned into heat by friction, and by the implicit shear spring (J).
     pub friction_j: f64,
     /// What was stored and is not: the spring's book at the end of a contact, and for a fender at each
-    /// step what differs from its potential [J]. With a fender it is the time step's, and falls with
+    /// step what differs from its potential (J). With a fender it is the time step's, and falls with
     /// it; between outlines it is also what the chord's turning normal made (negative) or lost, as that
     /// law has no potential.
     pub residual_j: f64,
 }
 
-/// Work of the loads on the bodies since the start of the run, by what they come from [J]: force times way over the
+/// Work of the loads on the bodies since the start of the run, by what they come from (J): force times way over the
 /// ground. What pushes a body on is positive; a hull that a current takes along is pushed by it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadWork {
@@ -130,7 +130,7 @@ impl LoadWork {
         ]
     }
 
-    /// All together [J].
+    /// All together (J).
     #[must_use]
     pub fn total_j(&self) -> f64 {
         self.parts().iter().map(|(_, work_j)| work_j).sum()
@@ -152,7 +152,7 @@ impl LoadWork {
     }
 }
 
-/// The energy ledger since the start of the run [J], over the ground: the kinetic energy is what a fender on a quay has
+/// The energy ledger since the start of the run (J), over the ground: the kinetic energy is what a fender on a quay has
 /// to take, and every work is force times way over the ground.
 ///
 /// The way of a step is its mean velocity times Δt, so that it accounts for the change of kinetic energy exactly:
@@ -201,7 +201,7 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// How much energy changed hands: the sum of the magnitudes of all works, each since the start [J]. What
+    /// How much energy changed hands: the sum of the magnitudes of all works, each since the start (J). What
     /// [`Energy::residual_j`] is to be seen beside.
     #[must_use]
     pub fn exchanged_j(&self) -> f64 {

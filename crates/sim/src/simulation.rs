@@ -64,7 +64,7 @@ struct Buffers {
     trial: Vec<BodyState>,
     before: Vec<BodyState>,
     mean: Vec<MeanVelocity>,
-    /// The stream that each body is in [m/s].
+    /// The stream that each body is in (m/s).
     streams_mps: Vec<Vec2>,
     /// Contacts of the later stages of Runge–Kutta, and what they need.
     stage_contacts: [Vec<Contact>; 3],
@@ -152,7 +152,7 @@ impl Simulation {
         self.index
     }
 
-    /// Number of steps from the start to a time [s], the one in which it lies included.
+    /// Number of steps from the start to a time (s), the one in which it lies included.
     #[must_use]
     pub fn steps_until(&self, t_s: f64) -> u64 {
         whole_steps(t_s / self.setup.step_s)
@@ -164,13 +164,13 @@ impl Simulation {
         self.index >= self.steps_total
     }
 
-    /// Time reached [s]: steps taken times Δt, so that it does not drift.
+    /// Time reached (s): steps taken times Δt, so that it does not drift.
     #[must_use]
     pub fn time_s(&self) -> f64 {
         self.index as f64 * self.setup.step_s
     }
 
-    /// The time that velocities belong to [s]. Where the engine moves the bodies it is the middle of the last step, as a
+    /// The time that velocities belong to (s). Where the engine moves the bodies it is the middle of the last step, as a
     /// leapfrog has it (the middle of its last sub-step, where contacts need several), else [`Simulation::time_s`].
     #[must_use]
     pub fn velocity_time_s(&self) -> f64 {

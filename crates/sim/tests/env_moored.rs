@@ -10,9 +10,9 @@ use fenderline_sim::mooring::*;
 
 const STEP_S: f64 = 0.5;
 const STEPS: u32 = 72_000;
-/// Displacement and added mass in sway of the paper's container ship [kg].
+/// Displacement and added mass in sway of the paper's container ship (kg).
 const MASS_KG: f64 = 87.8e6 * 1.5;
-/// A tenth of the critical damping of about 2 MN/m of lines [N·s/m].
+/// A tenth of the critical damping of about 2 MN/m of lines (N·s/m).
 const DAMPING_NSPM: f64 = 3.0e6;
 
 fn wind() -> Wind {

@@ -42,7 +42,7 @@ fn steered() -> Vec<(String, Vessel, f64)> {
 /// A ship that is a reference in deep water, from her particulars alone.
 struct ByParticulars {
     name: &'static str,
-    /// Length, beam, draught [m].
+    /// Length, beam, draught (m).
     hull_m: [f64; 3],
     block: f64,
     propeller_m: f64,
@@ -105,7 +105,7 @@ impl ByParticulars {
 
 struct Done {
     turn: TurningCircle,
-    /// First overshoots of 10°/10° and 20°/20° [°].
+    /// First overshoots of 10°/10° and 20°/20° (°).
     overshoots_deg: [f64; 2],
 }
 

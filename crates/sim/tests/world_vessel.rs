@@ -70,7 +70,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
     (setup, approach.shaft_rps)
 }
 
-/// Advance and tactical diameter of midship [m].
+/// Advance and tactical diameter of midship (m).
 fn circle(setup: Setup, current_mps: Vec2) -> (f64, f64) {
     let ahead_m = setup.world.vessels[0].ship.particulars.centre_of_gravity_m;
     let mut simulation = Simulation::new(setup).expect("a good set-up");

@@ -205,7 +205,7 @@ impl Trial<'_> {
         })
     }
 
-    /// IMO's limits of the initial turning [L] and of both overshoots [°].
+    /// IMO's limits of the initial turning (ship lengths) and of both overshoots (°).
     fn zig_zag_limits(&self, angle_deg: f64) -> [Option<f64>; 3] {
         let length_over_speed_s = self.length_m / self.conditions.speed_mps;
         if angle_deg == 10.0 {

@@ -10,7 +10,7 @@ use fenderline_sim::external::{ForceProvider, ForceReply, ForceRequest};
 use super::group::Group;
 use super::protocol;
 
-/// Longest line that a provider may write [bytes].
+/// Longest line that a provider may write (bytes).
 const LONGEST_LINE: u64 = 64 * 1024;
 
 /// Questions that may wait for their answers: as many as any pipe holds, so that one that does not read

@@ -56,7 +56,7 @@ pub(crate) fn estimate_errors(route: EstimateMethod) -> &'static [EstimateError]
     })
 }
 
-/// The errors of both routes, as values of `validate` [%].
+/// The errors of both routes, as values of `validate` (%).
 pub(super) fn put(values: &mut Values) {
     for (route, _) in ROUTES {
         for error in errors(values, route) {

@@ -11,7 +11,7 @@ use super::{Column, List, Value, flag, float, name};
 pub(crate) struct ContactRow {
     pub(crate) t_s: f64,
     pub(crate) contact: Contact,
-    /// Work of the normal and the tangential force on the two bodies in the step [J].
+    /// Work of the normal and the tangential force on the two bodies in the step (J).
     pub(crate) work_j: [f64; 2],
 }
 

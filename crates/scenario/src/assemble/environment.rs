@@ -20,9 +20,9 @@ use crate::error::{Notice, ScenarioError};
 
 /// How many harmonics a sea or a gusty wind has.
 const HARMONICS: usize = 200;
-/// Depth that is deep for every wave [m].
+/// Depth that is deep for every wave (m).
 const DEEP_M: f64 = 10_000.0;
-/// Times that a file may have [s], and directions [deg].
+/// Times that a file may have (s), and directions (deg).
 pub(super) const TIMES_S: [f64; 2] = [-1e9, 1e9];
 pub(super) const DIRECTIONS_DEG: [f64; 2] = [-720.0, 720.0];
 

@@ -369,7 +369,7 @@ impl Assembly<'_, '_> {
 
 /// Where a line ends.
 enum LinePoint<'t> {
-    /// From the body's origin, and above the water [m].
+    /// From the body's origin, and above the water (m).
     At(Vec2, f64),
     /// A chock or bitts.
     Named(&'t Item),

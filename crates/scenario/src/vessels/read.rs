@@ -27,15 +27,15 @@ use crate::sources::Sources;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// Density of the sea water in which a displacement is given [kg/m³].
+/// Density of the sea water in which a displacement is given (kg/m³).
 const SEA_KGPM3: f64 = 1025.0;
-/// Gravity of Froude numbers [m/s²].
+/// Gravity of Froude numbers (m/s²).
 const GRAVITY_MPS2: f64 = 9.81;
-/// Rate of a steering gear of which nothing is said [rad/s]: 2.32 degrees a second, IMO's 65 degrees in 28 s.
+/// Rate of a steering gear of which nothing is said (rad/s): 2.32 degrees a second, IMO's 65 degrees in 28 s.
 const USUAL_RATE_RADPS: f64 = 2.32 * TAU / 360.0;
-/// A rudder's stop of which nothing is said [rad]: 35 degrees.
+/// A rudder's stop of which nothing is said (rad): 35 degrees.
 const USUAL_STOP_RAD: f64 = 35.0 * TAU / 360.0;
-/// From full ahead to full astern where nothing is said [s].
+/// From full ahead to full astern where nothing is said (s).
 const USUAL_REVERSAL_S: f64 = 40.0;
 
 /// A vessel of a file.
@@ -609,7 +609,7 @@ impl Reading<'_, '_> {
 /// The ways in which a displacement may be given.
 const VOLUMES: &[&str] = &["volume", "displacement", "block_coefficient", "mass_coefficient"];
 
-/// Heave, roll and pitch in water of a density [kg/m³].
+/// Heave, roll and pitch in water of a density (kg/m³).
 ///
 /// # Errors
 /// A ship that does not float upright.

@@ -16,22 +16,22 @@ pub use particulars::{AttitudeError, HydrostaticParticulars, Hydrostatics, oscil
 /// Heave, roll and pitch of one ship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Attitude {
-    /// Heave, positive down, from the level of rest [m, m/s].
+    /// Heave, positive down, from the level of rest (m, m/s).
     pub heave: Motion,
-    /// Roll, positive to starboard [rad, rad/s].
+    /// Roll, positive to starboard (rad, rad/s).
     pub roll: Motion,
-    /// Pitch, positive bow up [rad, rad/s].
+    /// Pitch, positive bow up (rad, rad/s).
     pub pitch: Motion,
 }
 
 /// What drives the three in one step: mean over the step, in the body's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AttitudeLoad {
-    /// Vertical force beyond weight and buoyancy, positive down [N].
+    /// Vertical force beyond weight and buoyancy, positive down (N).
     pub heave_n: f64,
-    /// Moment about the longitudinal axis, positive to starboard [N·m].
+    /// Moment about the longitudinal axis, positive to starboard (N·m).
     pub roll_nm: f64,
-    /// Moment about the transverse axis, positive bow up [N·m].
+    /// Moment about the transverse axis, positive bow up (N·m).
     pub pitch_nm: f64,
 }
 
@@ -61,7 +61,7 @@ impl Attitude {
         }
     }
 
-    /// How far below its place at rest a point of the hull is [m]: `forward_m` ahead and `starboard_m` to
+    /// How far below its place at rest a point of the hull is (m): `forward_m` ahead and `starboard_m` to
     /// starboard of the centre of gravity. For small angles.
     #[must_use]
     pub fn sinkage_m(&self, forward_m: f64, starboard_m: f64) -> f64 {

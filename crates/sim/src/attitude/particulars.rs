@@ -5,7 +5,7 @@ use std::fmt;
 use super::oscillator::Oscillator;
 use crate::hydro::vessels::{Figure, Source, Standing};
 
-/// Standard gravity [m/s²].
+/// Standard gravity (m/s²).
 const GRAVITY_MPS2: f64 = 9.806_65;
 
 /// A ship's heave, roll and pitch.
@@ -41,19 +41,19 @@ impl std::error::Error for AttitudeError {}
 /// What heave, roll and pitch are made from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HydrostaticParticulars {
-    /// Displacement [kg].
+    /// Displacement (kg).
     pub mass_kg: f64,
-    /// Length [m].
+    /// Length (m).
     pub length_m: f64,
-    /// Beam [m].
+    /// Beam (m).
     pub beam_m: f64,
-    /// Draught [m].
+    /// Draught (m).
     pub draught_m: f64,
-    /// Waterplane area [m²].
+    /// Waterplane area (m²).
     pub waterplane_m2: f64,
-    /// Transverse metacentric height GM [m].
+    /// Transverse metacentric height GM (m).
     pub gm_m: f64,
-    /// Density of the water [kg/m³].
+    /// Density of the water (kg/m³).
     pub water_kgpm3: f64,
 }
 

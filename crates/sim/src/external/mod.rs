@@ -10,9 +10,9 @@ use fenderline_contact::{BodyState, Wrench};
 /// What a provider is asked: the state of its body at the start of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceRequest {
-    /// Time [s].
+    /// Time (s).
     pub t_s: f64,
-    /// Length of the step [s].
+    /// Length of the step (s).
     pub step_s: f64,
     /// State of the body.
     pub state: BodyState,
@@ -69,7 +69,7 @@ pub enum ProviderEvent {
     Died(String),
 }
 
-/// The largest force or moment that is taken [N, N·m]: that which the contact engine takes of a load.
+/// The largest force or moment that is taken (N, N·m): that which the contact engine takes of a load.
 const LARGEST_LOAD: f64 = 1e15;
 
 /// The wrench of one provider, from step to step.

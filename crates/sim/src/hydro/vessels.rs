@@ -113,13 +113,13 @@ pub struct Vessel {
     pub origin: Origin,
     /// Her manoeuvring model.
     pub ship: Mmg,
-    /// Speed of approach of the standard manoeuvres [m/s]; `None` where nobody said.
+    /// Speed of approach of the standard manoeuvres (m/s); `None` where nobody said.
     pub approach_mps: Option<f64>,
     /// Rudder amidships, with its rate and stop.
     pub steering: RateLimited,
     /// A model in a tank of fresh water.
     pub is_model: bool,
-    /// Length of the model whose resistance a full-scale ship has in `ship` [m], where it is known.
+    /// Length of the model whose resistance a full-scale ship has in `ship` (m), where it is known.
     pub resistance_of_model_m: Option<f64>,
 }
 

@@ -33,11 +33,11 @@ pub enum LineKind {
     },
     /// A cable that hangs in a catenary.
     Heavy {
-        /// Weight per unstretched length in water [N/m].
+        /// Weight per unstretched length in water (N/m).
         weight_npm: f64,
-        /// EA [N].
+        /// EA (N).
         axial_stiffness_n: f64,
-        /// Break load [N].
+        /// Break load (N).
         break_load_n: f64,
         /// The lower end lies on a level bottom: an anchor cable.
         on_bottom: bool,
@@ -49,7 +49,7 @@ pub enum LineKind {
 pub struct Tail {
     /// Its rope.
     pub rope: Rope,
-    /// Its unstretched length [m].
+    /// Its unstretched length (m).
     pub length_m: f64,
 }
 
@@ -65,13 +65,13 @@ pub enum InboardEnd {
 /// How much of a line is outboard at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum InitialLength {
-    /// Unstretched length outboard, the tail included [m]; not less than the distance of the ends.
+    /// Unstretched length outboard, the tail included (m); not less than the distance of the ends.
     Outboard(f64),
-    /// As much as gives this tension at the ship's end [N].
+    /// As much as gives this tension at the ship's end (N).
     FromPretension(f64),
 }
 
-/// Where the two ends of a line are: north, east, up [m].
+/// Where the two ends of a line are: north, east, up (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineEnds {
     /// The ship's fairlead.
@@ -83,7 +83,7 @@ pub struct LineEnds {
 /// What changes of a line: plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineState {
-    /// Unstretched length outboard, the tail included [m].
+    /// Unstretched length outboard, the tail included (m).
     pub length_m: f64,
     /// It has parted.
     pub parted: bool,
@@ -92,15 +92,15 @@ pub struct LineState {
 /// A line's forces in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LineLoad {
-    /// Tension at the ship's end [N].
+    /// Tension at the ship's end (N).
     pub tension_n: f64,
-    /// Force on the ship at her fairlead: north, east, up [N].
+    /// Force on the ship at her fairlead: north, east, up (N).
     pub on_ship_n: [f64; 3],
-    /// Force on what the other end is fast to [N].
+    /// Force on what the other end is fast to (N).
     pub on_shore_n: [f64; 3],
     /// What the winch did.
     pub winch: WinchReport,
-    /// The tension at which the line parted in this step [N].
+    /// The tension at which the line parted in this step (N).
     pub parted_at_n: Option<f64>,
 }
 
@@ -108,10 +108,10 @@ pub struct LineLoad {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     setup: LineSetup,
-    /// Tensions at which a light line's rope or tail has a corner, increasing [N].
+    /// Tensions at which a light line's rope or tail has a corner, increasing (N).
     corners_n: Vec<f64>,
     break_load_n: f64,
-    /// Outboard with an empty drum [m].
+    /// Outboard with an empty drum (m).
     longest_m: f64,
 }
 
@@ -141,7 +141,7 @@ impl Line {
         &self.setup
     }
 
-    /// Least break load of rope and tail [N].
+    /// Least break load of rope and tail (N).
     #[must_use]
     pub fn break_load_n(&self) -> f64 {
         self.break_load_n
@@ -327,7 +327,7 @@ impl Line {
 struct Span {
     distance_m: f64,
     horizontal_m: f64,
-    /// Height of the shore end above the ship's [m].
+    /// Height of the shore end above the ship's (m).
     up_m: f64,
     /// Unit vector from the ship's end to the shore's; zero where they are in one place.
     towards_shore: [f64; 3],
@@ -367,7 +367,7 @@ fn heavy_load(cable: &Cable, span: &Span, on_bottom: bool) -> LineLoad {
     }
 }
 
-/// The greater tension of the two ends [N].
+/// The greater tension of the two ends (N).
 fn greatest(load: &LineLoad) -> f64 {
     let [n, e, u] = load.on_shore_n;
     greater(load.tension_n, libm::hypot(libm::hypot(n, e), u))

@@ -134,7 +134,7 @@ fn gear(propeller_m: f64, rudder_m2: f64, aspect_ratio: f64) -> SternGear {
     }
 }
 
-/// A ship that is not in the data, by her model, her speed of approach [m/s] and her rudder's rate [°/s].
+/// A ship that is not in the data, by her model, her speed of approach (m/s) and her rudder's rate (°/s).
 fn other(ship: fenderline_sim::hydro::Mmg, approach_mps: f64, rate_degps: f64) -> Vessel {
     Vessel {
         ship,
