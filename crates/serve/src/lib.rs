@@ -119,7 +119,7 @@ impl core::error::Error for ServeError {}
 
 /// Threads for the network. The simulation has its own.
 const NETWORK_THREADS: usize = 2;
-/// What the operating system holds for a client that reads slowly [bytes]: a second or two of frames.
+/// What the operating system holds for a client that reads slowly (bytes): a second or two of frames.
 const SEND_BUFFER: u32 = 128 << 10;
 /// Where datagrams are sent from.
 const ANY_4: IpAddr = IpAddr::V4(std::net::Ipv4Addr::UNSPECIFIED);

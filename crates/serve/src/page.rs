@@ -13,7 +13,7 @@ use crate::Notify;
 
 /// The folder beside the sources that this program was built from.
 const WEB: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web");
-/// A page's files together are not read beyond this [bytes].
+/// A page's files together are not read beyond this (bytes).
 const LARGEST: u64 = 64 << 20;
 /// What lies in `web` and is no source of the page.
 const NO_SOURCES: [&str; 5] = ["node_modules", "dist", "e2e", "test", "screenshots"];
