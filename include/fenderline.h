@@ -273,15 +273,15 @@ typedef struct {
      */
     size_t size;
     /**
-     * Area stiffness [N/m2].
+     * Area stiffness (N/m2).
      */
     double stiffness_npm2;
     /**
-     * Area damping [N s/m2].
+     * Area damping (N s/m2).
      */
     double damping_nspm2;
     /**
-     * Shear stiffness [N/m].
+     * Shear stiffness (N/m).
      */
     double shear_stiffness_npm;
     /**
@@ -307,35 +307,35 @@ typedef struct {
      */
     size_t size;
     /**
-     * Displacement [kg]. 0, and all other masses too: a fixed body.
+     * Displacement (kg). 0, and all other masses too: a fixed body.
      */
     double mass_kg;
     /**
-     * Moment of inertia about the vertical [kg m2].
+     * Moment of inertia about the vertical (kg m2).
      */
     double yaw_inertia_kgm2;
     /**
-     * Added mass in surge [kg].
+     * Added mass in surge (kg).
      */
     double added_surge_kg;
     /**
-     * Added mass in sway [kg].
+     * Added mass in sway (kg).
      */
     double added_sway_kg;
     /**
-     * Added moment of inertia in yaw [kg m2].
+     * Added moment of inertia in yaw (kg m2).
      */
     double added_yaw_kgm2;
     /**
-     * Where a fixed body stands, and a floating one begins [m].
+     * Where a fixed body stands, and a floating one begins (m).
      */
     double north_m;
     /**
-     * Where a fixed body stands, and a floating one begins [m].
+     * Where a fixed body stands, and a floating one begins (m).
      */
     double east_m;
     /**
-     * Its heading there [rad].
+     * Its heading there (rad).
      */
     double heading_rad;
 } fl_body;
@@ -350,35 +350,35 @@ typedef struct {
      */
     size_t size;
     /**
-     * Middle of the line where it is mounted, in the body's frame [m].
+     * Middle of the line where it is mounted, in the body's frame (m).
      */
     double forward_m;
     /**
-     * Middle of the line where it is mounted, in the body's frame [m].
+     * Middle of the line where it is mounted, in the body's frame (m).
      */
     double starboard_m;
     /**
-     * Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+     * Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
      */
     double facing_rad;
     /**
-     * Width of the face [m].
+     * Width of the face (m).
      */
     double width_m;
     /**
-     * From the mounting to the face, uncompressed [m].
+     * From the mounting to the face, uncompressed (m).
      */
     double projection_m;
     /**
-     * The deflection that it is made for [m]; 0: its projection. 0 where it has no curve.
+     * The deflection that it is made for (m); 0: its projection. 0 where it has no curve.
      */
     double rated_deflection_m;
     /**
-     * Deflection at which it begins to stiffen to a stop [m].
+     * Deflection at which it begins to stiffen to a stop (m).
      */
     double stop_from_m;
     /**
-     * Stiffness of the stop [N/m]; 0, and its beginning too: it has none.
+     * Stiffness of the stop (N/m); 0, and its beginning too: it has none.
      */
     double stop_stiffness_npm;
     /**
@@ -431,27 +431,27 @@ typedef struct {
  */
 typedef struct {
     /**
-     * Position [m].
+     * Position (m).
      */
     double north_m;
     /**
-     * Position [m].
+     * Position (m).
      */
     double east_m;
     /**
-     * Clockwise from north [rad].
+     * Clockwise from north (rad).
      */
     double heading_rad;
     /**
-     * Velocity [m/s].
+     * Velocity (m/s).
      */
     double north_mps;
     /**
-     * Velocity [m/s].
+     * Velocity (m/s).
      */
     double east_mps;
     /**
-     * Rate of turn, positive to starboard [rad/s].
+     * Rate of turn, positive to starboard (rad/s).
      */
     double yaw_rate_radps;
 } fl_state;
@@ -461,15 +461,15 @@ typedef struct {
  */
 typedef struct {
     /**
-     * Force [N].
+     * Force (N).
      */
     double north_n;
     /**
-     * Force [N].
+     * Force (N).
      */
     double east_n;
     /**
-     * Moment about the vertical, positive to starboard [N m].
+     * Moment about the vertical, positive to starboard (N m).
      */
     double moment_nm;
 } fl_wrench;
@@ -509,19 +509,19 @@ typedef struct {
      */
     uint32_t reserved;
     /**
-     * Area of the overlap [m2].
+     * Area of the overlap (m2).
      */
     double area_m2;
     /**
-     * Extent of the overlap along the normal, or deflection of the fender [m].
+     * Extent of the overlap along the normal, or deflection of the fender (m).
      */
     double depth_m;
     /**
-     * Where the force acts [m].
+     * Where the force acts (m).
      */
     double north_m;
     /**
-     * Where the force acts [m].
+     * Where the force acts (m).
      */
     double east_m;
     /**
@@ -533,59 +533,59 @@ typedef struct {
      */
     double normal_east;
     /**
-     * Speed of approach along the normal [m/s].
+     * Speed of approach along the normal (m/s).
      */
     double v_normal_mps;
     /**
-     * Speed of body 1 relative to body 2 along the tangent [m/s].
+     * Speed of body 1 relative to body 2 along the tangent (m/s).
      */
     double v_tangential_mps;
     /**
-     * Shear of the contact [m].
+     * Shear of the contact (m).
      */
     double shear_m;
     /**
-     * Normal force, at least 0 [N].
+     * Normal force, at least 0 (N).
      */
     double normal_force_n;
     /**
-     * Tangential force on body 1 [N].
+     * Tangential force on body 1 (N).
      */
     double tangential_force_n;
     /**
-     * Largest normal force within the step [N].
+     * Largest normal force within the step (N).
      */
     double peak_normal_force_n;
     /**
-     * Largest depth within the step [m].
+     * Largest depth within the step (m).
      */
     double peak_depth_m;
     /**
-     * Of the normal force: area spring or reaction curve [N].
+     * Of the normal force: area spring or reaction curve (N).
      */
     double spring_n;
     /**
-     * Of the normal force: the stop past a fender's travel [N].
+     * Of the normal force: the stop past a fender's travel (N).
      */
     double stop_n;
     /**
-     * Of the normal force: the damper [N].
+     * Of the normal force: the damper (N).
      */
     double damper_n;
     /**
-     * What the limit from momentum took off the normal force [N].
+     * What the limit from momentum took off the normal force (N).
      */
     double limiter_n;
     /**
-     * Energy in a fender's spring and stop at the step's start that it can give back [J]; 0 for outline on outline.
+     * Energy in a fender's spring and stop at the step's start that it can give back (J); 0 for outline on outline.
      */
     double stored_j;
     /**
-     * The largest energy within the step that loads such a fender from nothing to where it is [J].
+     * The largest energy within the step that loads such a fender from nothing to where it is (J).
      */
     double peak_loaded_j;
     /**
-     * Angle between a fender's face and the hull [rad].
+     * Angle between a fender's face and the hull (rad).
      */
     double tilt_rad;
     /**
@@ -593,7 +593,7 @@ typedef struct {
      */
     double factor;
     /**
-     * Energy that the rubber of a fender with returned_energy has turned to heat within the step [J].
+     * Energy that the rubber of a fender with returned_energy has turned to heat within the step (J).
      */
     double hysteresis_j;
 } fl_contact;
@@ -682,7 +682,7 @@ fl_status fl_builder_add_material(fl_builder *builder,
 
 /**
  * Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard of
- * the centre of gravity) [m], in either direction, convex or not. Its index, counted from 0, goes to `index`
+ * the centre of gravity) (m), in either direction, convex or not. Its index, counted from 0, goes to `index`
  * where that is not NULL. Its masses are checked by fl_builder_build().
  */
 fl_status fl_builder_add_body(fl_builder *builder,
@@ -694,8 +694,8 @@ fl_status fl_builder_add_body(fl_builder *builder,
                               uint32_t *index);
 
 /**
- * Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection [m] and reaction
- * [N], from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
+ * Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction
+ * (N), from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
  * stiffness times the area of the overlap. Its index, counted from 0, goes to `index` where that is not
  * NULL. Its numbers are checked by fl_builder_build().
  */
@@ -823,7 +823,7 @@ fl_status fl_engine_find_fender(const fl_engine *engine,
 
 /**
  * Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row
- * by row: 9 numbers [kg, kg m, kg m2]; zeros for a fixed body. A following host must move its bodies with it.
+ * by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A following host must move its bodies with it.
  */
 fl_status fl_engine_mass_matrix(const fl_engine *engine,
                                 uint32_t body,

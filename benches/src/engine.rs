@@ -27,7 +27,7 @@ pub(crate) struct Ours {
     work: Workspace,
     states: Vec<BodyState>,
     loads: Vec<Wrench>,
-    /// Δt over mass and over yaw inertia, of what floats [s/kg, s/(kg·m²)].
+    /// Δt over mass and over yaw inertia, of what floats (s/kg, s/(kg·m²)).
     paces: Vec<Option<(f64, f64)>>,
     method: Method,
     step_s: f64,

@@ -1,5 +1,4 @@
-//! The project's own chores: `cargo xtask test`, `attack`, `fuzz`, `bench`, `book`, `passivity`, `c`, `finite-elements`, `hosts`, `live-load`,
-//! `pages`, `nautical`.
+//! The project's own tasks, run as `cargo xtask NAME`; `USAGE` lists them.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
@@ -20,6 +19,7 @@ mod nautical;
 mod pages;
 mod passivity;
 mod scenarios;
+mod state_hashes;
 mod step;
 mod test;
 mod tools;
@@ -43,7 +43,9 @@ usage: cargo xtask test                   everything that a change must pass
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)
        cargo xtask pages                  the pages: checked, built, driven in a browser
-       cargo xtask nautical               sentences for chart programs, each read by two parsers";
+       cargo xtask nautical               sentences for chart programs, each read by two parsers
+       cargo xtask state-hashes [REVISION]
+                                          a hash of all numbers that each scenario writes, beside those of a revision";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -80,6 +82,8 @@ fn main() -> ExitCode {
             Ok(seconds) => live_load::live_load_command(seconds),
             Err(_) => usage(),
         },
+        ["state-hashes"] => state_hashes::state_hashes_command(None),
+        ["state-hashes", revision] => state_hashes::state_hashes_command(Some(revision)),
         ["bench", benches @ ..] => bench::bench(benches),
         _ => usage(),
     }

@@ -67,7 +67,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     drop(providers);
     let interrupted = (!simulation.is_done()).then(|| Interrupted::of(&simulation));
 
-    if let Some(gain) = simulation.gain() {
+    if let Some(gain) = simulation.energy_gain() {
         tell(&format!("notice: {gain}"));
         notices.push(gain.to_string());
     }

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use fenderline_scenario::{VesselData, VesselLibrary, read_text};
 use fenderline_sim::environment::waves::{DriftHull, wave_number};
 use fenderline_sim::hydro::vessels::{Origin, Source};
-use fenderline_sim::hydro::{Route, Water};
+use fenderline_sim::hydro::{EstimateMethod, Water};
 use serde_json::{Map, Value, json};
 
 use crate::cli::VesselsArgs;
@@ -77,14 +77,14 @@ pub(crate) fn estimates(name: &str, origin: &Origin) -> String {
 /// How far the estimate of a vessel is to be relied on: where she is outside the range of the formulas, and what error
 /// they have on ships with references. Nothing of a vessel whose hull, propeller and rudder are her own.
 pub(crate) fn accuracy(origin: &Origin) -> Vec<String> {
-    let Some(route) = origin.route else { return Vec::new() };
+    let Some(route) = origin.estimate_method else { return Vec::new() };
     let mut lines: Vec<String> = origin.outside.iter().map(ToString::to_string).collect();
     match route {
-        Route::Clarke => lines.push(
+        EstimateMethod::Clarke => lines.push(
             "no vessel like her was found to hold the formulas against: their error is not known"
                 .to_owned(),
         ),
-        Route::YoshimuraMasumoto => lines.extend(estimate_errors(route).iter().map(|error| {
+        EstimateMethod::YoshimuraMasumoto => lines.extend(estimate_errors(route).iter().map(|error| {
             let percent = |share: f64| signed_percent(share);
             let [(low_ship, low), (high_ship, high)] = &error.ends;
             format!(
@@ -122,7 +122,7 @@ fn signed_percent(share: f64) -> String {
 
 /// The same as JSON; null where nothing of hull, propeller and rudder is estimated.
 pub(crate) fn accuracy_json(origin: &Origin) -> Value {
-    let Some(route) = origin.route else { return Value::Null };
+    let Some(route) = origin.estimate_method else { return Value::Null };
     let outside: Vec<Value> = origin
         .outside
         .iter()
@@ -136,8 +136,8 @@ pub(crate) fn accuracy_json(origin: &Origin) -> Value {
         })
         .collect();
     let (formulas, errors) = match route {
-        Route::Clarke => ("Clarke, Gedling & Hine (1983)", Vec::new()),
-        Route::YoshimuraMasumoto => ("Yoshimura & Masumoto (2012)", {
+        EstimateMethod::Clarke => ("Clarke, Gedling & Hine (1983)", Vec::new()),
+        EstimateMethod::YoshimuraMasumoto => ("Yoshimura & Masumoto (2012)", {
             let object = |error: &EstimateError| {
                 json!({
                     "measure": error.measure,
@@ -218,10 +218,10 @@ fn sheet(vessel: &VesselData) -> String {
     text
 }
 
-/// Frequencies of the drift table [rad/s].
+/// Frequencies of the drift table (rad/s).
 const FREQUENCIES_RADPS: [f64; 12] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0];
 
-/// Depth that waves do not feel [m].
+/// Depth that waves do not feel (m).
 const DEEP_M: f64 = 10_000.0;
 
 /// Mean drift in one wave.
@@ -229,7 +229,7 @@ struct Drift {
     frequency_radps: f64,
     length_m: f64,
     /// Waves from ahead, on the port bow, from port, on the port quarter, from astern: what they come from, off the
-    /// bow [rad], and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
+    /// bow (rad), and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
     /// N·m/m²].
     by_heading: [(f64, [f64; 3]); 5],
 }

@@ -72,7 +72,7 @@ pub unsafe extern "C" fn fl_builder_add_material(
 }
 
 /// Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard of
-/// the centre of gravity) [m], in either direction, convex or not. Its index, counted from 0, goes to `index`
+/// the centre of gravity) (m), in either direction, convex or not. Its index, counted from 0, goes to `index`
 /// where that is not NULL. Its masses are checked by fl_builder_build().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_body(
@@ -105,8 +105,8 @@ pub unsafe extern "C" fn fl_builder_add_body(
     })
 }
 
-/// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection [m] and reaction
-/// [N], from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
+/// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction
+/// (N), from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
 /// stiffness times the area of the overlap. Its index, counted from 0, goes to `index` where that is not
 /// NULL. Its numbers are checked by fl_builder_build().
 #[unsafe(no_mangle)]

@@ -213,7 +213,7 @@ pub unsafe extern "C" fn fl_engine_find_fender(
 }
 
 /// Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row
-/// by row: 9 numbers [kg, kg m, kg m2]; zeros for a fixed body. A following host must move its bodies with it.
+/// by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A following host must move its bodies with it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_mass_matrix(
     engine: *const FlEngine,

@@ -85,17 +85,17 @@ pub const FL_CONTACT_LIMITED: u32 = 2;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlState {
-    /// Position [m].
+    /// Position (m).
     pub north_m: f64,
-    /// Position [m].
+    /// Position (m).
     pub east_m: f64,
-    /// Clockwise from north [rad].
+    /// Clockwise from north (rad).
     pub heading_rad: f64,
-    /// Velocity [m/s].
+    /// Velocity (m/s).
     pub north_mps: f64,
-    /// Velocity [m/s].
+    /// Velocity (m/s).
     pub east_mps: f64,
-    /// Rate of turn, positive to starboard [rad/s].
+    /// Rate of turn, positive to starboard (rad/s).
     pub yaw_rate_radps: f64,
 }
 
@@ -103,11 +103,11 @@ pub struct FlState {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlWrench {
-    /// Force [N].
+    /// Force (N).
     pub north_n: f64,
-    /// Force [N].
+    /// Force (N).
     pub east_n: f64,
-    /// Moment about the vertical, positive to starboard [N m].
+    /// Moment about the vertical, positive to starboard (N m).
     pub moment_nm: f64,
 }
 
@@ -135,11 +135,11 @@ pub struct FlSettings {
 pub struct FlMaterial {
     /// sizeof(fl_material)
     pub size: usize,
-    /// Area stiffness [N/m2].
+    /// Area stiffness (N/m2).
     pub stiffness_npm2: f64,
-    /// Area damping [N s/m2].
+    /// Area damping (N s/m2).
     pub damping_nspm2: f64,
-    /// Shear stiffness [N/m].
+    /// Shear stiffness (N/m).
     pub shear_stiffness_npm: f64,
     /// Coefficient of static friction.
     pub friction_static: f64,
@@ -155,21 +155,21 @@ pub struct FlMaterial {
 pub struct FlBody {
     /// sizeof(fl_body)
     pub size: usize,
-    /// Displacement [kg]. 0, and all other masses too: a fixed body.
+    /// Displacement (kg). 0, and all other masses too: a fixed body.
     pub mass_kg: f64,
-    /// Moment of inertia about the vertical [kg m2].
+    /// Moment of inertia about the vertical (kg m2).
     pub yaw_inertia_kgm2: f64,
-    /// Added mass in surge [kg].
+    /// Added mass in surge (kg).
     pub added_surge_kg: f64,
-    /// Added mass in sway [kg].
+    /// Added mass in sway (kg).
     pub added_sway_kg: f64,
-    /// Added moment of inertia in yaw [kg m2].
+    /// Added moment of inertia in yaw (kg m2).
     pub added_yaw_kgm2: f64,
-    /// Where a fixed body stands, and a floating one begins [m].
+    /// Where a fixed body stands, and a floating one begins (m).
     pub north_m: f64,
-    /// Where a fixed body stands, and a floating one begins [m].
+    /// Where a fixed body stands, and a floating one begins (m).
     pub east_m: f64,
-    /// Its heading there [rad].
+    /// Its heading there (rad).
     pub heading_rad: f64,
 }
 
@@ -180,21 +180,21 @@ pub struct FlBody {
 pub struct FlFender {
     /// sizeof(fl_fender)
     pub size: usize,
-    /// Middle of the line where it is mounted, in the body's frame [m].
+    /// Middle of the line where it is mounted, in the body's frame (m).
     pub forward_m: f64,
-    /// Middle of the line where it is mounted, in the body's frame [m].
+    /// Middle of the line where it is mounted, in the body's frame (m).
     pub starboard_m: f64,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of the face [m].
+    /// Width of the face (m).
     pub width_m: f64,
-    /// From the mounting to the face, uncompressed [m].
+    /// From the mounting to the face, uncompressed (m).
     pub projection_m: f64,
-    /// The deflection that it is made for [m]; 0: its projection. 0 where it has no curve.
+    /// The deflection that it is made for (m); 0: its projection. 0 where it has no curve.
     pub rated_deflection_m: f64,
-    /// Deflection at which it begins to stiffen to a stop [m].
+    /// Deflection at which it begins to stiffen to a stop (m).
     pub stop_from_m: f64,
-    /// Stiffness of the stop [N/m]; 0, and its beginning too: it has none.
+    /// Stiffness of the stop (N/m); 0, and its beginning too: it has none.
     pub stop_stiffness_npm: f64,
     /// Index of the body that carries it.
     pub body: u32,
@@ -225,49 +225,49 @@ pub struct FlContact {
     pub flags: u32,
     /// 0.
     pub reserved: u32,
-    /// Area of the overlap [m2].
+    /// Area of the overlap (m2).
     pub area_m2: f64,
-    /// Extent of the overlap along the normal, or deflection of the fender [m].
+    /// Extent of the overlap along the normal, or deflection of the fender (m).
     pub depth_m: f64,
-    /// Where the force acts [m].
+    /// Where the force acts (m).
     pub north_m: f64,
-    /// Where the force acts [m].
+    /// Where the force acts (m).
     pub east_m: f64,
     /// Body 1's outward normal.
     pub normal_north: f64,
     /// Body 1's outward normal.
     pub normal_east: f64,
-    /// Speed of approach along the normal [m/s].
+    /// Speed of approach along the normal (m/s).
     pub v_normal_mps: f64,
-    /// Speed of body 1 relative to body 2 along the tangent [m/s].
+    /// Speed of body 1 relative to body 2 along the tangent (m/s).
     pub v_tangential_mps: f64,
-    /// Shear of the contact [m].
+    /// Shear of the contact (m).
     pub shear_m: f64,
-    /// Normal force, at least 0 [N].
+    /// Normal force, at least 0 (N).
     pub normal_force_n: f64,
-    /// Tangential force on body 1 [N].
+    /// Tangential force on body 1 (N).
     pub tangential_force_n: f64,
-    /// Largest normal force within the step [N].
+    /// Largest normal force within the step (N).
     pub peak_normal_force_n: f64,
-    /// Largest depth within the step [m].
+    /// Largest depth within the step (m).
     pub peak_depth_m: f64,
-    /// Of the normal force: area spring or reaction curve [N].
+    /// Of the normal force: area spring or reaction curve (N).
     pub spring_n: f64,
-    /// Of the normal force: the stop past a fender's travel [N].
+    /// Of the normal force: the stop past a fender's travel (N).
     pub stop_n: f64,
-    /// Of the normal force: the damper [N].
+    /// Of the normal force: the damper (N).
     pub damper_n: f64,
-    /// What the limit from momentum took off the normal force [N].
+    /// What the limit from momentum took off the normal force (N).
     pub limiter_n: f64,
-    /// Energy in a fender's spring and stop at the step's start that it can give back [J]; 0 for outline on outline.
+    /// Energy in a fender's spring and stop at the step's start that it can give back (J); 0 for outline on outline.
     pub stored_j: f64,
-    /// The largest energy within the step that loads such a fender from nothing to where it is [J].
+    /// The largest energy within the step that loads such a fender from nothing to where it is (J).
     pub peak_loaded_j: f64,
-    /// Angle between a fender's face and the hull [rad].
+    /// Angle between a fender's face and the hull (rad).
     pub tilt_rad: f64,
     /// Factor on a fender's reaction.
     pub factor: f64,
-    /// Energy that the rubber of a fender with returned_energy has turned to heat within the step [J].
+    /// Energy that the rubber of a fender with returned_energy has turned to heat within the step (J).
     pub hysteresis_j: f64,
 }
 

@@ -10,7 +10,7 @@ use crate::state::BodyState;
 use crate::vec2::{Pose, Rotation, Vec2};
 use crate::workspace::Workspace;
 
-/// Largest size of a position, a velocity, a load and a time step [m, m/s, rad/s, rad, N, s]. Beyond these a
+/// Largest size of a position, a velocity, a load and a time step (m, m/s, rad/s, rad, N, s). Beyond these a
 /// number is a host's mistake, and forces could overflow.
 const FURTHEST_M: f64 = 1e9;
 const FASTEST_MPS: f64 = 1e6;
@@ -225,7 +225,7 @@ pub(crate) enum Came {
     Jumped,
 }
 
-/// The smallest way of a body at rest that its host has put elsewhere [m]: far from the chart's origin positions are
+/// The smallest way of a body at rest that its host has put elsewhere (m): far from the chart's origin positions are
 /// rounded.
 const PUT_M: f64 = 1e-6;
 

@@ -79,7 +79,7 @@ pub enum StepError {
     },
     /// Δt is not a positive finite number.
     BadTimeStep {
-        /// The value given [s].
+        /// The value given (s).
         step_s: f64,
     },
     /// A number of a state is infinite, NaN or beyond what the engine takes.

@@ -1,6 +1,6 @@
 //! The contact engine of fenderline: horizontal forces between ships, fenders, quays and tugs.
 //!
-//! One call, [`step`], takes the states of all bodies and a time step and gives the contacts and
+//! One call, [`step()`], takes the states of all bodies and a time step and gives the contacts and
 //! one wrench per body. The constant part of a problem is a [`Model`]; what lives from step to step
 //! is a [`Memory`], plain data that can be copied, saved and restored; [`Workspace`] holds buffers
 //! and results, so that a warm step allocates nothing.

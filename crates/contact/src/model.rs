@@ -23,11 +23,11 @@ pub struct MaterialId(pub u32);
 /// Contact parameters of a pair of bodies (Table 1 of the paper).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// k, area stiffness [N/m²]: the modulus of an elastic (Winkler) foundation.
+    /// k, area stiffness (N/m²): the modulus of an elastic (Winkler) foundation.
     pub stiffness_npm2: f64,
-    /// c, area damping [N·s/m²] (the paper's Table 1 prints kN·s/m).
+    /// c, area damping (N·s/m²) (the paper's Table 1 prints kN·s/m).
     pub damping_nspm2: f64,
-    /// k_s, shear stiffness [N/m].
+    /// k_s, shear stiffness (N/m).
     pub shear_stiffness_npm: f64,
     /// μ_s, coefficient of static friction.
     pub friction_static: f64,
@@ -45,33 +45,33 @@ pub enum Mobility {
     Fixed,
     /// A floating body.
     Free {
-        /// Displacement plus the smallest added mass (§3.1 of the paper) [kg].
+        /// Displacement plus the smallest added mass (§3.1 of the paper) (kg).
         mass_kg: f64,
-        /// Moment of inertia about the vertical through the centre of gravity [kg·m²].
+        /// Moment of inertia about the vertical through the centre of gravity (kg·m²).
         yaw_inertia_kgm2: f64,
     },
     /// A floating body with its full mass matrix, for the coupled method. The paper's method takes
     /// the smaller of surge and sway in every direction.
     Massive {
         /// Rigid body and added mass over surge, sway and yaw, about the centre of gravity,
-        /// symmetric [kg, kg·m, kg·m²].
+        /// symmetric (kg, kg·m, kg·m²).
         matrix: [[f64; 3]; 3],
     },
     /// A floating body whose mass differs between surge and sway, and whose momentum the engine turns with
     /// it where it moves the body itself (Kirchhoff's equations, Munk's moment among them): the host's loads
     /// then hold no Coriolis or centripetal terms. Otherwise as [`Mobility::Massive`].
     Afloat {
-        /// Displacement and added mass in surge [kg].
+        /// Displacement and added mass in surge (kg).
         surge_kg: f64,
-        /// Displacement and added mass in sway [kg].
+        /// Displacement and added mass in sway (kg).
         sway_kg: f64,
-        /// Moment of inertia about the vertical, added mass included [kg·m²].
+        /// Moment of inertia about the vertical, added mass included (kg·m²).
         yaw_inertia_kgm2: f64,
     },
 }
 
 impl Mobility {
-    /// The mass matrix over surge, sway and yaw; `None` for a fixed body [kg, kg·m, kg·m²].
+    /// The mass matrix over surge, sway and yaw; `None` for a fixed body (kg, kg·m, kg·m²).
     #[must_use]
     pub fn matrix(&self) -> Option<[[f64; 3]; 3]> {
         let diagonal = |surge, sway, yaw| [[surge, 0.0, 0.0], [0.0, sway, 0.0], [0.0, 0.0, yaw]];

@@ -26,44 +26,44 @@ pub struct Contact {
     pub fender: Option<FenderId>,
     /// Number of the patch within the pair: 0 unless non-convex outlines touch in several places.
     pub patch: u32,
-    /// S, the overlap area [m²].
+    /// S, the overlap area (m²).
     pub area_m2: f64,
-    /// δ, the extent of the overlap along the normal, or the deflection of the fender [m].
+    /// δ, the extent of the overlap along the normal, or the deflection of the fender (m).
     pub depth_m: f64,
-    /// Where the force acts, earth-fixed [m]: C, the centroid of the overlap, or near it a point of the
+    /// Where the force acts, earth-fixed (m): C, the centroid of the overlap, or near it a point of the
     /// line of a fender's force.
     pub point_m: Vec2,
-    /// From body 1's centre of gravity to that point, earth-fixed [m]; exact far from the chart's
+    /// From body 1's centre of gravity to that point, earth-fixed (m); exact far from the chart's
     /// origin.
     pub arm_1_m: Vec2,
-    /// From body 2's centre of gravity to it, earth-fixed [m].
+    /// From body 2's centre of gravity to it, earth-fixed (m).
     pub arm_2_m: Vec2,
     /// n, body 1's outward normal, earth-fixed: that of the chord, or against a fender's force.
     pub normal: Vec2,
-    /// V_n [m/s], positive while approaching.
+    /// V_n (m/s), positive while approaching.
     pub v_normal_mps: f64,
-    /// V_t [m/s], of body 1 relative to body 2 along the tangent (n turned by +90°).
+    /// V_t (m/s), of body 1 relative to body 2 along the tangent (n turned by +90°).
     pub v_tangential_mps: f64,
-    /// Δs, the shear of the contact [m].
+    /// Δs, the shear of the contact (m).
     pub shear_m: f64,
-    /// N ≥ 0 [N].
+    /// N ≥ 0 (N).
     pub normal_force_n: f64,
-    /// T [N], on body 1 along the tangent.
+    /// T (N), on body 1 along the tangent.
     pub tangential_force_n: f64,
-    /// What N gives the two bodies within the step [N·s]: Σ N κ over the sub-steps, with κ for how long forces act (see
+    /// What N gives the two bodies within the step (N·s): Σ N κ over the sub-steps, with κ for how long forces act (see
     /// [`Motion::way_m`]). By the coupled method, of what the engine moved, it is the change of momentum exactly. The
     /// mean `normal_force_n` times the step is not, where the length of the sub-steps changes: that mean is over the
     /// sub-steps' own time, so that it is the force at rest. By the paper's method N times the step.
     pub normal_impulse_ns: f64,
-    /// The same of T [N·s].
+    /// The same of T (N·s).
     pub tangential_impulse_ns: f64,
     /// Stick or slip.
     pub friction: Friction,
     /// True where the limit from momentum cut the normal or the tangential force.
     pub limited: bool,
-    /// Largest N within the step, sub-steps included [N]; `normal_force_n` by the paper's method.
+    /// Largest N within the step, sub-steps included (N); `normal_force_n` by the paper's method.
     pub peak_normal_force_n: f64,
-    /// Largest δ within the step, sub-steps included [m]; `depth_m` by the paper's method.
+    /// Largest δ within the step, sub-steps included (m); `depth_m` by the paper's method.
     pub peak_depth_m: f64,
     /// What N is made of.
     pub parts: ForceParts,
@@ -71,24 +71,24 @@ pub struct Contact {
     pub work: ContactWork,
     /// The factor on a fender's reaction, taken when the contact began; 1 for outline on outline.
     pub factor: f64,
-    /// Angle between a fender's face and the hull [rad]; 0 for outline on outline.
+    /// Angle between a fender's face and the hull (rad); 0 for outline on outline.
     pub tilt_rad: f64,
-    /// Energy that a fender's spring and stop store at the start of the step [J], of one with an unloading law what they
+    /// Energy that a fender's spring and stop store at the start of the step (J), of one with an unloading law what they
     /// can give back; 0 for outline on outline, whose law has no potential (docs/contact_model.md, section 2).
     pub stored_j: f64,
     /// The largest energy that loads such a fender from nothing to where it is, within the step, sub-steps included
-    /// [J]: ∫ R dδ of the loading curve, which catalogues rate. Without an unloading law the largest of the one above.
+    /// (J): ∫ R dδ of the loading curve, which catalogues rate. Without an unloading law the largest of the one above.
     pub peak_loaded_j: f64,
-    /// Energy that a fender's unloading law has turned to heat [J], found at the starts of this step's sub-steps: since
+    /// Energy that a fender's unloading law has turned to heat (J), found at the starts of this step's sub-steps: since
     /// the start of the last one of the step before. 0 without such a law, and by the paper's method.
     pub hysteresis_j: f64,
     /// The part of it that was found at the start of the step.
     pub hysteresis_at_start_j: f64,
-    /// ½ T²/k_s at the end of the step: what the shear spring stores [J].
+    /// ½ T²/k_s at the end of the step: what the shear spring stores (J).
     pub shear_stored_j: f64,
 }
 
-/// What a normal force is made of [N]: N = spring + stop + damper − limiter.
+/// What a normal force is made of (N): N = spring + stop + damper − limiter.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ForceParts {
     /// Area spring or reaction curve, with all factors.
@@ -102,7 +102,7 @@ pub struct ForceParts {
 }
 
 impl ForceParts {
-    /// N [N].
+    /// N (N).
     #[must_use]
     #[inline]
     pub fn total_n(&self) -> f64 {
@@ -119,7 +119,7 @@ impl ForceParts {
     }
 }
 
-/// Work of a contact on its two bodies in one step [J]: negative where it takes energy from them.
+/// Work of a contact on its two bodies in one step (J): negative where it takes energy from them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactWork {
     /// Of N.
@@ -141,7 +141,7 @@ impl Contact {
         self.normal.quarter_turn()
     }
 
-    /// Force on body 1, earth-fixed [N]: −N n + T t. Body 2 gets exactly the opposite.
+    /// Force on body 1, earth-fixed (N): −N n + T t. Body 2 gets exactly the opposite.
     #[must_use]
     #[inline]
     pub fn force_on_body_1_n(&self) -> Vec2 {
@@ -152,9 +152,9 @@ impl Contact {
 /// A force at a body's centre of gravity and a moment about it, earth-fixed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench {
-    /// Force [N].
+    /// Force (N).
     pub force_n: Vec2,
-    /// Moment about the vertical axis, positive to starboard [N·m].
+    /// Moment about the vertical axis, positive to starboard (N·m).
     pub moment_nm: f64,
 }
 
@@ -163,9 +163,9 @@ pub struct Wrench {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Σ ½(v + v⁺)κ over the sub-steps, earth-fixed, with κ for how long forces act: h, and half of the two where a
-    /// sub-step is not as long as the last one [m].
+    /// sub-step is not as long as the last one (m).
     pub way_m: Vec2,
-    /// Σ ½(r + r⁺)κ [rad].
+    /// Σ ½(r + r⁺)κ (rad).
     pub turn_rad: f64,
 }
 

@@ -109,7 +109,7 @@ struct Books<'w> {
 /// What a patch takes over from the last step, and the memory that it is.
 type Taken<'m> = (Inherited, Option<&'m PatchMemory>);
 
-/// The step that is to come and the one that has gone [s].
+/// The step that is to come and the one that has gone (s).
 #[derive(Clone, Copy)]
 struct Time {
     step_s: f64,

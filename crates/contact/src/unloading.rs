@@ -41,7 +41,7 @@ pub enum Unloading {
     /// between [`Unloading::LEAST_RETURNED`] and 1. An impact on one such fender leaves with its square root of the
     /// speed.
     ReturnedEnergy(f64),
-    /// Points (δ [m], R [N]) of the curve that the reaction comes down to, from (0, 0) on, with straight lines between
+    /// Points (δ (m), R (N)) of the curve that the reaction comes down to, from (0, 0) on, with straight lines between
     /// them, for a [`FenderLaw::Curve`]; nowhere above it. Beyond the last point, and in the stop, the reaction comes
     /// down to the same share of the loading curve as there.
     Curve(Vec<[f64; 2]>),
@@ -87,7 +87,7 @@ impl Unloading {
     }
 
     /// The reaction that a retreat comes down to where loading has `loading_n`, at a deflection; without factors
-    /// and stop [N].
+    /// and stop (N).
     #[must_use]
     pub fn reaction_n(&self, law: &FenderLaw, deflection_m: f64, loading_n: f64) -> f64 {
         match self {
@@ -159,7 +159,7 @@ fn lower_share(returned: f64) -> f64 {
     greater((returned - GIVEN_BACK) / (1.0 - GIVEN_BACK), 0.0)
 }
 
-/// ∫ R_u dδ and R_u at a deflection [J, N].
+/// ∫ R_u dδ and R_u at a deflection (J, N).
 fn lower_of_curve(points: &[[f64; 2]], law: &FenderLaw, deflection_m: f64) -> (f64, f64) {
     let [end_m, end_n] = points[points.len() - 1];
     let loading_n = law.reaction_n(deflection_m);
@@ -182,11 +182,11 @@ fn share_beyond(law: &FenderLaw, [end_m, end_n]: [f64; 2]) -> f64 {
 pub(crate) struct Unloaded {
     /// Force over that of loading.
     pub(crate) share: f64,
-    /// V, before factors [J].
+    /// V, before factors (J).
     pub(crate) recoverable_j: f64,
-    /// Heat since the tops were as they were given, before factors [J].
+    /// Heat since the tops were as they were given, before factors (J).
     pub(crate) lost_j: f64,
-    /// T of each play, before factors [J].
+    /// T of each play, before factors (J).
     pub(crate) tops_j: [f64; PLAYS],
 }
 

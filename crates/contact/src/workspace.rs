@@ -59,7 +59,7 @@ pub struct Workspace {
     /// The same of all that their hosts put where they are, be it by a jump or by less.
     pub(crate) put: Vec<u32>,
     pub(crate) puts: bool,
-    /// How far from its centre of gravity each body may reach in this step, by rank [m].
+    /// How far from its centre of gravity each body may reach in this step, by rank (m).
     pub(crate) reach_m: Vec<f64>,
     pub(crate) candidates: Vec<Pairing>,
     /// Those that the stages work on, and their patches: all, or those of some islands.
@@ -86,15 +86,15 @@ pub struct Workspace {
     pub(crate) motions: Vec<Motion>,
     /// Velocities by rank: without contact before a solve and new after it, while `states` have those from before.
     pub(crate) velocities: Vec<Velocity>,
-    /// What loads alone accelerate each body at, by rank [m/s², rad/s²]; and the loads themselves, of those whose
+    /// What loads alone accelerate each body at, by rank (m/s², rad/s²); and the loads themselves, of those whose
     /// mass is not the same in all directions.
     pub(crate) accelerations: Vec<Velocity>,
     pub(crate) loads: Vec<Wrench>,
     /// How long before its position the velocity of each body belongs to, by rank, or the negative of that where it is
-    /// taken to be as if all its (sub-)steps were as long as this one [s].
+    /// taken to be as if all its (sub-)steps were as long as this one (s).
     pub(crate) behind_s: Vec<f64>,
     /// The most that any point of a body may move at in this step, by rank, and what of it acceleration and
-    /// rotation add [m/s].
+    /// rotation add (m/s).
     pub(crate) fastest_mps: Vec<f64>,
     pub(crate) room_mps: Vec<f64>,
     pub(crate) islands: Vec<Island>,
@@ -134,7 +134,7 @@ pub struct Workspace {
     pub(crate) trials: Vec<Trial>,
     /// Earth-fixed inverse mass by rank.
     pub(crate) inverses: Vec<InverseMatrix>,
-    /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank [J].
+    /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank (J).
     pub(crate) unheld_j: Vec<f64>,
 }
 

@@ -137,7 +137,7 @@ fn hit(buffer: Buffer, ratio: f64, step_s: f64, gap_m: f64) -> Hit {
     found
 }
 
-/// Steps of the engine [s], and how far off the barge begins as a share of what she goes in a step: the first touch
+/// Steps of the engine (s), and how far off the barge begins as a share of what she goes in a step: the first touch
 /// falls anywhere.
 const STEPS_S: [f64; 8] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0];
 

@@ -124,7 +124,7 @@ fn berthing(mass_kg: f64, speed_mps: f64, restitution: f64) -> Story {
     }
 }
 
-/// Largest wrench, largest peak told of the ship and of a contact [N], and the speed at which she leaves [m/s].
+/// Largest wrench, largest peak told of the ship and of a contact (N), and the speed at which she leaves (m/s).
 fn berthed(mut master: Master, mut next_s: impl FnMut() -> f64) -> [f64; 4] {
     let (mut largest_n, mut peak_n, mut of_contact_n, mut time_s) = (0.0_f64, 0.0_f64, 0.0, 0.0);
     while time_s < 90.0 {

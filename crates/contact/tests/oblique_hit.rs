@@ -80,7 +80,7 @@ fn lost(model: &Model, velocity_mps: Vec2, step_s: f64, gap_m: f64) -> f64 {
     1.0 - states[0].velocity_mps.length_squared() / velocity_mps.length_squared()
 }
 
-/// Off the quay's line [rad].
+/// Off the quay's line (rad).
 const GRAZING_RAD: f64 = 10.0 * PI / 180.0;
 
 /// She slides all along, so that μ_k times the normal impulse, 2 m v_n, is taken off her speed along the quay.

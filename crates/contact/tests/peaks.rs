@@ -9,7 +9,7 @@ use fenderline_contact::{
 };
 use master::{rectangle, rubber, tug_at_a_wall};
 
-/// v √(k m) of the tug at 0.5 m/s, against 6.5 MN/m [N].
+/// v √(k m) of the tug at 0.5 m/s, against 6.5 MN/m (N).
 fn peak_of_the_tug_n() -> f64 {
     0.5 * (6.5e6_f64 * 1e6).sqrt()
 }

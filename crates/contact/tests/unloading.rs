@@ -104,7 +104,7 @@ fn returned(law: &FenderLaw, unloading: &Unloading, speed_mps: f64, step_s: f64)
     (run.speed_mps() / speed_mps).powi(2)
 }
 
-/// Δt [s], and how far the energy returned may be from its share of the energy taken. In long steps it is the error of
+/// Δt (s), and how far the energy returned may be from its share of the energy taken. In long steps it is the error of
 /// sub-steps of 0.15 rad: 0.3 %, a curve's corners and the turn from one curve to the other included.
 const STEPS: [(f64, f64); 5] = [(0.02, 1e-4), (0.1, 1e-3), (0.5, 4e-3), (1.0, 4e-3), (2.0, 4e-3)];
 

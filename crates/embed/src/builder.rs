@@ -42,13 +42,13 @@ pub struct EngineBuilder {
 pub struct BodyParts<'a> {
     /// Unique name.
     pub name: &'a str,
-    /// Outline, x forward and y to starboard of the centre of gravity [m]; in either direction.
+    /// Outline, x forward and y to starboard of the centre of gravity (m); in either direction.
     pub outline_m: &'a [Vec2],
     /// Mass and added mass; `None` for a fixed body.
     pub mass: Option<MassProperties>,
-    /// Where a fixed body stands and a floating one begins: north, east [m].
+    /// Where a fixed body stands and a floating one begins: north, east (m).
     pub position_m: Vec2,
-    /// Its heading there [rad].
+    /// Its heading there (rad).
     pub heading_rad: f64,
 }
 
@@ -59,13 +59,13 @@ pub struct FenderParts<'a> {
     pub name: &'a str,
     /// Index of the body that carries it.
     pub body: usize,
-    /// Middle of the line where it is mounted, in the body's frame [m].
+    /// Middle of the line where it is mounted, in the body's frame (m).
     pub position_m: Vec2,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of the face [m].
+    /// Width of the face (m).
     pub width_m: f64,
-    /// From the mounting to the face, uncompressed [m].
+    /// From the mounting to the face, uncompressed (m).
     pub projection_m: f64,
     /// Reaction from deflection.
     pub law: FenderLaw,
@@ -73,7 +73,7 @@ pub struct FenderParts<'a> {
     pub unloading: Option<Unloading>,
     /// Index of its material: friction, restitution, damping and, for an area law, stiffness.
     pub material: usize,
-    /// The deflection that it is made for [m]; `None`: its projection. Reaction curves only.
+    /// The deflection that it is made for (m); `None`: its projection. Reaction curves only.
     pub rated_deflection_m: Option<f64>,
     /// Where it stiffens to a stop; `None` for a law that stiffens by itself.
     pub stop: Option<Stop>,

@@ -8,9 +8,9 @@ use fenderline_sim::{Action, BodySetup, Setup};
 use crate::table::{Causality, Class, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
-/// The largest load that the engine takes [N, N·m].
+/// The largest load that the engine takes (N, N·m).
 const LARGEST_LOAD: f64 = 1e15;
-/// The largest angle that is taken as an order [rad].
+/// The largest angle that is taken as an order (rad).
 const LARGEST_ANGLE: f64 = 100.0;
 
 /// What an input stands for.

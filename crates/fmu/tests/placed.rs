@@ -11,9 +11,9 @@ use fenderline_fmu::{Kind, fmi2, fmi3};
 use support::{ERROR, Messages, OK, Two, Unpacked};
 
 const STEP_S: f64 = 0.1;
-/// What the engine has her weigh along her keel, which points at the quay [kg].
+/// What the engine has her weigh along her keel, which points at the quay (kg).
 const SURGE_KG: f64 = 930e3 * 1.08;
-/// Her bow touches the quay there [m].
+/// Her bow touches the quay there (m).
 const TOUCH_M: f64 = 4.0;
 
 /// An engine of either version of the standard.

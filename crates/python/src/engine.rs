@@ -128,15 +128,15 @@ impl Engine {
         placed.map_err(|error| errors::of_engine(py, &error))
     }
 
-    /// States that the next step begins from, one row a body: north and east [m], heading [rad], velocity north
-    /// and east [m/s], rate of turn [rad/s]. Write into it.
+    /// States that the next step begins from, one row a body: north and east (m), heading (rad), velocity north
+    /// and east (m/s), rate of turn (rad/s). Write into it.
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.states.array(py)
     }
 
-    /// All that acts on each body besides contact, one row a body: force north and east [N], moment about the
-    /// centre of gravity [N·m]. Write into it; it counts where `tells_loads`.
+    /// All that acts on each body besides contact, one row a body: force north and east (N), moment about the
+    /// centre of gravity (N·m). Write into it; it counts where `tells_loads`.
     #[getter]
     fn loads(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.loads.array(py)
@@ -162,7 +162,7 @@ impl Engine {
         Ok(())
     }
 
-    /// What to add to each body's forces for the step: force north and east [N], moment [N·m]; means over the step.
+    /// What to add to each body's forces for the step: force north and east (N), moment (N·m); means over the step.
     /// Read-only, and filled anew by each step.
     #[getter]
     fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {

@@ -143,13 +143,13 @@ impl Simulation {
         self.run.simulation.order(read).map_err(|error| errors::of_setup(py, &error))
     }
 
-    /// Time reached [s].
+    /// Time reached (s).
     #[getter]
     fn time_s(&self) -> f64 {
         self.run.simulation.time_s()
     }
 
-    /// Δt [s].
+    /// Δt (s).
     #[getter]
     fn step_s(&self) -> f64 {
         self.run.simulation.setup().step_s
@@ -198,22 +198,22 @@ impl Simulation {
         self.controls.clone_ref(py)
     }
 
-    /// What the host puts on each body, one row a body: force north and east [N], moment about the centre of gravity
-    /// [N·m]. Write into it; it counts until it is changed.
+    /// What the host puts on each body, one row a body: force north and east (N), moment about the centre of gravity
+    /// (N·m). Write into it; it counts until it is changed.
     #[getter]
     fn external(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.external.array(py)
     }
 
-    /// States now, one row a body: north and east [m], heading [rad], velocity north and east [m/s], rate of turn
-    /// [rad/s]. Read-only, and filled anew by each step. By the coupled method with the integrator `semi_implicit`
+    /// States now, one row a body: north and east (m), heading (rad), velocity north and east (m/s), rate of turn
+    /// (rad/s). Read-only, and filled anew by each step. By the coupled method with the integrator `semi_implicit`
     /// velocities are those of half a step ago (of half of the last sub-step, where contacts needed several).
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyAny> {
         self.states.view(py)
     }
 
-    /// Contact wrenches of the last step, one row a body: force north and east [N], moment [N·m]. Read-only, and
+    /// Contact wrenches of the last step, one row a body: force north and east (N), moment (N·m). Read-only, and
     /// filled anew by each step.
     #[getter]
     fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {
@@ -232,7 +232,7 @@ impl Simulation {
         self.events.clone()
     }
 
-    /// The energy ledger now [J].
+    /// The energy ledger now (J).
     #[getter]
     fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let e = self.run.simulation.energy();
@@ -256,7 +256,7 @@ impl Simulation {
         for (name, work_j) in e.loads.parts() {
             dict.set_item(format!("{name}_work_j"), work_j)?;
         }
-        dict.set_item("turned_over_j", e.turned_over_j())?;
+        dict.set_item("exchanged_j", e.exchanged_j())?;
         Ok(dict)
     }
 

@@ -109,7 +109,7 @@ impl From<ModelError> for SetupError {
 /// A step that failed; the simulation is where it was before it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SimError {
-    /// Start of the step [s].
+    /// Start of the step (s).
     pub t_s: f64,
     /// Why.
     pub cause: StepError,

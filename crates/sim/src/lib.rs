@@ -82,9 +82,9 @@ mod world;
 
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, HullPressure, Rated};
-pub use gain::Gain;
+pub use gain::EnergyGain;
 pub use range::OutOfRange;
-pub use record::{ContactBook, Energy, LoadWorks, StepRecord};
+pub use record::{ContactEnergy, Energy, LoadWork, StepRecord};
 pub use setup::{
     BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
     Setup,

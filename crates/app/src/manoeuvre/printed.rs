@@ -10,11 +10,11 @@ use super::section::{Row, Section, Unit};
 use crate::plot::{fixed, plain, significant};
 use crate::vessels::accuracy_text;
 
-/// Width of the column of names [characters].
+/// Width of the column of names (characters).
 const NAMES: usize = 38;
-/// Width of a column of values [characters].
+/// Width of a column of values (characters).
 const VALUES: usize = 20;
-/// What stands between two columns at least [characters].
+/// What stands between two columns at least (characters).
 const GAP: usize = 2;
 
 /// Vessel, measures and sources.

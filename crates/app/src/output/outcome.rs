@@ -16,9 +16,9 @@ pub(crate) struct Interrupted {
     steps: u64,
     /// Steps of the whole run.
     of_steps: u64,
-    /// Time reached [s].
+    /// Time reached (s).
     at_s: f64,
-    /// Length of the whole run [s].
+    /// Length of the whole run (s).
     of_s: f64,
 }
 

@@ -29,7 +29,7 @@ pub(crate) struct Bars {
 pub(crate) struct Group {
     /// Printed left of it.
     pub(crate) name: String,
-    /// One a kind [%]; `None` draws none.
+    /// One a kind (%); `None` draws none.
     pub(crate) values: Vec<Option<f64>>,
 }
 
@@ -40,11 +40,11 @@ const BOTTOM: f64 = 38.0;
 const BAR: f64 = 9.0;
 const PITCH: f64 = 11.0;
 const BETWEEN: f64 = 9.0;
-/// Longest name [characters].
+/// Longest name (characters).
 const NAME: usize = 22;
-/// Mean width of a letter of a name [px].
+/// Mean width of a letter of a name (px).
 const LETTER: f64 = 6.6;
-/// Bars end here, however large their value [%]: one failure must not flatten the others.
+/// Bars end here, however large their value (%): one failure must not flatten the others.
 const LONGEST: f64 = 250.0;
 
 /// Fills from dark to light, so that grey print tells them apart.

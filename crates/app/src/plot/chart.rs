@@ -44,11 +44,11 @@ const HEIGHT: f64 = 216.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 40.0;
 const RIGHT: f64 = 16.0;
-/// Least left margin: charts of a page line up unless their numbers are long [px].
+/// Least left margin: charts of a page line up unless their numbers are long (px).
 const LEAST_LEFT: f64 = 66.0;
-/// Mean width of a digit at the size of the tick labels [px].
+/// Mean width of a digit at the size of the tick labels (px).
 const DIGIT: f64 = 6.4;
-/// Points closer than this to the one before are not drawn [px].
+/// Points closer than this to the one before are not drawn (px).
 const FINEST: f64 = 0.05;
 
 /// A chart with its axes fitted and its area measured.

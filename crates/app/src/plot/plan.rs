@@ -54,7 +54,7 @@ pub(crate) enum Stage {
     End,
 }
 
-/// The outline of a body, earth-fixed [m].
+/// The outline of a body, earth-fixed (m).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Outlined {
     pub(crate) vertices_m: Vec<Vec2>,
@@ -63,7 +63,7 @@ pub(crate) struct Outlined {
     pub(crate) style: usize,
 }
 
-/// The path of a body's centre of gravity, earth-fixed [m].
+/// The path of a body's centre of gravity, earth-fixed (m).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Track {
     pub(crate) points_m: Vec<Vec2>,
@@ -73,25 +73,25 @@ pub(crate) struct Track {
 /// An arrow from a point, with a text at its head.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Arrow {
-    /// Where it starts; a dot is drawn there [m].
+    /// Where it starts; a dot is drawn there (m).
     pub(crate) from_m: Vec2,
     /// Which way it points, of length 1; zero: the dot alone.
     pub(crate) direction: Vec2,
     pub(crate) label: String,
 }
 
-/// A text at a point [m].
+/// A text at a point (m).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Label {
     pub(crate) at_m: Vec2,
-    /// How far what it names reaches from there [m]: the text stands beside what it would cover.
+    /// How far what it names reaches from there (m): the text stands beside what it would cover.
     pub(crate) reach_m: f64,
     /// The side on which the text stands first, of length 1; zero: wherever there is room.
     pub(crate) side: Vec2,
     pub(crate) text: String,
 }
 
-/// A rectangle of the plane [m].
+/// A rectangle of the plane (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Frame {
     pub(crate) low: Vec2,
@@ -121,7 +121,7 @@ impl Frame {
         }
     }
 
-    /// North and east extent [m].
+    /// North and east extent (m).
     pub(crate) fn size(self) -> Vec2 {
         self.high - self.low
     }
@@ -132,17 +132,17 @@ impl Frame {
 }
 
 const WIDTH: f64 = 720.0;
-/// Room for the northern axis' title, its labels apart, and round the rest [px].
+/// Room for the northern axis' title, its labels apart, and round the rest (px).
 const LEFT: f64 = 32.0;
 const RIGHT: f64 = 12.0;
 const TOP: f64 = 8.0;
 const BOTTOM: f64 = 40.0;
 const DIGIT: f64 = 6.4;
-/// Least and greatest height of the drawn area [px].
+/// Least and greatest height of the drawn area (px).
 const HEIGHTS: (f64, f64) = (230.0, 540.0);
 /// Room round what is shown, as a share of its size.
 const MARGIN: f64 = 0.06;
-/// Vertices closer than this to the one before are not drawn [px].
+/// Vertices closer than this to the one before are not drawn (px).
 const FINEST: f64 = 0.15;
 const ARROW: f64 = 64.0;
 
@@ -187,7 +187,7 @@ impl Map {
         Map { centre, px_per_m, width, height, left, north, east }
     }
 
-    /// Right and down from the drawn area's upper left corner [px].
+    /// Right and down from the drawn area's upper left corner (px).
     fn px(&self, point_m: Vec2) -> (f64, f64) {
         let from_centre = point_m - self.centre;
         (
@@ -314,7 +314,7 @@ pub(crate) fn outlined_legend() -> Markup {
     }
 }
 
-/// Where the text of an arrow starts, or ends where it stands left of it [px].
+/// Where the text of an arrow starts, or ends where it stands left of it (px).
 fn arrow_text(arrow: &Arrow, map: &Map) -> (f64, f64, bool) {
     let (x, y) = map.px(arrow.from_m);
     if arrow.direction == Vec2::ZERO {

@@ -8,7 +8,7 @@ const FIRST: usize = 20;
 /// Something that happened to a provider, as results tell it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ProviderNotice {
-    /// Start of the step [s].
+    /// Start of the step (s).
     pub(crate) t_s: f64,
     /// Index into the set-up's providers.
     pub(crate) provider: usize,

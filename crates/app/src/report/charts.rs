@@ -39,7 +39,7 @@ pub(super) fn all(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrac
 pub(super) struct Charts<'a> {
     pub(super) outcome: &'a Outcome<'a>,
     end_s: f64,
-    /// Unit of the time axis, and its length [s].
+    /// Unit of the time axis, and its length (s).
     unit: (&'static str, f64),
 }
 

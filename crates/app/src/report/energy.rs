@@ -117,10 +117,10 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                 }
             }
         }
-        @if end.turned_over_j() > 0.0 {
+        @if end.exchanged_j() > 0.0 {
             p class="note" {
                 "Over the ground, added mass within: kinetic energy is what a fender on a quay has to take, work is force \
-                 times way over the ground. The residual is " (share(end.residual_j.abs(), end.turned_over_j()))
+                 times way over the ground. The residual is " (share(end.residual_j.abs(), end.exchanged_j()))
                 " % of all the energy that the loads and contacts turned over."
             }
         }

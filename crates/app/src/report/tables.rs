@@ -8,7 +8,7 @@ use crate::plot::{decimals_for, fixed, plain, significant};
 
 /// Rows shown of a long table.
 pub(super) const ROWS: usize = 30;
-/// One knot [m/s].
+/// One knot (m/s).
 pub(super) const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
 pub(super) fn number(text: &str) -> Markup {

@@ -11,7 +11,7 @@ use crate::plot::{counted, shortened};
 
 /// Pairs printed at most.
 const ROWS: usize = 20;
-/// Longest name of a pair or a fender; the rest is cut [characters].
+/// Longest name of a pair or a fender; the rest is cut (characters).
 pub(super) const NAME_WIDTH: usize = 48;
 
 /// Title and how it was run, one line a pair with the largest force first, one a fender with the most

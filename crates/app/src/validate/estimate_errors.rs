@@ -3,7 +3,7 @@
 
 use std::sync::OnceLock;
 
-use fenderline_sim::hydro::Route;
+use fenderline_sim::hydro::EstimateMethod;
 
 use super::computed::Values;
 use super::computed::estimates::{MEASURES, ROUTES, SHIPS, compute_route};
@@ -46,7 +46,7 @@ const NAMES: [&str; 4] = [
 ];
 
 /// The errors of a route, by measure. Computed once in a program.
-pub(crate) fn estimate_errors(route: Route) -> &'static [EstimateError] {
+pub(crate) fn estimate_errors(route: EstimateMethod) -> &'static [EstimateError] {
     static ERRORS: [OnceLock<Vec<EstimateError>>; 2] = [OnceLock::new(), OnceLock::new()];
     let index = ROUTES.iter().position(|(_, known)| *known == route).expect("every route is there");
     ERRORS[index].get_or_init(|| {
@@ -56,7 +56,7 @@ pub(crate) fn estimate_errors(route: Route) -> &'static [EstimateError] {
     })
 }
 
-/// The errors of both routes, as values of `validate` [%].
+/// The errors of both routes, as values of `validate` (%).
 pub(super) fn put(values: &mut Values) {
     for (route, _) in ROUTES {
         for error in errors(values, route) {
@@ -114,13 +114,13 @@ mod tests {
     /// What is told with every ship that is estimated by the usual route, and the goal of that route.
     #[test]
     fn estimated_ships_turn_within_15_percent_in_the_mean_and_25_each() {
-        let errors = estimate_errors(Route::YoshimuraMasumoto);
+        let errors = estimate_errors(EstimateMethod::YoshimuraMasumoto);
         for error in &errors[..2] {
             assert!(error.ships == 6 && error.size <= 0.15, "{error:?}");
             assert!(error.largest().abs() <= 0.25, "{error:?}");
         }
         // The route before: further off at its worst, and biased to the stable side.
-        let before = estimate_errors(Route::Clarke);
+        let before = estimate_errors(EstimateMethod::Clarke);
         for (error, before) in errors.iter().zip(before) {
             assert!(error.largest().abs() < before.largest().abs(), "{error:?} {before:?}");
             assert!(error.bias.abs() < before.bias.abs(), "{error:?} {before:?}");

@@ -31,7 +31,7 @@ impl WorldEvents {
         &self.counts
     }
 
-    /// The first of them, with the start of their step [s].
+    /// The first of them, with the start of their step (s).
     pub(crate) fn first(&self) -> &[(f64, WorldEvent)] {
         &self.first
     }

@@ -9,21 +9,21 @@ use super::{Lasting, Peak};
 /// Totals of one line.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct LineTotals {
-    /// Start of the first step in which it was fast [s].
+    /// Start of the first step in which it was fast (s).
     pub(crate) made_fast_s: Option<f64>,
-    /// Tension at the ship's end [N]; of a line that parted, what it parted at.
+    /// Tension at the ship's end (N); of a line that parted, what it parted at.
     pub(crate) tension_n: Peak,
-    /// Least break load of rope and tail [N]; `None` before it is made fast.
+    /// Least break load of rope and tail (N); `None` before it is made fast.
     pub(crate) break_load_n: Option<f64>,
-    /// Working load [N], where its kind has one.
+    /// Working load (N), where its kind has one.
     pub(crate) working_load_n: Option<f64>,
     /// How long it was above its working load.
     pub(crate) over_working: Lasting,
-    /// Rope that its brake let go [m].
+    /// Rope that its brake let go (m).
     pub(crate) rendered_m: f64,
-    /// When it parted [s].
+    /// When it parted (s).
     pub(crate) parted_s: Option<f64>,
-    /// Tension at the end of the run [N].
+    /// Tension at the end of the run (N).
     pub(crate) last_tension_n: f64,
     /// It is fast at the end of the run.
     pub(crate) is_fast: bool,
@@ -111,7 +111,7 @@ impl LineVerdict {
     }
 }
 
-/// Working load of a harbour line [N]: 55 % of the rope's break load for wire, 50 % for others (MEG4, as
+/// Working load of a harbour line (N): 55 % of the rope's break load for wire, 50 % for others (MEG4, as
 /// [`fenderline_sim::mooring`] has it). None for a cable, for which that guideline has none.
 pub(crate) fn working_load_n(kind: &LineKind) -> Option<f64> {
     match kind {

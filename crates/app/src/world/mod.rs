@@ -61,7 +61,7 @@ impl WorldTotals {
 pub(crate) struct Peak {
     /// The value with its sign.
     pub(crate) value: f64,
-    /// When [s].
+    /// When (s).
     pub(crate) at_s: f64,
 }
 
@@ -87,7 +87,7 @@ impl Lasting {
         self.steps += u32::from(is_so);
     }
 
-    /// The sum [s].
+    /// The sum (s).
     pub(crate) fn s(self) -> f64 {
         f64::from(self.steps) * self.step_s
     }

@@ -8,7 +8,7 @@ use super::{Lasting, Peak};
 /// Totals of one tug.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct TugTotals {
-    /// Force on the ship [N].
+    /// Force on the ship (N).
     pub(crate) force_n: Peak,
     /// How long she gave less than she was ordered to, because of speed and angle.
     pub(crate) limited: Lasting,

@@ -9,23 +9,23 @@ use super::{Lasting, Peak};
 /// Totals of one vessel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct VesselTotals {
-    /// Speed over ground [m/s].
+    /// Speed over ground (m/s).
     pub(crate) over_ground_mps: Peak,
-    /// Speed through the water at midship [m/s].
+    /// Speed through the water at midship (m/s).
     pub(crate) through_water_mps: Peak,
-    /// Rate of turn, positive to starboard [rad/s].
+    /// Rate of turn, positive to starboard (rad/s).
     pub(crate) rate_of_turn_radps: Peak,
-    /// Rudder, positive turns to starboard [rad].
+    /// Rudder, positive turns to starboard (rad).
     pub(crate) rudder_rad: Peak,
-    /// Roll with wave motion, positive to starboard [rad].
+    /// Roll with wave motion, positive to starboard (rad).
     pub(crate) roll_rad: Peak,
-    /// Heel: roll without first-order wave motion [rad].
+    /// Heel: roll without first-order wave motion (rad).
     pub(crate) heel_rad: Peak,
-    /// Pitch with wave motion, positive bow up [rad].
+    /// Pitch with wave motion, positive bow up (rad).
     pub(crate) pitch_rad: Peak,
-    /// Squat [m].
+    /// Squat (m).
     pub(crate) squat_m: Peak,
-    /// Least water under her keel, squat taken off [m]; `None` where the water is deep.
+    /// Least water under her keel, squat taken off (m); `None` where the water is deep.
     pub(crate) under_keel_m: Option<Peak>,
     /// How long she was on the bottom.
     pub(crate) aground: Lasting,

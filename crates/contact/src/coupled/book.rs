@@ -12,14 +12,14 @@ use crate::report::{Contact, ContactWork, ForceParts, Friction, Wrench};
 use crate::touch::{Scene, Touch, arms_m};
 use crate::vec2::Vec2;
 
-/// Beyond this a memory would not be restored [J].
+/// Beyond this a memory would not be restored (J).
 const MOST_TAKEN_J: f64 = 1e29;
 
 /// What contacts are booked in.
 pub(crate) struct Books<'w> {
     /// Mean wrenches of the step as far as they are known, by id.
     pub(crate) wrenches: &'w mut [Wrench],
-    /// Length of the sub-step [s], and its share of the step. What is reported of a step are means over its
+    /// Length of the sub-step (s), and its share of the step. What is reported of a step are means over its
     /// sub-steps' time: at rest they are the force, however sub-steps change.
     pub(crate) h: f64,
     pub(crate) share: f64,
@@ -150,7 +150,7 @@ impl Moved {
     }
 }
 
-/// What a contact may give back: neither less than nothing nor more than this [J].
+/// What a contact may give back: neither less than nothing nor more than this (J).
 #[inline]
 fn within(taken_j: f64, most_j: f64) -> f64 {
     lesser(greater(taken_j, 0.0), most_j)

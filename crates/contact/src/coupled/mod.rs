@@ -59,7 +59,7 @@ use crate::workspace::Workspace;
 /// Where a host puts a body farther than its velocities lead it, contacts give back what they hold there.
 ///
 /// # Errors
-/// As [`crate::step`]; but `work` has no good results after [`StepError::NotFinite`].
+/// As [`crate::step()`]; but `work` has no good results after [`StepError::NotFinite`].
 pub fn advance(
     model: &Model,
     memory: &mut Memory,
@@ -131,7 +131,7 @@ fn advance_from(
 /// ```
 ///
 /// # Errors
-/// As [`crate::step`]; `states` are what they were then.
+/// As [`crate::step()`]; `states` are what they were then.
 pub fn advance_in_place(
     model: &Model,
     memory: &mut Memory,

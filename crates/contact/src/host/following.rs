@@ -70,7 +70,7 @@ pub struct FollowingHost {
     /// What was given in the last steps, at most `delay_steps` + 1 of them, the oldest first; body by
     /// body within a step.
     pub(super) given: Vec<Given>,
-    /// The length of the last step that was one; 0 before the first [s].
+    /// The length of the last step that was one; 0 before the first (s).
     pub(super) last_step_s: f64,
 }
 
@@ -174,7 +174,7 @@ impl FollowingHost {
     /// ([`crate::EventKind::Teleported`]).
     ///
     /// # Errors
-    /// As [`crate::step`], for states, loads and Δt, and where what is reckoned from them leaves what the engine
+    /// As [`crate::step()`], for states, loads and Δt, and where what is reckoned from them leaves what the engine
     /// takes; this host is then as it was, and `work` keeps the results of the last good step.
     pub fn step<'w>(
         &mut self,

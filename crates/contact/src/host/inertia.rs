@@ -7,7 +7,7 @@ use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
 
-/// M v in earth-fixed axes for a body turned as `state` is [N·s, N·m·s]; zero for a fixed body.
+/// M v in earth-fixed axes for a body turned as `state` is (N·s, N·m·s); zero for a fixed body.
 pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -> Wrench {
     match mobility {
         Mobility::Fixed => Wrench::default(),

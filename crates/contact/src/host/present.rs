@@ -38,7 +38,7 @@ pub struct PresentHost {
     pub(super) memory: Memory,
     /// In the order in which bodies were added.
     pub(super) bodies: Vec<Beside>,
-    /// The length of the last step that was one; 0 before the first [s].
+    /// The length of the last step that was one; 0 before the first (s).
     pub(super) last_step_s: f64,
 }
 

@@ -45,7 +45,7 @@ impl Velocity {
         }
     }
 
-    /// How fast a point so far from the centre of gravity may go by it, as a measure of both its parts [m/s].
+    /// How fast a point so far from the centre of gravity may go by it, as a measure of both its parts (m/s).
     pub(super) fn at(self, radius_m: f64) -> f64 {
         self.linear_mps.length() + self.yaw_radps.abs() * radius_m
     }

@@ -10,7 +10,7 @@ use crate::message::{ContactNow, FenderNow};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Seen {
     contacts: Vec<ContactNow>,
-    /// Stored in each fender [J].
+    /// Stored in each fender (J).
     stored_j: Vec<f64>,
     contact_events: Vec<Event>,
     world_events: Vec<WorldEvent>,

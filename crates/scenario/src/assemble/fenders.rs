@@ -18,7 +18,7 @@ use crate::vessels::Belting;
 /// A stop is this many times as stiff as the fender was in the mean up to there.
 const STOP_OVER_MEAN: f64 = 50.0;
 
-/// Beyond the end of a table of factors by compression time the factor goes to 1 by this time [s]: a
+/// Beyond the end of a table of factors by compression time the factor goes to 1 by this time (s): a
 /// ship that lies on her fenders compresses them for ever.
 const STATIC_TIME_S: f64 = 1000.0;
 
@@ -28,7 +28,7 @@ struct Performance {
     /// That of its type.
     unloading: Option<Unloading>,
     rated: Option<Rated>,
-    /// Where its stop begins if nobody says otherwise [m], and how stiff it is [N/m].
+    /// Where its stop begins if nobody says otherwise (m), and how stiff it is (N/m).
     end_m: f64,
     stop_stiffness_npm: f64,
     height_m: Option<f64>,

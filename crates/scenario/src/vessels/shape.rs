@@ -15,7 +15,7 @@ type Read<T> = Result<T, ScenarioError>;
 const FITS: f64 = 0.02;
 /// Length of an outline over the length between perpendiculars, where nothing else is known.
 const OVERALL: [f64; 2] = [0.95, 1.2];
-/// How far beyond the outline a chock may stand [m].
+/// How far beyond the outline a chock may stand (m).
 const OUTREACH_M: f64 = 1.0;
 
 /// The outline about midship.

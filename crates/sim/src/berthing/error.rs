@@ -21,9 +21,9 @@ pub enum BerthingError {
     },
     /// With this bow the hull meets the quay between two fenders however close they stand.
     NoClearance {
-        /// How far the compressed fender stands out [m].
+        /// How far the compressed fender stands out (m).
         projection_m: f64,
-        /// The clearance that is wanted between hull and quay [m].
+        /// The clearance that is wanted between hull and quay (m).
         clearance_m: f64,
     },
 }

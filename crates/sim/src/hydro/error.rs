@@ -32,9 +32,9 @@ pub enum HydroError {
     },
     /// The water is no deeper than the draught.
     Aground {
-        /// Depth of water [m].
+        /// Depth of water (m).
         depth_m: f64,
-        /// Draught [m].
+        /// Draught (m).
         draught_m: f64,
     },
     /// A speed at which the formula has no answer: at or above the critical Froude number of depth.

@@ -21,9 +21,9 @@ pub enum MooringError {
     TooShort {
         /// The line.
         line: String,
-        /// Its length [m].
+        /// Its length (m).
         length_m: f64,
-        /// Distance of its ends [m].
+        /// Distance of its ends (m).
         span_m: f64,
     },
     /// A tension that the line cannot be fitted with: above what it holds, or below what its own weight
@@ -31,7 +31,7 @@ pub enum MooringError {
     Pretension {
         /// The line.
         line: String,
-        /// The tension [N].
+        /// The tension (N).
         tension_n: f64,
     },
 }

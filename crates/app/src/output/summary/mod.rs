@@ -151,6 +151,6 @@ fn energy_json(energy: Energy) -> Value {
         "friction_j": energy.friction_j,
         "contact_residual_j": energy.contact_residual_j,
         "residual_j": energy.residual_j,
-        "turned_over_j": energy.turned_over_j(),
+        "exchanged_j": energy.exchanged_j(),
     })
 }

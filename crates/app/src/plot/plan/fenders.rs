@@ -11,11 +11,11 @@ use super::Map;
 /// A fender seen from above, earth-fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FenderBox {
-    /// Middle of the line where it is mounted [m].
+    /// Middle of the line where it is mounted (m).
     pub(crate) mount_m: Vec2,
-    /// From there to the middle of its face, as far as it stands out now [m].
+    /// From there to the middle of its face, as far as it stands out now (m).
     pub(crate) out_m: Vec2,
-    /// From the middle to one end of its width [m].
+    /// From the middle to one end of its width (m).
     pub(crate) half_width_m: Vec2,
     /// How it was used in the run.
     pub(crate) used: Use,
@@ -34,7 +34,7 @@ pub(crate) enum Use {
     Failed,
 }
 
-/// Least size that is drawn [px]: a fender is small beside a ship.
+/// Least size that is drawn (px): a fender is small beside a ship.
 const LEAST: (f64, f64) = (5.0, 7.0);
 
 /// Fill, and whether it is crossed out.

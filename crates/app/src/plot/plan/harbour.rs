@@ -13,7 +13,7 @@ pub(crate) struct Harbour {
     pub(crate) lines: Vec<LineDrawn>,
     /// Tugs that are forces.
     pub(crate) tugs: Vec<TugDrawn>,
-    /// Banks, from end to end [m].
+    /// Banks, from end to end (m).
     pub(crate) banks: Vec<[Vec2; 2]>,
     /// Wind, current and waves, in a corner.
     pub(crate) weather: Vec<Weather>,
@@ -22,7 +22,7 @@ pub(crate) struct Harbour {
 /// A mooring line from fairlead to bollard, earth-fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LineDrawn {
-    /// Its ends [m].
+    /// Its ends (m).
     pub(crate) ends_m: [Vec2; 2],
     /// Peak tension over break load.
     pub(crate) share: f64,
@@ -32,7 +32,7 @@ pub(crate) struct LineDrawn {
 /// A tug at a ship's side.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct TugDrawn {
-    /// Where her force acts [m].
+    /// Where her force acts (m).
     pub(crate) at_m: Vec2,
     /// Direction of her force on the ship, of length 1; zero: she stands by.
     pub(crate) direction: Vec2,
@@ -51,11 +51,11 @@ pub(crate) struct Weather {
     pub(crate) colour: &'static str,
 }
 
-/// Length and beam of a tug [m]: that of a harbour tug, since only her force is in the run.
+/// Length and beam of a tug (m): that of a harbour tug, since only her force is in the run.
 const TUG: (f64, f64) = (28.0, 11.0);
-/// Least length that is drawn [px].
+/// Least length that is drawn (px).
 const LEAST_TUG: f64 = 16.0;
-/// One row of the corner [px].
+/// One row of the corner (px).
 pub(super) const ROW: f64 = 24.0;
 
 /// Colour, width and dash of a line.

@@ -5,7 +5,7 @@ use fenderline_contact::Vec2;
 use super::harbour::ROW;
 use super::{Map, Plan, arrow_text};
 
-/// A rectangle of the drawn area, by its middle and half its size [px].
+/// A rectangle of the drawn area, by its middle and half its size (px).
 #[derive(Clone, Copy)]
 pub(super) struct Box2 {
     x: f64,
@@ -33,7 +33,7 @@ impl Box2 {
     }
 }
 
-/// Where each label stands [px], so that none covers another nor an arrow's text; the first come
+/// Where each label stands (px), so that none covers another nor an arrow's text; the first come
 /// first, and one that finds no place is left out.
 pub(super) fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
     let north = Box2 { x: map.width - 22.0, y: 30.0, half_width: 14.0, half_height: 26.0 };

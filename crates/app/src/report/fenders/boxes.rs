@@ -10,7 +10,7 @@ use crate::verdict::{Verdict, utilisation};
 
 /// Fenders named at most.
 const NAMED: usize = 12;
-/// Longest name [characters].
+/// Longest name (characters).
 const NAME_LENGTH: usize = 20;
 
 /// All fenders of the bodies that `state_of` gives a state for, pressed in by `deflections_m` (index and

@@ -12,7 +12,7 @@ const TRACK_POINTS: usize = 400;
 pub(in crate::report) struct BodyTrace {
     /// Index into the set-up's bodies.
     pub(in crate::report) body: usize,
-    /// Speed over ground [m/s].
+    /// Speed over ground (m/s).
     pub(in crate::report) speed_mps: Decimator,
     track: Vec<Vec2>,
     track_stride: u64,

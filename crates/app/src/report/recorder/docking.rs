@@ -16,7 +16,7 @@ pub(super) struct Berth {
     pub(super) body: usize,
     /// Outwards, in the body's frame.
     outward: Vec2,
-    /// How far out the foremost face is, along that direction [m].
+    /// How far out the foremost face is, along that direction (m).
     out_m: f64,
 }
 
@@ -41,11 +41,11 @@ impl Berth {
 /// Distance and closing speed of the fore and the after third of a hull.
 pub(in crate::report) struct DockingTrace {
     berth: Berth,
-    /// Vertices of the fore and of the after third, in the hull's frame [m].
+    /// Vertices of the fore and of the after third, in the hull's frame (m).
     ends_m: [Vec<Vec2>; 2],
-    /// From the faces' line to the nearest point of each third, positive outside [m].
+    /// From the faces' line to the nearest point of each third, positive outside (m).
     pub(in crate::report) distance_m: [Decimator; 2],
-    /// Speed of that point towards the berth [m/s].
+    /// Speed of that point towards the berth (m/s).
     pub(in crate::report) closing_mps: [Decimator; 2],
 }
 

@@ -4,7 +4,7 @@ use fenderline_sim::Energy;
 
 use crate::plot::Decimator;
 
-/// Each part of the ledger [J].
+/// Each part of the ledger (J).
 #[derive(Clone, Debug, Default)]
 pub(in crate::report) struct EnergyTrace {
     pub(in crate::report) kinetic_j: Decimator,
@@ -40,7 +40,7 @@ impl EnergyTrace {
     }
 }
 
-/// What is lost without a cause [J]; negative: what was made up.
+/// What is lost without a cause (J); negative: what was made up.
 ///
 /// kinetic at the start + work of the loads = kinetic + stored + damping + restitution + friction + this.
 fn unexplained_j(energy: &Energy) -> f64 {

@@ -8,11 +8,11 @@ use fenderline_results::TouchedFender;
 pub(in crate::report) struct FenderTrace {
     /// Index into the set-up's fenders.
     pub(in crate::report) fender: usize,
-    /// Mean reaction of each step [N].
+    /// Mean reaction of each step (N).
     pub(in crate::report) reaction_n: Decimator,
     /// What it is made of.
     pub(in crate::report) parts: PartsTrace,
-    /// Deflection [m] and reaction [N].
+    /// Deflection (m) and reaction (N).
     pub(in crate::report) path: Path,
     /// The step before: its deflection waits for the one at its end.
     last: TouchedFender,

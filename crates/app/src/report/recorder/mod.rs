@@ -31,15 +31,15 @@ pub(super) use world::{TugMark, VesselTrace, WorldTrace};
 /// Pairs, fenders and bodies that are followed; the tables of the report know all the others.
 pub(super) const FOLLOWED: usize = 128;
 
-/// Deflection of each touched fender at one moment [m], by its index in the set-up.
+/// Deflection of each touched fender at one moment (m), by its index in the set-up.
 pub(super) type Deflections = Vec<(usize, f64)>;
 
 /// The whole scene in the step of the largest force.
 #[derive(Clone, Debug)]
 pub(super) struct ScenePeak {
-    /// Start of that step [s].
+    /// Start of that step (s).
     pub(super) t_s: f64,
-    /// Sum of N over the patches of the pair [N].
+    /// Sum of N over the patches of the pair (N).
     normal_n: f64,
     /// The patch with the largest N.
     pub(super) contact: Contact,
@@ -66,9 +66,9 @@ pub(crate) struct Recorder {
     setup: Setup,
     /// The ledger before the first step.
     pub(super) start_energy: Energy,
-    /// The most that springs, stops and shear springs stored at the end of a step [J], and when [s].
+    /// The most that springs, stops and shear springs stored at the end of a step (J), and when (s).
     pub(super) most_stored: (f64, f64),
-    /// The most that the springs and stops of all fenders stored at the start of a step [J], and when [s].
+    /// The most that the springs and stops of all fenders stored at the start of a step (J), and when (s).
     pub(super) most_in_fenders: (f64, f64),
     pub(super) start: Vec<BodyState>,
     /// The step of the largest force of all pairs, followed or not.

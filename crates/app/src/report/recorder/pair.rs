@@ -12,13 +12,13 @@ use fenderline_results::add_parts;
 pub(in crate::report) struct PairTrace {
     /// Indices into the set-up's bodies.
     pub(in crate::report) bodies: [usize; 2],
-    /// Sum of N over the patches [N].
+    /// Sum of N over the patches (N).
     pub(in crate::report) normal_n: Decimator,
-    /// Sum of T over the patches [N].
+    /// Sum of T over the patches (N).
     pub(in crate::report) tangential_n: Decimator,
-    /// Largest depth of a patch [m].
+    /// Largest depth of a patch (m).
     pub(in crate::report) depth_m: Decimator,
-    /// V_n of the patch with the largest N, positive approaching [m/s]; after the contact, along
+    /// V_n of the patch with the largest N, positive approaching (m/s); after the contact, along
     /// its last normal at its last point.
     pub(in crate::report) v_normal_mps: Decimator,
     /// What N of the outlines is made of; fenders have their own.
@@ -31,9 +31,9 @@ pub(in crate::report) struct PairTrace {
 /// The moment of a pair's largest force.
 #[derive(Clone, Debug)]
 pub(in crate::report) struct Peak {
-    /// Start of that step [s].
+    /// Start of that step (s).
     pub(in crate::report) t_s: f64,
-    /// Sum of N over the patches [N].
+    /// Sum of N over the patches (N).
     pub(in crate::report) normal_n: f64,
     /// The patch with the largest N.
     pub(in crate::report) contact: Contact,

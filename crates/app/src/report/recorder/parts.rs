@@ -4,7 +4,7 @@ use fenderline_contact::ForceParts;
 
 use crate::plot::Decimator;
 
-/// N, and of it spring, stop, damper and what the limiter took off [N].
+/// N, and of it spring, stop, damper and what the limiter took off (N).
 #[derive(Clone, Debug, Default)]
 pub(in crate::report) struct PartsTrace {
     pub(in crate::report) total_n: Decimator,

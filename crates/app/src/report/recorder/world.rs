@@ -14,7 +14,7 @@ const FOLLOWED: usize = 16;
 pub(in crate::report) struct WorldTrace {
     pub(in crate::report) vessels: Vec<VesselTrace>,
     pub(in crate::report) tugs: Vec<TugTrace>,
-    /// Tension of each line [N]; 0 while it is not fast.
+    /// Tension of each line (N); 0 while it is not fast.
     pub(in crate::report) lines: Vec<Decimator>,
     step_s: f64,
 }
@@ -22,7 +22,7 @@ pub(in crate::report) struct WorldTrace {
 /// Time series of one vessel, in her own units of SI.
 pub(in crate::report) struct VesselTrace {
     body: usize,
-    /// Speed over ground ahead and to starboard [m/s].
+    /// Speed over ground ahead and to starboard (m/s).
     pub(in crate::report) along_mps: Decimator,
     pub(in crate::report) across_mps: Decimator,
     pub(in crate::report) heading_rad: Decimator,
@@ -33,13 +33,13 @@ pub(in crate::report) struct VesselTrace {
     /// The same of each thruster, −1 to 1.
     pub(in crate::report) thrusters: Vec<[Decimator; 2]>,
     pub(in crate::report) azimuths: Vec<AzimuthTrace>,
-    /// Roll and pitch with waves [rad], heave [m].
+    /// Roll and pitch with waves (rad), heave (m).
     pub(in crate::report) roll_rad: Decimator,
     pub(in crate::report) pitch_rad: Decimator,
     pub(in crate::report) heave_m: Decimator,
-    /// Squat [m].
+    /// Squat (m).
     pub(in crate::report) squat_m: Decimator,
-    /// Water under her keel [m]; nothing where the water is deep.
+    /// Water under her keel (m); nothing where the water is deep.
     pub(in crate::report) under_keel_m: Decimator,
     /// Distance of her ends to a row of fenders, where there is one.
     pub(in crate::report) docking: Option<DockingTrace>,
@@ -54,7 +54,7 @@ pub(in crate::report) struct AzimuthTrace {
     pub(in crate::report) direction_rad: [Decimator; 2],
 }
 
-/// Order and force of one tug [N].
+/// Order and force of one tug (N).
 #[derive(Default)]
 pub(in crate::report) struct TugTrace {
     pub(in crate::report) ordered_n: Decimator,
@@ -66,9 +66,9 @@ pub(in crate::report) struct TugTrace {
 pub(in crate::report) struct TugMark {
     /// Index into the set-up's tugs.
     pub(in crate::report) tug: usize,
-    /// Where her force acts [m].
+    /// Where her force acts (m).
     pub(in crate::report) at_m: Vec2,
-    /// Her force on the ship, earth-fixed [N].
+    /// Her force on the ship, earth-fixed (N).
     pub(in crate::report) force_n: Vec2,
     pub(in crate::report) on_line: bool,
 }

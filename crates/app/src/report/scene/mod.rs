@@ -23,7 +23,7 @@ pub(super) use harbour::moored;
 const DRAWN: usize = 300;
 /// Names written at most: more would cover the view.
 const NAMED: usize = 16;
-/// Longest name in a view [characters].
+/// Longest name in a view (characters).
 const NAME_LENGTH: usize = 26;
 /// Fixed bodies are shown whole where that widens the view by no more than this factor.
 const WIDEN: f64 = 3.0;
@@ -162,13 +162,13 @@ fn joined(a: Option<Frame>, b: Option<Frame>) -> Option<Frame> {
     }
 }
 
-/// Half the largest extent of a body's outline [m].
+/// Half the largest extent of a body's outline (m).
 fn reach(body: &BodySetup) -> f64 {
     let (low, high) = body.outline.bounds();
     (high - low).length() * 0.5
 }
 
-/// The middle of a body's outline, earth-fixed [m].
+/// The middle of a body's outline, earth-fixed (m).
 fn middle(body: &BodySetup, state: &BodyState) -> Vec2 {
     let (low, high) = body.outline.bounds();
     state.pose().apply((low + high) * 0.5)

@@ -11,9 +11,9 @@ use crate::report::tables::KNOT_MPS;
 
 /// Vessels with charts of their own.
 const VESSELS: usize = 3;
-/// Below this a motion is none [m, rad].
+/// Below this a motion is none (m, rad).
 const STILL: f64 = 1e-9;
-/// Below this nobody asks for squat [m].
+/// Below this nobody asks for squat (m).
 const SEEN_M: f64 = 0.01;
 
 /// The charts of each vessel.

@@ -13,7 +13,7 @@ use super::saved::{self, Played, Watch};
 /// What is read from the files of a gallery at most, and how many files of a folder are looked at for that.
 const MOST: usize = 200;
 const LOOKED_AT: usize = 1000;
-/// A scenario and the files that it names together [bytes].
+/// A scenario and the files that it names together (bytes).
 const LARGEST_SCENE: usize = 64 << 20;
 
 /// A list of files that can be opened, by name. Nothing else can: a page names an entry, not a path.

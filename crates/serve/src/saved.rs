@@ -13,7 +13,7 @@ use fenderline_scenario::open_regular;
 
 /// Steps that are played between two looks at who waits.
 const SLICE: u64 = 200;
-/// How recordings are read [bytes].
+/// How recordings are read (bytes).
 const BLOCK: usize = 256 << 10;
 
 /// How far a recording is on its way to be played.

@@ -76,7 +76,7 @@ impl Pacer {
         }
     }
 
-    /// Ticks that came too late, and the latest of them [ms].
+    /// Ticks that came too late, and the latest of them (ms).
     pub(crate) fn late(&self) -> (u64, f64) {
         (self.late_ticks, 1e3 * self.latest.as_secs_f64())
     }

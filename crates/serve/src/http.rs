@@ -33,9 +33,9 @@ const MOST_TURNED_AWAY: usize = 64;
 /// The time for a request's head, and for a whole connection up to its answer or its websocket.
 const HEAD: Duration = Duration::from_secs(5);
 const WHOLE: Duration = Duration::from_secs(30);
-/// The largest message of a page [bytes].
+/// The largest message of a page (bytes).
 const LARGEST_MESSAGE: usize = 16 << 10;
-/// What waits to be written to one websocket at most [bytes].
+/// What waits to be written to one websocket at most (bytes).
 const MOST_WAITING: usize = 4 << 20;
 
 /// What every request needs.

@@ -12,7 +12,7 @@ use fenderline_sim::VesselSetup;
 const FIRST_MMSI: u32 = 999_000_001;
 /// Ship data once in so many seconds; on the air it is six minutes.
 const SHIP_DATA_EVERY: u64 = 10;
-/// Slower than this a ship with a fast line is moored [m/s]; our choice.
+/// Slower than this a ship with a fast line is moored (m/s); our choice.
 const MOORED_MPS: f64 = 0.2;
 
 /// A vessel as its instruments see it. The antenna is midship.
@@ -20,9 +20,9 @@ struct Vessel<'s> {
     index: usize,
     of: &'s VesselSetup,
     state: &'s BodyState,
-    /// From the centre of gravity aft to midship [m].
+    /// From the centre of gravity aft to midship (m).
     ahead_m: f64,
-    /// Over ground at midship, ahead and to starboard [m/s].
+    /// Over ground at midship, ahead and to starboard (m/s).
     ground: Vec2,
 }
 
