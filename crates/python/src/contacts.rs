@@ -111,7 +111,7 @@ pub(crate) struct StepEvent {
     /// What, as `summary.json` has it: `contact_began`, `fender_rating_exceeded`, ...
     kind: &'static str,
     /// Whom it is about: names of bodies, or of a vessel, a tug or a line.
-    who: Vec<String>,
+    subjects: Vec<String>,
     /// Name of the fender that it is about.
     fender: Option<String>,
 }
@@ -120,7 +120,7 @@ pub(crate) struct StepEvent {
 impl StepEvent {
     fn __repr__(&self) -> String {
         let fender = self.fender.as_ref().map_or(String::new(), |name| format!(", fender {name}"));
-        format!("<fenderline.StepEvent {} of {}{fender}>", self.kind, self.who.join(" and "))
+        format!("<fenderline.StepEvent {} of {}{fender}>", self.kind, self.subjects.join(" and "))
     }
 }
 
@@ -132,7 +132,7 @@ pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]
     };
     StepEvent {
         kind: event_key(event.kind),
-        who: event.bodies.iter().map(|body| bodies[body.0 as usize].clone()).collect(),
+        subjects: event.bodies.iter().map(|body| bodies[body.0 as usize].clone()).collect(),
         fender: fender.map(|id| fenders[id.0 as usize].clone()),
     }
 }
@@ -149,5 +149,5 @@ pub(crate) fn world_event(event: &WorldEvent, [vessels, tugs, lines]: [&[String]
         | WorldEventKind::LineRenders => lines,
     };
     let kind = world_event_key(event.kind);
-    StepEvent { kind, who: vec![names[event.who].clone()], fender: None }
+    StepEvent { kind, subjects: vec![names[event.who].clone()], fender: None }
 }

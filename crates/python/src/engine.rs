@@ -37,11 +37,11 @@ pub(crate) struct Engine {
     engine: embed::Engine,
     bodies: Vec<String>,
     fenders: Vec<String>,
-    tells_loads: bool,
+    uses_loads: bool,
     states: Shared,
     loads: Shared,
     wrenches: Shown,
-    peaks: Shown,
+    peak_wrenches: Shown,
     states_after: Shown,
     /// Buffers of a step.
     state_rows: Vec<BodyState>,
@@ -85,16 +85,16 @@ impl Engine {
         };
         let host = match host {
             "direct" if delay_steps == 0 => Host::Direct { coriolis },
-            "present" => {
-                return Err(PyValueError::new_err("delay_steps is for host=\"following\""));
+            "direct" => {
+                return Err(PyValueError::new_err("delay_steps is for host=\"cosimulation\""));
             }
             "cosimulation" if coriolis.is_none() => {
                 Host::CoSimulation(HostSettings { delay_steps, integration })
             }
-            "following" => {
+            "cosimulation" => {
                 return Err(PyValueError::new_err("coriolis is for host=\"direct\""));
             }
-            other => return Err(no_choice("host", other, "present, following")),
+            other => return Err(no_choice("host", other, "direct, cosimulation")),
         };
         let settings = Settings { method, host };
         let checked = (*scenario.checked).clone();
@@ -103,13 +103,13 @@ impl Engine {
         Engine::around(py, engine)
     }
 
-    /// One step of `step_s` seconds from `states`, under `loads` where `tells_loads`: fills `wrenches`, and
+    /// One step of `step_s` seconds from `states`, under `loads` where `uses_loads`: fills `wrenches`, and
     /// `states_after` where the engine moves the bodies. Steps may be of any lengths; in one of 0 s, a pause, nothing
     /// goes on.
     fn step(&mut self, py: Python<'_>, step_s: f64) -> PyResult<()> {
         let Engine { engine, state_rows, load_rows, .. } = self;
         self.states.read(py, |numbers| read_states(numbers, state_rows))??;
-        let loads = match self.tells_loads {
+        let loads = match self.uses_loads {
             true => {
                 self.loads.read(py, |numbers| read_wrenches(numbers, load_rows))??;
                 Some(load_rows.as_slice())
@@ -136,7 +136,7 @@ impl Engine {
     }
 
     /// All that acts on each body besides contact, one row a body: force north and east (N), moment about the
-    /// centre of gravity (N·m). Write into it; it counts where `tells_loads`.
+    /// centre of gravity (N·m). Write into it; it counts where `uses_loads`.
     #[getter]
     fn loads(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.loads.array(py)
@@ -144,21 +144,21 @@ impl Engine {
 
     /// Whether `loads` is told to the engine in each step.
     #[getter]
-    fn tells_loads(&self) -> bool {
-        self.tells_loads
+    fn uses_loads(&self) -> bool {
+        self.uses_loads
     }
 
     #[setter]
-    fn set_tells_loads(&mut self, py: Python<'_>, tells_loads: bool) -> PyResult<()> {
-        if tells_loads && self.engine.method() == Method::Paper {
+    fn set_uses_loads(&mut self, py: Python<'_>, uses_loads: bool) -> PyResult<()> {
+        if uses_loads && self.engine.method() == Method::Paper {
             let error = EngineError::NotAvailable("the paper's method knows no loads");
             return Err(errors::of_engine(py, &error));
         }
-        if !tells_loads {
+        if !uses_loads {
             let untold = self.engine.set_loads(None);
             untold.map_err(|error| errors::of_engine(py, &error))?;
         }
-        self.tells_loads = tells_loads;
+        self.uses_loads = uses_loads;
         Ok(())
     }
 
@@ -174,7 +174,7 @@ impl Engine {
     /// Read-only, and filled anew by each step.
     #[getter]
     fn peak_wrenches(&self, py: Python<'_>) -> Py<PyAny> {
-        self.peaks.view(py)
+        self.peak_wrenches.view(py)
     }
 
     /// Where the engine brought the bodies by the end of the step, in rows as `states`. Read-only, filled anew by
@@ -256,7 +256,7 @@ impl Engine {
         self.states.read(py, |numbers| read_states(numbers, state_rows))??;
         let refused = |error: EngineError| errors::of_engine(py, &error);
         engine.set_states(state_rows).map_err(refused)?;
-        if self.tells_loads {
+        if self.uses_loads {
             self.loads.read(py, |numbers| read_wrenches(numbers, load_rows))??;
             engine.set_loads(Some(load_rows)).map_err(refused)?;
         }
@@ -266,7 +266,7 @@ impl Engine {
     /// Becomes what `save` saved, of an engine of the same scenario and settings. Any bytes may be given.
     fn restore(&mut self, py: Python<'_>, saved: &[u8]) -> PyResult<()> {
         self.engine.restore(saved).map_err(|error| errors::of_engine(py, &error))?;
-        self.tells_loads = self.engine.loads().is_some();
+        self.uses_loads = self.engine.loads().is_some();
         self.follow(py)
     }
 
@@ -276,7 +276,7 @@ impl Engine {
         let mut engine = self.engine.clone();
         engine.restore(saved.as_bytes()).map_err(|error| errors::of_engine(py, &error))?;
         let mut copy = Engine::around(py, engine)?;
-        copy.tells_loads = self.tells_loads;
+        copy.uses_loads = self.uses_loads;
         copy.follow(py)?;
         Ok(copy)
     }
@@ -302,11 +302,11 @@ impl Engine {
         let count = bodies.len();
         let present = matches!(engine.host(), Host::Direct { .. });
         let made = Engine {
-            tells_loads: present && engine.method() == Method::Coupled,
+            uses_loads: present && engine.method() == Method::Coupled,
             states: Shared::zeros(py, count, STATE),
             loads: Shared::zeros(py, count, WRENCH),
             wrenches: Shown::zeros(py, count, &[WRENCH])?,
-            peaks: Shown::zeros(py, count, &[WRENCH])?,
+            peak_wrenches: Shown::zeros(py, count, &[WRENCH])?,
             states_after: Shown::zeros(py, count, &[STATE])?,
             state_rows: engine.initial_states().to_vec(),
             load_rows: vec![Wrench::default(); count],
@@ -322,10 +322,10 @@ impl Engine {
     /// Shows the results of the last step.
     fn show(&self, py: Python<'_>) -> PyResult<()> {
         let Ok(results) = self.engine.results() else {
-            self.peaks.write(py, |rows| rows.fill(0.0))?;
+            self.peak_wrenches.write(py, |rows| rows.fill(0.0))?;
             return self.wrenches.write(py, |rows| rows.fill(0.0));
         };
-        self.peaks.write(py, |rows| write_wrenches(results.peak_wrenches, rows))?;
+        self.peak_wrenches.write(py, |rows| write_wrenches(results.peak_wrenches, rows))?;
         self.wrenches.write(py, |rows| write_wrenches(results.wrenches, rows))?;
         self.states_after.write(py, |rows| write_states(results.states_after, rows))
     }
@@ -350,7 +350,7 @@ fn no_choice(what: &str, given: &str, known: &str) -> PyErr {
 pub(crate) fn seconds_of_steps(engine: &Engine, step_s: f64, count: u64) -> PyResult<f64> {
     let mut own = engine.engine.clone();
     let states = own.states().to_vec();
-    let loads = engine.tells_loads.then_some(engine.load_rows.as_slice());
+    let loads = engine.uses_loads.then_some(engine.load_rows.as_slice());
     let start = std::time::Instant::now();
     for _ in 0..count {
         let taken = own.advance(&states, loads, step_s);

@@ -92,7 +92,7 @@ def test_contacts_are_a_structured_array() -> None:
     parts = contacts["spring_n"] + contacts["stop_n"] + contacts["damper_n"]
     assert contacts["normal_force_n"] == pytest.approx(parts - contacts["limiter_n"])
     assert [event.kind for event in engine.events] == ["contact_began", "placed_in_overlap"]
-    assert engine.events[0].who == ["ship", "tug"]
+    assert engine.events[0].subjects == ["ship", "tug"]
 
 
 def test_refused_calls_change_nothing() -> None:
@@ -225,9 +225,9 @@ def test_settings_that_do_not_go_together(scenarios: Path) -> None:
     with pytest.raises(ValueError, match="present, following"):
         Engine(scenario, host="absent")  # type: ignore[arg-type]
     paper = Engine(scenario)
-    assert (paper.method, paper.tells_loads) == ("paper", False)
+    assert (paper.method, paper.uses_loads) == ("paper", False)
     with pytest.raises(EngineError, match="knows no loads"):
-        paper.tells_loads = True
+        paper.uses_loads = True
     with pytest.raises(EngineError, match="states after"):
         paper.states_after  # noqa: B018
     berth = Scenario.load(scenarios / "berth" / "alongside_with_two_tugs.toml")
