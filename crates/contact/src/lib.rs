@@ -82,7 +82,8 @@ pub use memory::Memory;
 pub use model::{Body, BodyId, Material, MaterialId, Mobility, Model, ModelBuilder, Pair};
 pub use outline::{Outline, OutlineError, OutlineNotice};
 pub use report::{
-    Contact, ContactWork, Displacement, Event, EventKind, ForceParts, Friction, Wrench,
+    Contact, ContactImpulse, ContactWork, Displacement, EnergyParts, Event, EventKind, ForceParts,
+    Friction, Wrench,
 };
 pub use snapshot::SNAPSHOT_VERSION;
 pub use state::BodyState;
