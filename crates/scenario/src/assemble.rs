@@ -99,7 +99,7 @@ pub(crate) fn setup(
         bodies,
         materials,
         pairs: pairs.named,
-        every_other_pair: pairs.every_other,
+        all_other_pairs: pairs.every_other,
         fenders,
         berthing,
         loads,
@@ -112,7 +112,7 @@ pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Chec
     let (files, mut notices) = (Files::default(), Vec::new());
     let assembly = Assembly { sources, files: &files, notices: &mut notices };
     let names = Names::new(&setup.bodies, &setup.materials);
-    let pairs = Pairs::new(setup.pairs.clone(), setup.every_other_pair);
+    let pairs = Pairs::new(setup.pairs.clone(), setup.all_other_pairs);
     let world = &setup.world;
     let afloat = Afloat::new(&setup.bodies, &setup.fenders, &pairs, &world.lines);
     let known = WorldNames::new(&world.vessels, &world.tugs, afloat);

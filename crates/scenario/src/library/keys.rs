@@ -204,7 +204,7 @@ static UNLOADING: TableSpec = TableSpec {
 
 /// Energy given back over energy taken.
 pub(crate) const RETURNED_ENERGY: Quantity =
-    Quantity { measure: &unit::PLAIN_NUMBER, low: Unloading::LEAST_RETURNED, high: 1.0 };
+    Quantity { measure: &unit::PLAIN_NUMBER, low: Unloading::MIN_RETURNED_SHARE, high: 1.0 };
 
 const HOLDS: KeySpec = KeySpec {
     name: "holds",

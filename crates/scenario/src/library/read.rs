@@ -277,7 +277,9 @@ pub(crate) fn unloading_curve(
         let message = format!("`{path}` must begin with [0, 0]: without deflection no reaction");
         return Err(sources.error(&item.span, path, message));
     }
-    let Some([at, reaction]) = Unloading::above(&points, &loading) else { return Ok(points) };
+    let Some([at, reaction]) = Unloading::first_point_above(&points, &loading) else {
+        return Ok(points);
+    };
     let most = FenderLaw::Curve(loading).reaction_n(at);
     let message = format!(
         "`{path}` must not be above the loading curve: at a deflection of {at} its reaction must be between 0 and \

@@ -53,7 +53,7 @@ pub(super) fn events_json(events: &Events, setup: &Setup) -> Value {
     let first = events.first.iter().map(|(t_s, event)| {
         let bodies = event.bodies.map(|body| setup.bodies[body.0 as usize].name.as_str());
         let mut told = json!({ "t_s": t_s, "kind": event_key(event.kind), "bodies": bodies });
-        if let EventKind::FenderOverRated(id) | EventKind::FenderFailed(id) = event.kind {
+        if let EventKind::FenderRatingExceeded(id) | EventKind::FenderFailed(id) = event.kind {
             told["fender"] = json!(setup.fenders[id.0 as usize].name);
         }
         told
@@ -79,11 +79,11 @@ pub(crate) fn event_text(kind: EventKind) -> &'static str {
         EventKind::NotConverged => {
             "the coupled solve of a contact did not settle within its bounded work"
         }
-        EventKind::PutInto => {
+        EventKind::PlacedInOverlap => {
             "a body was put into another, so deep that it is pressed out slowly instead of thrown out"
         }
-        EventKind::MassDiffers => "a body moves with another mass than the model's",
-        EventKind::FenderOverRated(_) => "a fender was deflected beyond what it is rated for",
+        EventKind::MassMismatch => "a body moves with another mass than the model's",
+        EventKind::FenderRatingExceeded(_) => "a fender was deflected beyond what it is rated for",
         EventKind::FenderFailed(_) => {
             "a fender FAILED: its stop, or the structure behind it, held the hull"
         }

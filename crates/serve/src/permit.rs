@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn each_role_opens_its_own_actions_and_no_other() {
-        let text = include_str!("../../../../scenarios/berth/asd_tugs_push_alongside.toml");
+        let text = include_str!("../../../scenarios/berth/asd_tugs_push_alongside.toml");
         let scenario = fenderline_scenario::Scenario::parse(text, "a.toml").expect("a scenario");
         let cast = Cast::of(&scenario.setup);
         assert_eq!(cast.tug_names(), ["forward_tug", "after_tug"]);

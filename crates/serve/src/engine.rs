@@ -23,7 +23,6 @@ use super::opening::{Asked, Outcome, Work};
 use super::pacer::Pacer;
 use super::permit::{self, Needs};
 use super::recorder::{ENDING, Recorder};
-use crate::terminal::tell;
 
 /// Events that a frame carries for those who missed some.
 const EVENTS: usize = 64;
@@ -229,7 +228,7 @@ impl Engine {
         if let Err(why) = self.recorder.add(&lines) {
             self.recording_failed = true;
             let text = format!("THE SESSION IS NO LONGER RECORDED: {why}");
-            tell(&text);
+            self.hub.log.notify(&text);
             self.tell_all(&text);
         }
     }
@@ -241,7 +240,7 @@ impl Engine {
         if !self.recording_failed
             && let Err(why) = self.recorder.add(&self.session.end_line())
         {
-            tell(&format!("the recording could not be ended: {why}"));
+            self.hub.log.notify(&format!("the recording could not be ended: {why}"));
         }
     }
 

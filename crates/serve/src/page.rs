@@ -9,7 +9,7 @@ use std::time::SystemTime;
 use fenderline_scenario::{FileFault, read_bytes};
 use maud::{DOCTYPE, html};
 
-use crate::terminal::tell;
+use crate::Notify;
 
 /// The folder beside the sources that this program was built from.
 const WEB: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web");
@@ -47,10 +47,10 @@ impl Page {
 
     /// The repository's page, built first where it is missing or older than its sources; else a page that says what
     /// is missing.
-    pub(crate) fn of_repository() -> Page {
-        built(Path::new(WEB)).and_then(|dist| Page::read(&dist)).unwrap_or_else(|why| {
-            tell(&format!("no page: {why}"));
-            tell("The server works without it; only the pages are missing.");
+    pub(crate) fn of_repository(notify: Notify) -> Page {
+        built(Path::new(WEB), notify).and_then(|dist| Page::read(&dist)).unwrap_or_else(|why| {
+            notify(&format!("no page: {why}"));
+            notify("The server works without it; only the pages are missing.");
             Page::missing(&why)
         })
     }
@@ -126,7 +126,7 @@ fn content_type(name: &str) -> &'static str {
 }
 
 /// Builds the page in `web` where it has to be; its folder.
-fn built(web: &Path) -> Result<PathBuf, String> {
+fn built(web: &Path, notify: Notify) -> Result<PathBuf, String> {
     if !web.join("package.json").is_file() {
         return Err(format!(
             "{}: the page's sources are not there (the folder that this program was built from)",
@@ -137,11 +137,11 @@ fn built(web: &Path) -> Result<PathBuf, String> {
     if is_up_to_date(web, &dist) {
         return Ok(dist);
     }
-    tell("building the page (once; npm may fetch what it needs)...");
+    notify("building the page (once; npm may fetch what it needs)...");
     if !is_newer(&web.join("node_modules/.package-lock.json"), &web.join("package-lock.json")) {
-        npm(web, &["ci"])?;
+        npm(web, &["ci"], notify)?;
     }
-    npm(web, &["run", "build"])?;
+    npm(web, &["run", "build"], notify)?;
     Ok(dist)
 }
 
@@ -179,7 +179,7 @@ fn newest(folder: &Path) -> Option<SystemTime> {
     newest_yet
 }
 
-fn npm(web: &Path, arguments: &[&str]) -> Result<(), String> {
+fn npm(web: &Path, arguments: &[&str], notify: Notify) -> Result<(), String> {
     let program = if cfg!(windows) { "npm.cmd" } else { "npm" };
     let called = format!("npm {}", arguments.join(" "));
     // Our standard output is for links; npm's goes with the messages.
@@ -194,7 +194,7 @@ fn npm(web: &Path, arguments: &[&str]) -> Result<(), String> {
         return Ok(());
     }
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim().to_owned();
-    tell(&format!("{}\n{}", text(&output.stdout), text(&output.stderr)));
+    notify(&format!("{}\n{}", text(&output.stdout), text(&output.stderr)));
     Err(format!("`{called}` failed in {}: see above", web.display()))
 }
 

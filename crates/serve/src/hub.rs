@@ -8,6 +8,7 @@ use fenderline_live::message::{EventNow, Role};
 use fenderline_live::{Refusal, Request};
 use tokio::sync::{mpsc, watch};
 
+use super::Notify;
 use super::claims::ClientId;
 use super::crowd::Peer;
 use super::log::Log;
@@ -67,7 +68,7 @@ pub(crate) struct Hub {
 }
 
 impl Hub {
-    pub(crate) fn new(to_engine: Sender<Told>) -> Hub {
+    pub(crate) fn new(to_engine: Sender<Told>, notify: Notify) -> Hub {
         Hub {
             to_engine,
             waiting: AtomicUsize::new(0),
@@ -78,7 +79,7 @@ impl Hub {
             tokens: RwLock::new(Tokens::default()),
             watching: Seats::of(MOST_WATCHING),
             steering: Seats::of(MOST_STEERING),
-            log: Log::new(),
+            log: Log::new(notify),
         }
     }
 
