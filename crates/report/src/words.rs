@@ -23,21 +23,21 @@ pub fn event_text(kind: EventKind) -> &'static str {
         EventKind::PatchSplit => "one patch of contact became several",
         EventKind::PatchesMerged => "several patches of contact became one",
         EventKind::Contained => {
-            "a body lay wholly within another: the overlap no longer grew with depth"
+            "a body lay entirely inside another: the overlap no longer grew with depth"
         }
         EventKind::DeepOverlap => {
-            "an overlap was deeper than half the smaller body is wide: the force law means little \
+            "an overlap was deeper than half the smaller body is wide: the force law is not meaningful \
              there"
         }
-        EventKind::Teleported => "a body moved by more than its velocities explain",
+        EventKind::Teleported => "a body moved by more than its velocities explain (teleported)",
         EventKind::NotConverged => {
-            "the coupled solve of a contact did not settle within its bounded work"
+            "the coupled contact solver did not converge within its iteration limit"
         }
-        EventKind::PutInto => {
-            "a body was put into another, so deep that it is pressed out slowly instead of thrown out"
+        EventKind::PlacedInOverlap => {
+            "a body was placed inside another, so deep that it is pressed out slowly"
         }
-        EventKind::MassDiffers => "a body moves with another mass than the model's",
-        EventKind::FenderOverRated(_) => "a fender was deflected beyond what it is rated for",
+        EventKind::MassMismatch => "a body moves with a mass other than the model's",
+        EventKind::FenderRatingExceeded(_) => "a fender was deflected beyond its rating",
         EventKind::FenderFailed(_) => {
             "a fender FAILED: its stop, or the structure behind it, held the hull"
         }

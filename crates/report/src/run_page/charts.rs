@@ -139,7 +139,7 @@ impl<'a> Charts<'a> {
         }
         let [a, b] = bodies;
         let named = setup.pairs.iter().find(|p| p.bodies == [a, b] || p.bodies == [b, a]);
-        let material = named.map(|p| p.material).or(setup.every_other_pair)?;
+        let material = named.map(|p| p.material).or(setup.all_other_pairs)?;
         Some(setup.materials[material].material.restitution)
     }
 

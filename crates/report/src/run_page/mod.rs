@@ -120,7 +120,8 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
     let (begun, ended) = (count(EventKind::ContactBegan), count(EventKind::ContactEnded));
     // The fenders' are told by name.
     let is_told = |kind| {
-        is_plain(kind) || matches!(kind, EventKind::FenderOverRated(_) | EventKind::FenderFailed(_))
+        is_plain(kind)
+            || matches!(kind, EventKind::FenderRatingExceeded(_) | EventKind::FenderFailed(_))
     };
     let grave: Vec<_> = outcome.events.counts().filter(|(kind, _)| !is_told(*kind)).collect();
     let fenders = grave_fenders(outcome);

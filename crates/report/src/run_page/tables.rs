@@ -128,7 +128,7 @@ pub(super) fn setup(outcome: &Outcome<'_>) -> Markup {
             dt { "Pairs that may touch" }
             dd {
                 (setup.pairs.len()) " named"
-                @if let Some(material) = setup.every_other_pair {
+                @if let Some(material) = setup.all_other_pairs {
                     "; every other pair with the material " (setup.materials[material].name)
                 }
             }

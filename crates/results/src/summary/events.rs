@@ -53,7 +53,7 @@ pub(super) fn events_json(events: &Events, setup: &Setup) -> Value {
     let first = events.first.iter().map(|(t_s, event)| {
         let bodies = event.bodies.map(|body| setup.bodies[body.0 as usize].name.as_str());
         let mut told = json!({ "t_s": t_s, "kind": event_key(event.kind), "bodies": bodies });
-        if let EventKind::FenderOverRated(id) | EventKind::FenderFailed(id) = event.kind {
+        if let EventKind::FenderRatingExceeded(id) | EventKind::FenderFailed(id) = event.kind {
             told["fender"] = json!(setup.fenders[id.0 as usize].name);
         }
         told

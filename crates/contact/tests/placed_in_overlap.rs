@@ -7,7 +7,7 @@ mod master;
 
 use fenderline_contact::{
     Body, BodyId, BodyState, Event, EventKind, Fender, FenderLaw, HostIntegration, HostSettings,
-    Memory, Mobility, Model, PRESSED_OUT_MPS, ReactionFactors, Stop, Unloading, Workspace, Wrench,
+    MAX_PUSH_OUT_MPS, Memory, Mobility, Model, ReactionFactors, Stop, Unloading, Workspace, Wrench,
     advance_in_place, vec2,
 };
 use master::{Master, Service, Story, model, rectangle, rubber};
@@ -51,13 +51,13 @@ fn a_ship_put_up_to_half_her_beam_into_a_quay_is_pressed_out_slowly() {
                 while states[0].position_m.x > 0.0 {
                     advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, step_s)
                         .expect("good states");
-                    told += usize::from(was_told(work.events(), EventKind::PutInto));
+                    told += usize::from(was_told(work.events(), EventKind::PlacedInOverlap));
                     let wrench_n = work.wrenches()[0].force_n.length();
                     assert!(wrench_n < LARGEST_N, "{who}: {wrench_n} N");
                     let speed_mps = states[0].velocity_mps.length();
-                    assert!(speed_mps <= PRESSED_OUT_MPS + 1e-9, "{who}: {speed_mps} m/s");
+                    assert!(speed_mps <= MAX_PUSH_OUT_MPS + 1e-9, "{who}: {speed_mps} m/s");
                     out_s += step_s;
-                    assert!(out_s < 5.0 + depth_m / PRESSED_OUT_MPS, "{who}: {:?}", states[0]);
+                    assert!(out_s < 5.0 + depth_m / MAX_PUSH_OUT_MPS, "{who}: {:?}", states[0]);
                 }
                 assert_eq!(told, 1, "{who}");
             }
@@ -81,16 +81,16 @@ fn whatever_the_host_she_leaves_slowly() {
                     let (mut told, mut time_s) = (false, 0.0);
                     for k in 0.. {
                         if says_so && k == delay_steps {
-                            master.host.place(&master.story.model, BodyId(0));
+                            master.host.mark_teleported(&master.story.model, BodyId(0));
                         }
                         master.step(step_s);
-                        told |= was_told(master.work.events(), EventKind::PutInto);
+                        told |= was_told(master.work.events(), EventKind::PlacedInOverlap);
                         let wrench_n = master.work.wrenches()[0].force_n.length();
                         assert!(wrench_n < LARGEST_N, "{who}: {wrench_n} N");
                         let speed_mps = master.states()[0].velocity_mps.length();
-                        assert!(speed_mps <= PRESSED_OUT_MPS + 1e-6, "{who}: {speed_mps} m/s");
+                        assert!(speed_mps <= MAX_PUSH_OUT_MPS + 1e-6, "{who}: {speed_mps} m/s");
                         time_s += step_s;
-                        if time_s > 20.0 + depth_m / PRESSED_OUT_MPS {
+                        if time_s > 20.0 + depth_m / MAX_PUSH_OUT_MPS {
                             break;
                         }
                     }
@@ -115,7 +115,7 @@ fn against_a_load_and_with_way_on_she_comes_to_rest_at_her_static_depth() {
             advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, 0.1).unwrap();
             let wrench_n = work.wrenches()[0].force_n.length();
             // She may leave, and come back as fast: v √(k m).
-            let back_n = PRESSED_OUT_MPS * (200e6 * MASS_KG).sqrt();
+            let back_n = MAX_PUSH_OUT_MPS * (200e6 * MASS_KG).sqrt();
             let largest_n = load_n + LARGEST_N.max(back_n) + 0.51 * MASS_KG * speed_mps;
             assert!(wrench_n < largest_n, "{load_n} N, {speed_mps} m/s: {wrench_n} N");
         }
@@ -136,7 +136,7 @@ fn a_deep_hit_is_no_putting() {
     for _ in 0..400 {
         advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, 0.1).unwrap();
         deepest_m = deepest_m.max(states[0].position_m.x);
-        assert!(!was_told(work.events(), EventKind::PutInto));
+        assert!(!was_told(work.events(), EventKind::PlacedInOverlap));
     }
     assert!(deepest_m > 3.0, "{deepest_m} m");
     let left_mps = -states[0].velocity_mps.x;
@@ -153,7 +153,7 @@ fn a_body_that_is_said_to_be_placed_starts_its_contacts_afresh_once() {
         was_told(work.events(), EventKind::Teleported)
     };
     assert!(!teleported(&mut memory, &mut states));
-    memory.place(&model, BodyId(0));
+    memory.mark_teleported(&model, BodyId(0));
     let mut other = Memory::new(&model);
     other.restore(&model, &memory.snapshot()).expect("its own bytes");
     assert_eq!(other, memory);
@@ -202,7 +202,7 @@ fn put_into_rubber(berth: Berth) -> Story {
             material,
         });
     }
-    builder.every_other_pair(material);
+    builder.all_other_pairs(material);
     let quay_m = 0.5 * BEAM_M + 1.4 + 30.0;
     let at = |north_m: f64| BodyState { position_m: vec2(north_m, 0.0), ..BodyState::default() };
     Story {
@@ -234,7 +234,7 @@ impl Run {
         while time_s < duration_s {
             advance_in_place(model, &mut self.memory, &mut self.work, states, loads, step_s)
                 .expect("good states");
-            self.told += usize::from(was_told(self.work.events(), EventKind::PutInto));
+            self.told += usize::from(was_told(self.work.events(), EventKind::PlacedInOverlap));
             fastest_mps = fastest_mps.max(states[0].velocity_mps.length());
             time_s += step_s;
         }
@@ -246,7 +246,7 @@ impl Run {
     }
 }
 
-const OUT_MPS: f64 = PRESSED_OUT_MPS + 1e-6;
+const OUT_MPS: f64 = MAX_PUSH_OUT_MPS + 1e-6;
 
 /// It was 0.245 m/s from 1 m: what rubber gives back of the energy that the host's placing had made.
 #[test]
@@ -266,11 +266,11 @@ fn a_ship_put_into_rubber_leaves_slowly() {
             for step_s in [1.0 / 60.0, 0.1, 0.5, 2.0] {
                 let berth = Berth { fenders, depth_m, mass_kg, stiffer };
                 let mut run = Run::new(put_into_rubber(berth));
-                let fastest_mps = run.go(step_s, 20.0 + depth_m / PRESSED_OUT_MPS);
+                let fastest_mps = run.go(step_s, 20.0 + depth_m / MAX_PUSH_OUT_MPS);
                 let who = format!("{berth:?}, Δt {step_s}");
                 assert!(fastest_mps < OUT_MPS, "{who}: {fastest_mps} m/s");
                 // What would bring her to 0.08 m/s by itself is told.
-                let energy_j = 0.5 * mass_kg * PRESSED_OUT_MPS * PRESSED_OUT_MPS;
+                let energy_j = 0.5 * mass_kg * MAX_PUSH_OUT_MPS * MAX_PUSH_OUT_MPS;
                 let held_j = 0.55 * f64::from(fenders) * stiffer * 3e6 * depth_m * depth_m;
                 if depth_m < 0.5 {
                     assert_eq!(run.told, usize::from(held_j > energy_j), "{who}");
@@ -303,11 +303,11 @@ fn whatever_the_host_she_leaves_rubber_slowly() {
                     let (mut told, mut time_s) = (false, 0.0);
                     for k in 0.. {
                         if says_so && k == delay_steps {
-                            master.host.place(&master.story.model, BodyId(0));
-                            master.present.place(&master.story.model, BodyId(0));
+                            master.host.mark_teleported(&master.story.model, BodyId(0));
+                            master.present.mark_teleported(&master.story.model, BodyId(0));
                         }
                         master.step(step_s);
-                        told |= was_told(master.events(), EventKind::PutInto);
+                        told |= was_told(master.events(), EventKind::PlacedInOverlap);
                         let speed_mps = master.states()[0].velocity_mps.length();
                         // One of the present gets what it is owed in velocity within some seconds.
                         assert!(speed_mps < 0.082, "{who}: {speed_mps} m/s");
@@ -349,17 +349,17 @@ fn a_ship_put_into_rubber_under_wind_rests_there_and_leaves_slowly_when_it_dies(
 /// A centimetre a frame, as somebody drags her in an editor.
 #[test]
 fn a_ship_that_is_dragged_into_rubber_leaves_slowly() {
-    for way_m in [0.002, 0.01, 0.05] {
+    for translation_m in [0.002, 0.01, 0.05] {
         let mut run = Run::new(put_into_rubber(Berth { depth_m: -0.05, ..TWO_FENDERS }));
         let mut depth_m = -0.05;
         while depth_m < 1.0 {
-            depth_m += way_m;
+            depth_m += translation_m;
             *run.ship() = BodyState { position_m: vec2(depth_m, 0.0), ..BodyState::default() };
             run.go(0.1, 0.1);
         }
         let fastest_mps = run.go(0.1, 40.0);
-        assert!(fastest_mps < OUT_MPS, "{way_m} m a frame: {fastest_mps} m/s");
-        assert!(run.told > 0 && run.ship().position_m.x < 0.0, "{way_m} m a frame");
+        assert!(fastest_mps < OUT_MPS, "{translation_m} m a frame: {fastest_mps} m/s");
+        assert!(run.told > 0 && run.ship().position_m.x < 0.0, "{translation_m} m a frame");
     }
 }
 
@@ -396,7 +396,7 @@ fn a_ship_put_into_another_leaves_slowly() {
                 loads: vec![Wrench::default(); 2],
             };
             let mut run = Run::new(story);
-            run.go(step_s, 60.0 + depth_m / PRESSED_OUT_MPS);
+            run.go(step_s, 60.0 + depth_m / MAX_PUSH_OUT_MPS);
             let who = format!("{depth_m} m, γ {restitution}, Δt {step_s}");
             let [one, two] = [0, 1].map(|ship| run.story.states[ship].velocity_mps);
             // Beside the middle of one of them, which is turned by it.

@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::admit;
-use crate::coupled::advance_on;
+use crate::coupled::advance_from_engine_states;
 use crate::error::StepError;
 use crate::host::inertia;
 use crate::host::lead::{self, Lead, Start, is_steady};
@@ -24,14 +24,14 @@ use crate::state::BodyState;
 /// that may be some steps old, and need not tell its loads.
 ///
 /// The host answers wrench W and its own load by M(v′ − v)/Δt = W + load, with the mass matrix of the
-/// model in the body's attitude at the step's start. The wrenches of [`FollowingHost::step`] make its
+/// model in the body's attitude at the step's start. The wrenches of [`CoSimHost::step`] make its
 /// positions follow the engine's sub-stepped motion, whatever Δt: the same rebound, the same depth at
 /// rest. While bodies touch and the step is always the same, the velocities of the host are means over a step, and
 /// its places those of the engine. In a contact in which the step changes the velocities are the engine's, and the
 /// places are off by up to half the acceleration times Δt², which is made good in some 10 s.
 ///
 /// All state is plain data, as [`Memory`] is: copy it to branch a run, compare it, save it with
-/// [`FollowingHost::snapshot`] and get it back with [`FollowingHost::restore`].
+/// [`CoSimHost::snapshot`] and get it back with [`CoSimHost::restore`].
 ///
 /// ```
 /// use fenderline_contact::*;
@@ -46,7 +46,7 @@ use crate::state::BodyState;
 /// # builder.pair(Pair { bodies: [tug, quay], material: rubber });
 /// # let model = builder.build()?;
 /// let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
-/// let mut host = FollowingHost::new(&model, settings);
+/// let mut host = CoSimHost::new(&model, settings);
 /// let mut work = HostWorkspace::new(&model);
 /// // A tug of 1000 t at 2 m/s towards a quay, γ = 0.1; the host shows her one step late.
 /// let quay = BodyState { position_m: vec2(11.0, 0.0), ..Default::default() };
@@ -62,7 +62,7 @@ use crate::state::BodyState;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct FollowingHost {
+pub struct CoSimHost {
     pub(super) settings: HostSettings,
     pub(super) memory: Memory,
     /// In the order in which bodies were added.
@@ -99,11 +99,11 @@ pub(super) struct Given {
     pub(super) told: Option<Wrench>,
 }
 
-impl FollowingHost {
+impl CoSimHost {
     /// A host whose bodies have never touched.
     #[must_use]
-    pub fn new(model: &Model, settings: HostSettings) -> FollowingHost {
-        FollowingHost {
+    pub fn new(model: &Model, settings: HostSettings) -> CoSimHost {
+        CoSimHost {
             settings,
             memory: Memory::new(model),
             bodies: vec![Followed::default(); model.bodies().len()],
@@ -114,11 +114,11 @@ impl FollowingHost {
 
     /// Forgets all that happened: the next step is the first.
     pub fn reset(&mut self, model: &Model) {
-        *self = FollowingHost::new(model, self.settings);
+        *self = CoSimHost::new(model, self.settings);
     }
 
     /// Becomes a copy of `other` without allocating where the buffers are large enough.
-    pub fn copy_from(&mut self, other: &FollowingHost) {
+    pub fn copy_from(&mut self, other: &CoSimHost) {
         self.settings = other.settings;
         self.memory.copy_from(&other.memory);
         self.bodies.clone_from(&other.bodies);
@@ -127,12 +127,12 @@ impl FollowingHost {
     }
 
     /// The host has put a body where the next step shows it: its contacts start afresh, no load is read from it, and
-    /// where it lies within another one it is pressed out slowly. See [`Memory::place`].
+    /// where it lies within another one it is pressed out slowly. See [`Memory::mark_teleported`].
     ///
     /// # Panics
     /// Where the model has no such body.
-    pub fn place(&mut self, model: &Model, body: BodyId) {
-        self.memory.place(model, body);
+    pub fn mark_teleported(&mut self, model: &Model, body: BodyId) {
+        self.memory.mark_teleported(model, body);
         self.bodies[body.0 as usize].placed = true;
     }
 
@@ -167,7 +167,7 @@ impl FollowingHost {
     /// In a step of 0 s, of a host that is paused, nothing goes on, and the wrenches are those of the last step.
     ///
     /// A body that answers the wrenches of a hit otherwise than its mass in the model says is told of once
-    /// ([`crate::EventKind::MassDiffers`]): its rebound is right nevertheless, its depth at rest within a tenth.
+    /// ([`crate::EventKind::MassMismatch`]): its rebound is right nevertheless, its depth at rest within a tenth.
     ///
     /// Where a body's shown position is not where its velocity leads, the host has put it elsewhere:
     /// no load is read from that, and its contacts start afresh
@@ -197,12 +197,14 @@ impl FollowingHost {
         self.set_out(model, work, step_s);
         self.leave_velocities(model, work);
         let (starts, loads, memory) = (&work.starts, &work.loads_now, &mut self.memory);
-        if let Err(error) = advance_on(model, memory, &mut work.engine, starts, loads, step_s) {
+        if let Err(error) =
+            advance_from_engine_states(model, memory, &mut work.engine, starts, loads, step_s)
+        {
             memory.behind_s.clone_from(&work.behind_s);
             return Err(error);
         }
         work.tell_of_masses();
-        work.engine.tell_peaks(&mut work.peaks);
+        work.engine.peak_wrenches_into(&mut work.peaks);
         self.steer(model, work, step_s);
         self.remember(work, told_loads, step_s);
         core::mem::swap(&mut work.present_now, &mut work.present);

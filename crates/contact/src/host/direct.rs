@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::coupled::advance_on;
+use crate::coupled::advance_from_engine_states;
 use crate::error::StepError;
 use crate::host::inertia;
 use crate::host::lead::{self, Lead, Start};
@@ -25,7 +25,7 @@ const UNANSWERED: f64 = 0.5;
 
 /// The coupled method for a host that shows the states of each step's beginning and tells its loads. It may let the
 /// engine move its bodies, showing [`HostWorkspace::states_after`] again to the bit: then this is
-/// [`crate::advance_on`]. Or it moves them by itself, with the wrenches and whatever integrator, in steps of any
+/// [`crate::advance_from_engine_states`]. Or it moves them by itself, with the wrenches and whatever integrator, in steps of any
 /// lengths: then the engine goes on from where it was itself while bodies touch, not from where the host's
 /// integration came to, by half the acceleration times Δt² elsewhere. Stiff contacts chatter else.
 ///
@@ -34,7 +34,7 @@ const UNANSWERED: f64 = 0.5;
 ///
 /// All state is plain data, as [`Memory`] is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PresentHost {
+pub struct DirectHost {
     pub(super) memory: Memory,
     /// In the order in which bodies were added.
     pub(super) bodies: Vec<Beside>,
@@ -56,11 +56,11 @@ pub(super) struct Beside {
     pub(super) ahead: Option<Lead>,
 }
 
-impl PresentHost {
+impl DirectHost {
     /// A host whose bodies have never touched.
     #[must_use]
-    pub fn new(model: &Model) -> PresentHost {
-        PresentHost {
+    pub fn new(model: &Model) -> DirectHost {
+        DirectHost {
             memory: Memory::new(model),
             bodies: vec![Beside::default(); model.bodies().len()],
             last_step_s: 0.0,
@@ -68,7 +68,7 @@ impl PresentHost {
     }
 
     /// Becomes a copy of `other` without allocating where the buffers are large enough.
-    pub fn copy_from(&mut self, other: &PresentHost) {
+    pub fn copy_from(&mut self, other: &DirectHost) {
         self.memory.copy_from(&other.memory);
         self.bodies.clone_from(&other.bodies);
         self.last_step_s = other.last_step_s;
@@ -80,19 +80,19 @@ impl PresentHost {
         &self.memory
     }
 
-    /// As [`Memory::place`].
+    /// As [`Memory::mark_teleported`].
     ///
     /// # Panics
     /// Where the model has no such body.
-    pub fn place(&mut self, model: &Model, body: BodyId) {
-        self.memory.place(model, body);
+    pub fn mark_teleported(&mut self, model: &Model, body: BodyId) {
+        self.memory.mark_teleported(model, body);
         self.bodies[body.0 as usize].ahead = None;
     }
 
-    /// One step, as [`crate::advance_on`]; gives the wrench that each body is to be given for it.
+    /// One step, as [`crate::advance_from_engine_states`]; gives the wrench that each body is to be given for it.
     ///
     /// # Errors
-    /// As [`crate::advance_on`]; this host is then as it was.
+    /// As [`crate::advance_from_engine_states`]; this host is then as it was.
     pub fn step<'w>(
         &mut self,
         model: &Model,
@@ -109,11 +109,13 @@ impl PresentHost {
         self.set_out(model, work, states);
         self.leave_velocities(model, work, states);
         let (memory, engine) = (&mut self.memory, &mut work.engine);
-        if let Err(error) = advance_on(model, memory, engine, &work.starts, loads, step_s) {
+        if let Err(error) =
+            advance_from_engine_states(model, memory, engine, &work.starts, loads, step_s)
+        {
             memory.behind_s.clone_from(&work.behind_s);
             return Err(error);
         }
-        work.engine.tell_peaks(&mut work.peaks);
+        work.engine.peak_wrenches_into(&mut work.peaks);
         self.lead_on(model, work, (states, loads), step_s);
         self.last_step_s = step_s;
         Ok(&work.wrenches)
@@ -223,9 +225,10 @@ fn off_course(from: &BodyState, to: &BodyState, step_s: f64) -> Way {
     let share =
         |over: f64, whole: f64| if whole > 0.0 { bounded(over / whole, 0.0, 1.0) } else { 0.0 };
     let (off_m, apart_m) = (gone.linear_m - first.linear_m, second.linear_m - first.linear_m);
-    let (off_rad, apart_rad) = (gone.turn_rad - first.turn_rad, second.turn_rad - first.turn_rad);
+    let (off_rad, apart_rad) =
+        (gone.rotation_rad - first.rotation_rad, second.rotation_rad - first.rotation_rad);
     Way {
         linear_m: off_m - apart_m * share(off_m.dot(apart_m), apart_m.length_squared()),
-        turn_rad: off_rad - apart_rad * share(off_rad * apart_rad, apart_rad * apart_rad),
+        rotation_rad: off_rad - apart_rad * share(off_rad * apart_rad, apart_rad * apart_rad),
     }
 }
