@@ -294,12 +294,5 @@ fn tolerance(table: &Table) -> Tolerance {
 }
 
 fn origin(table: &Table) -> (String, Standing) {
-    let standing = match table.given("standing").choice() {
-        0 => Standing::Found,
-        1 => Standing::Derived,
-        2 => Standing::Recalled,
-        3 => Standing::Assumed,
-        other => unreachable!("the key table has no standing {other}"),
-    };
-    (table.given("source").text().to_owned(), standing)
+    (table.given("source").text().to_owned(), table.given("standing").choice())
 }
