@@ -58,6 +58,7 @@ mod assemble;
 mod bounded_file;
 mod checked;
 mod csv;
+mod data_files;
 mod error;
 mod files;
 mod fit;
