@@ -51,7 +51,7 @@ pub struct Contact {
     /// T (N), on body 1 along the tangent.
     pub tangential_force_n: f64,
     /// What N gives the two bodies within the step (N·s): Σ N κ over the sub-steps, with κ for how long forces act (see
-    /// [`Motion::way_m`]). By the coupled method, of what the engine moved, it is the change of momentum exactly. The
+    /// [`Displacement::translation_m`]). By the coupled method, of what the engine moved, it is the change of momentum exactly. The
     /// mean `normal_force_n` times the step is not, where the length of the sub-steps changes: that mean is over the
     /// sub-steps' own time, so that it is the force at rest. By the paper's method N times the step.
     pub normal_impulse_ns: f64,
@@ -78,7 +78,7 @@ pub struct Contact {
     pub stored_j: f64,
     /// The largest energy that loads such a fender from nothing to where it is, within the step, sub-steps included
     /// (J): ∫ R dδ of the loading curve, which catalogues rate. Without an unloading law the largest of the one above.
-    pub peak_loaded_j: f64,
+    pub peak_absorbed_j: f64,
     /// Energy that a fender's unloading law has turned to heat (J), found at the starts of this step's sub-steps: since
     /// the start of the last one of the step before. 0 without such a law, and by the paper's method.
     pub hysteresis_j: f64,
@@ -161,12 +161,12 @@ pub struct Wrench {
 /// How far a body went in a step, by the velocities that forces work along: a steady load times it is that
 /// load's work.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Motion {
+pub struct Displacement {
     /// Σ ½(v + v⁺)κ over the sub-steps, earth-fixed, with κ for how long forces act: h, and half of the two where a
     /// sub-step is not as long as the last one (m).
-    pub way_m: Vec2,
+    pub translation_m: Vec2,
     /// Σ ½(r + r⁺)κ (rad).
-    pub turn_rad: f64,
+    pub rotation_rad: f64,
 }
 
 /// Something that a user should know of, beyond the forces.
@@ -197,16 +197,16 @@ pub enum EventKind {
     /// has put it there: its contacts start afresh.
     Teleported,
     /// A fender is deflected beyond what it is rated for.
-    FenderOverRated(FenderId),
+    FenderRatingExceeded(FenderId),
     /// A fender is in its stop, or as deep as it projects: it has failed, and the stop or the structure
     /// behind holds the hull.
     FenderFailed(FenderId),
     /// The coupled solve of these bodies' contact did not settle within its bounded work.
     NotConverged,
     /// A body was put into another, so deep that the contact would throw it out faster: it is pressed out instead, at
-    /// [`crate::PRESSED_OUT_MPS`] at most.
-    PutInto,
+    /// [`crate::MAX_PUSH_OUT_MPS`] at most.
+    PlacedInOverlap,
     /// A body answers the wrenches that its host is given otherwise than its mass in the model says: the host moves
     /// it with another. Told once a body, by a following host.
-    MassDiffers,
+    MassMismatch,
 }

@@ -189,7 +189,7 @@ fn contact(
         parts,
         factor,
         stored_j: touch.stored_j * factor,
-        peak_loaded_j: touch.stored_j * factor,
+        peak_absorbed_j: touch.stored_j * factor,
         shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
         ..touch.contact(scene, (patch, ids), face, arms_m)
     };

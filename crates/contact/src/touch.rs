@@ -255,7 +255,7 @@ impl Touch {
             factor: 1.0,
             tilt_rad: self.tilt_rad,
             stored_j: 0.0,
-            peak_loaded_j: 0.0,
+            peak_absorbed_j: 0.0,
             hysteresis_j: 0.0,
             hysteresis_at_start_j: 0.0,
             shear_stored_j: 0.0,

@@ -208,7 +208,7 @@ fn outline_pairs(setup: &Setup) -> Vec<[usize; 2]> {
     let count = setup.bodies.len();
     let all = (0..count).flat_map(|one| (one + 1..count).map(move |two| [one, two]));
     all.filter(|&[one, two]| {
-        (floats(one) || floats(two)) && (setup.every_other_pair.is_some() || named(one, two))
+        (floats(one) || floats(two)) && (setup.all_other_pairs.is_some() || named(one, two))
     })
     .collect()
 }

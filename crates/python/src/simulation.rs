@@ -40,7 +40,7 @@ pub(crate) struct Simulation {
     tables: Option<Tables<InMemory>>,
     events: Vec<StepEvent>,
     controls: Py<PyArray1<f64>>,
-    external: Shared,
+    external_wrenches: Shared,
     external_rows: Vec<Wrench>,
     states: Shown,
     wrenches: Shown,
@@ -201,8 +201,8 @@ impl Simulation {
     /// What the host puts on each body, one row a body: force north and east (N), moment about the centre of gravity
     /// (N·m). Write into it; it counts until it is changed.
     #[getter]
-    fn external(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
-        self.external.array(py)
+    fn external_wrenches(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.external_wrenches.array(py)
     }
 
     /// States now, one row a body: north and east (m), heading (rad), velocity north and east (m/s), rate of turn
@@ -284,7 +284,7 @@ impl Simulation {
     fn save(&self, py: Python<'_>) -> PyResult<SimulationState> {
         self.refuse_recording(py, "saved")?;
         let mut external = self.external_rows.clone();
-        self.external.read(py, |numbers| read_wrenches(numbers, &mut external))??;
+        self.external_wrenches.read(py, |numbers| read_wrenches(numbers, &mut external))??;
         Ok(SimulationState {
             names: Arc::clone(&self.names),
             run: self.run.clone(),
@@ -358,7 +358,7 @@ impl Simulation {
             tables,
             events: Vec::new(),
             controls,
-            external: Shared::zeros(py, count, WRENCH),
+            external_wrenches: Shared::zeros(py, count, WRENCH),
             external_rows: vec![Wrench::default(); count],
             states: Shown::zeros(py, count, &[STATE])?,
             wrenches: Shown::zeros(py, count, &[WRENCH])?,
@@ -379,7 +379,7 @@ impl Simulation {
         }
         let rows = &mut self.external_rows;
         let is_finite = |w: &Wrench| w.force_n.is_finite() && w.moment_nm.is_finite();
-        self.external.read(py, |numbers| read_wrenches(numbers, rows))??;
+        self.external_wrenches.read(py, |numbers| read_wrenches(numbers, rows))??;
         if let Some(body) = rows.iter().position(|wrench| !is_finite(wrench)) {
             let body = &self.names.bodies[body];
             return Err(errors::refused(
@@ -419,7 +419,7 @@ impl Simulation {
             return Err(PyValueError::new_err("the array of controls has another length"));
         }
         values.copy_from_slice(&state.controls);
-        self.external.write(py, |rows| write_wrenches(&state.external, rows))?;
+        self.external_wrenches.write(py, |rows| write_wrenches(&state.external, rows))?;
         self.run = state.run.clone();
         self.events.clone_from(&state.events);
         self.show(py)

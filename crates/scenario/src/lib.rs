@@ -57,6 +57,7 @@
 mod assemble;
 mod bounded_file;
 mod checked;
+mod choices;
 mod csv;
 mod data_files;
 mod error;

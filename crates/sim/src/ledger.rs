@@ -1,7 +1,7 @@
 //! The energy ledger: where every joule of a step came from.
 
 use fenderline_contact::number::greater;
-use fenderline_contact::{BodyState, Contact, ContactWork, Motion, Vec2, Wrench};
+use fenderline_contact::{BodyState, Contact, ContactWork, Displacement, Vec2, Wrench};
 
 use crate::record::{ContactEnergy, Energy, LoadWork};
 use crate::rigid_body::Inertia;
@@ -28,10 +28,10 @@ impl MeanVelocity {
     }
 
     /// That of the engine's motion, sub-steps included.
-    pub(crate) fn over(motion: &Motion, step_s: f64) -> MeanVelocity {
+    pub(crate) fn over(motion: &Displacement, step_s: f64) -> MeanVelocity {
         MeanVelocity {
-            velocity_mps: motion.way_m * (1.0 / step_s),
-            yaw_rate_radps: motion.turn_rad / step_s,
+            velocity_mps: motion.translation_m * (1.0 / step_s),
+            yaw_rate_radps: motion.rotation_rad / step_s,
         }
     }
 

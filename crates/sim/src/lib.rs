@@ -36,7 +36,7 @@
 //!         },
 //!     }],
 //!     pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
-//!     every_other_pair: None,
+//!     all_other_pairs: None,
 //!     fenders: vec![],
 //!     berthing: None,
 //!     loads: vec![],

@@ -24,7 +24,7 @@ pub struct Setup {
     /// Who may touch whom.
     pub pairs: Vec<PairSetup>,
     /// Material of every pair that `pairs` does not name; `None`: those do not touch.
-    pub every_other_pair: Option<usize>,
+    pub all_other_pairs: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
     /// Particulars for the berthing energy by formula, where it is asked for.

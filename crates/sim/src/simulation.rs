@@ -505,7 +505,7 @@ impl Simulation {
         let buffers = &mut self.buffers;
         let engine_moved = self.setup.integrator == Integrator::SemiImplicit;
         if self.setup.method == Method::Coupled && engine_moved {
-            for (mean, motion) in buffers.mean.iter_mut().zip(self.work.motions()) {
+            for (mean, motion) in buffers.mean.iter_mut().zip(self.work.displacements()) {
                 *mean = MeanVelocity::over(motion, step_s);
             }
         } else if self.setup.method == Method::Coupled && self.setup.integrator == Integrator::Rk4 {
@@ -716,8 +716,8 @@ fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, SetupError>
         let bodies = pair.bodies.map(|body| BodyId(body as u32));
         builder.pair(Pair { bodies, material: MaterialId(pair.material as u32) });
     }
-    if let Some(material) = setup.every_other_pair {
-        builder.every_other_pair(MaterialId(material as u32));
+    if let Some(material) = setup.all_other_pairs {
+        builder.all_other_pairs(MaterialId(material as u32));
     }
     Ok(builder.build()?)
 }

@@ -231,7 +231,7 @@ impl Booked {
             work: self.work,
             factor: self.factor,
             stored_j: self.stored_j,
-            peak_loaded_j: self.loaded_j,
+            peak_absorbed_j: self.loaded_j,
             hysteresis_j: self.hysteresis_j,
             hysteresis_at_start_j: self.hysteresis_j,
             shear_stored_j: self.shear_stored_j,
@@ -247,7 +247,7 @@ impl Booked {
         contact.tangential_impulse_ns += self.tangential_n * self.kick_s;
         contact.peak_normal_force_n = greater(contact.peak_normal_force_n, self.normal_n);
         contact.peak_depth_m = greater(contact.peak_depth_m, self.depth_m);
-        contact.peak_loaded_j = greater(contact.peak_loaded_j, self.loaded_j);
+        contact.peak_absorbed_j = greater(contact.peak_absorbed_j, self.loaded_j);
         contact.hysteresis_j += self.hysteresis_j;
         contact.work.normal_j += self.work.normal_j;
         contact.work.tangential_j += self.work.tangential_j;
