@@ -7,7 +7,7 @@
 //!
 //! Equation numbers are those of Moreno, Sasaki, Makiyama & Tannuri, "Vessel-Fender Contact Force
 //! Modelling for a Real-time Ship Manoeuvring Simulator", TransNav 17(4), 2023, with the signs and
-//! terms put right (ARCHITECTURE.md lists what and why).
+//! terms put right (docs/contact_model.md lists what and why).
 //!
 //! ```
 //! use fenderline_contact::*;
