@@ -442,9 +442,9 @@ impl FlContact {
             stop_n: c.parts.stop_n,
             damper_n: c.parts.damper_n,
             limiter_n: c.parts.limiter_n,
-            stored_j: c.stored_j,
-            peak_absorbed_j: c.peak_absorbed_j,
-            hysteresis_j: c.hysteresis_j,
+            stored_j: c.energy.stored_j,
+            peak_absorbed_j: c.energy.peak_absorbed_j,
+            hysteresis_j: c.energy.hysteresis_j,
             tilt_rad: c.tilt_rad,
             factor: c.factor,
         }

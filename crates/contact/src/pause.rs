@@ -4,7 +4,7 @@ use crate::admit::{admit, admit_loads};
 use crate::error::StepError;
 use crate::memory::Memory;
 use crate::model::Model;
-use crate::report::{ContactWork, Displacement, Wrench};
+use crate::report::{ContactImpulse, ContactWork, Displacement, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
@@ -34,7 +34,7 @@ pub(crate) fn pause(
     }
     for contact in &mut work.contacts {
         contact.work = ContactWork::default();
-        (contact.normal_impulse_ns, contact.tangential_impulse_ns) = (0.0, 0.0);
+        contact.impulse = ContactImpulse::default();
     }
     work.events.clear();
     work.motions.clear();

@@ -70,8 +70,8 @@ fn lost(model: &Model, velocity_mps: Vec2, step_s: f64, gap_m: f64) -> f64 {
     for _ in 0..((gap_m / velocity_mps.x + 2.5) / step_s).ceil() as u32 + 1 {
         advance_in_place(model, &mut memory, &mut work, &mut states, &loads, step_s).unwrap();
         for contact in work.contacts() {
-            on_barge_ns += contact.normal * -contact.normal_impulse_ns
-                + contact.tangent() * contact.tangential_impulse_ns;
+            on_barge_ns += contact.normal * -contact.impulse.normal_ns
+                + contact.tangent() * contact.impulse.tangential_ns;
         }
     }
     assert!(work.contacts().is_empty(), "she has left");

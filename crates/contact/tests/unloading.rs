@@ -178,7 +178,7 @@ fn gradient_holds(
             work.contacts().iter().find(|c| c.fender.is_some() && c.depth_m <= 1.2).copied()?;
         let force = contact.normal * (contact.parts.spring_n + contact.parts.stop_n);
         let moment = contact.arm_2_m.cross(force);
-        Some((contact.stored_j, contact.hysteresis_j, [-force.x, force.y, moment]))
+        Some((contact.energy.stored_j, contact.energy.hysteresis_j, [-force.x, force.y, moment]))
     };
     let mut memory = Memory::new(&model);
     if look(&mut memory, pose).is_none() {

@@ -1,8 +1,8 @@
 //! Numbers, states and contacts as bytes: little-endian, bit for bit.
 
 use fenderline_contact::{
-    BodyId, BodyState, Contact, ContactWork, Event, EventKind, FenderId, ForceParts, Friction,
-    RestoreError, Vec2, Wrench, vec2,
+    BodyId, BodyState, Contact, ContactImpulse, ContactWork, EnergyParts, Event, EventKind,
+    FenderId, ForceParts, Friction, RestoreError, Vec2, Wrench, vec2,
 };
 
 use crate::results::numbers;
@@ -168,7 +168,7 @@ impl<'a> Reader<'a> {
         let [arm_2_m, normal] = [self.vector()?, self.vector()?];
         let [area_m2, depth_m, v_normal_mps, v_tangential_mps, shear_m] = self.numbers()?;
         let [normal_force_n, tangential_force_n] = self.numbers()?;
-        let [normal_impulse_ns, tangential_impulse_ns] = self.numbers()?;
+        let [normal_ns, tangential_ns] = self.numbers()?;
         let [peak_normal_force_n, peak_depth_m] = self.numbers()?;
         let [spring_n, stop_n, damper_n, limiter_n] = self.numbers()?;
         let [normal_j, tangential_j, damper_j, limiter_j] = self.numbers()?;
@@ -190,8 +190,7 @@ impl<'a> Reader<'a> {
             shear_m,
             normal_force_n,
             tangential_force_n,
-            normal_impulse_ns,
-            tangential_impulse_ns,
+            impulse: ContactImpulse { normal_ns, tangential_ns },
             friction: if flags & 1 == 1 { Friction::Slip } else { Friction::Stick },
             limited: flags & 2 == 2,
             peak_normal_force_n,
@@ -200,11 +199,13 @@ impl<'a> Reader<'a> {
             work: ContactWork { normal_j, tangential_j, damper_j, limiter_j },
             factor,
             tilt_rad,
-            stored_j,
-            peak_absorbed_j,
-            hysteresis_j,
-            hysteresis_at_start_j,
-            shear_stored_j,
+            energy: EnergyParts {
+                stored_j,
+                peak_absorbed_j,
+                hysteresis_j,
+                hysteresis_at_start_j,
+                shear_stored_j,
+            },
         })
     }
 

@@ -1,7 +1,7 @@
 //! What a step found.
 
 use fenderline_contact::{
-    BodyState, Contact, ContactWork, Event, HostWorkspace, Workspace, Wrench,
+    BodyState, Contact, ContactImpulse, ContactWork, Event, HostWorkspace, Workspace, Wrench,
 };
 
 /// What the last step found, or what it had found when the engine was saved. One entry a body, in the order
@@ -75,8 +75,8 @@ pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
         c.shear_m,
         c.normal_force_n,
         c.tangential_force_n,
-        c.normal_impulse_ns,
-        c.tangential_impulse_ns,
+        c.impulse.normal_ns,
+        c.impulse.tangential_ns,
         c.peak_normal_force_n,
         c.peak_depth_m,
         p.spring_n,
@@ -89,11 +89,11 @@ pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
         w.limiter_j,
         c.factor,
         c.tilt_rad,
-        c.stored_j,
-        c.peak_absorbed_j,
-        c.shear_stored_j,
-        c.hysteresis_j,
-        c.hysteresis_at_start_j,
+        c.energy.stored_j,
+        c.energy.peak_absorbed_j,
+        c.energy.shear_stored_j,
+        c.energy.hysteresis_j,
+        c.energy.hysteresis_at_start_j,
     ]
 }
 
@@ -117,7 +117,7 @@ impl Saved {
         self.events.clear();
         for contact in &mut self.contacts {
             contact.work = ContactWork::default();
-            (contact.normal_impulse_ns, contact.tangential_impulse_ns) = (0.0, 0.0);
+            contact.impulse = ContactImpulse::default();
         }
         if !self.states_after.is_empty() {
             self.states_after.copy_from_slice(states);

@@ -192,7 +192,7 @@ impl FenderSummaries {
             // Two hulls on one fender press together; of a tilted hull's force the fender's reaction is the
             // part along its axis.
             *reaction_n += contact.peak_normal_force_n * libm::cos(contact.tilt_rad);
-            *energy_j += contact.peak_absorbed_j;
+            *energy_j += contact.energy.peak_absorbed_j;
             book_contact(summary, setup, contact, t_s);
             book_peaks(summary, setup, *reaction_n, *energy_j, t_s);
         }

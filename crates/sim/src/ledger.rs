@@ -103,9 +103,9 @@ impl ContactTotals {
             let index = self.index_of(contact);
             let seen = &mut self.seen[index];
             seen.now = true;
-            seen.stored_j += contact.stored_j;
-            seen.hysteresis_at_start_j += contact.hysteresis_at_start_j;
-            seen.shear_stored_j += contact.shear_stored_j;
+            seen.stored_j += contact.energy.stored_j;
+            seen.hysteresis_at_start_j += contact.energy.hysteresis_at_start_j;
+            seen.shear_stored_j += contact.energy.shear_stored_j;
         }
         // The books of contacts that go on against the fenders' potentials; those of contacts that are
         // no more are closed.
@@ -126,7 +126,7 @@ impl ContactTotals {
     pub(crate) fn add(&mut self, contacts: &[Contact], mean: &[MeanVelocity], by: WorkBy) {
         for contact in contacts {
             let (work, impulse_ns) = match by {
-                WorkBy::Engine => (contact.work, contact.normal_impulse_ns),
+                WorkBy::Engine => (contact.work, contact.impulse.normal_ns),
                 WorkBy::Motion(seconds) => {
                     (work_along(contact, mean, seconds), contact.normal_force_n * seconds)
                 }
@@ -136,7 +136,7 @@ impl ContactTotals {
             book.normal_impulse_ns += impulse_ns;
             book.normal_j += work.normal_j;
             book.tangential_j += work.tangential_j;
-            let hysteresis_j = contact.hysteresis_j - contact.hysteresis_at_start_j;
+            let hysteresis_j = contact.energy.hysteresis_j - contact.energy.hysteresis_at_start_j;
             book.hysteresis_j += hysteresis_j;
             book.damping_j -= work.damper_j;
             book.restitution_j += work.limiter_j;

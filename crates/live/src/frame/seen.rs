@@ -32,7 +32,7 @@ impl Seen {
         for contact in record.contacts {
             let fender = contact.fender.map(|id| id.0 as usize);
             if let Some(fender) = fender {
-                self.stored_j[fender] += contact.stored_j;
+                self.stored_j[fender] += contact.energy.stored_j;
             }
             self.contacts.push(ContactNow {
                 bodies: [contact.body_1.0 as usize, contact.body_2.0 as usize],

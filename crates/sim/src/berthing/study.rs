@@ -156,7 +156,7 @@ impl Study {
             self.outcome = Some(self.first_touch(fenders, inertias, step, contact));
         }
         let Some(Ok(outcome)) = self.outcome.as_mut() else { return };
-        let peaks_j: f64 = step.contacts.iter().map(|c| c.peak_absorbed_j).sum();
+        let peaks_j: f64 = step.contacts.iter().map(|c| c.energy.peak_absorbed_j).sum();
         self.heat_j += step.hysteresis_j;
         self.most_stored_j = greater(self.most_stored_j, step.stored_j);
         // Peaks of one step need not come together; what is taken by its end does.
