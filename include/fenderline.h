@@ -72,31 +72,31 @@
  * fl_engine_states_after(), or move its bodies by itself with the wrenches, in steps of any lengths: by the coupled
  * method the engine then goes on from where it was itself while bodies touch, and the wrenches keep the host beside it.
  */
-#define FL_HOST_PRESENT 0
+#define FL_HOST_DIRECT 0
 
 /**
  * fl_settings.host: it moves its bodies by itself, may show old states and need not tell its loads, as a
  * co-simulation master or the loop of a game. Its steps may be of any lengths. The engine finds the loads in the states, reckons the states that it is not shown yet,
  * and gives wrenches that take the host where the engine went. By the coupled method only.
  */
-#define FL_HOST_FOLLOWING 1
+#define FL_HOST_COSIMULATION 1
 
 /**
- * fl_settings.turning: as `fenderline run` has it with the scenario's integrator; FL_TURNING_BY_ENGINE where
+ * fl_settings.coriolis: as `fenderline run` has it with the scenario's integrator; FL_CORIOLIS_BY_ENGINE where
  * there is no scenario.
  */
-#define FL_TURNING_DEFAULT 0
+#define FL_CORIOLIS_DEFAULT 0
 
 /**
- * fl_settings.turning: the loads that the host tells are without the Coriolis and centripetal terms of a
+ * fl_settings.coriolis: the loads that the host tells are without the Coriolis and centripetal terms of a
  * body's added mass, which the engine adds.
  */
-#define FL_TURNING_BY_ENGINE 1
+#define FL_CORIOLIS_BY_ENGINE 1
 
 /**
- * fl_settings.turning: the loads that the host tells hold these terms.
+ * fl_settings.coriolis: the loads that the host tells hold these terms.
  */
-#define FL_TURNING_IN_LOADS 2
+#define FL_CORIOLIS_IN_LOADS 2
 
 /**
  * fl_settings.integration: the host moves positions with the old velocities, then changes the velocities.
@@ -140,7 +140,7 @@
 
 /**
  * fl_event.kind: a body moved by a tenth of the radius of its outline more than its velocities explain, or
- * fl_engine_place() said that it was put there; its contacts start afresh. The radius is the largest distance of a
+ * fl_engine_mark_teleported() said that it was put there; its contacts start afresh. The radius is the largest distance of a
  * vertex from the centre of gravity.
  */
 #define FL_EVENT_TELEPORTED 6
@@ -148,7 +148,7 @@
 /**
  * fl_event.kind: a fender is deflected beyond what it is rated for.
  */
-#define FL_EVENT_FENDER_OVER_RATED 7
+#define FL_EVENT_FENDER_RATING_EXCEEDED 7
 
 /**
  * fl_event.kind: a fender is in its stop, or as deep as it projects.
@@ -164,13 +164,13 @@
  * fl_event.kind: a body was put into another, so deep that the contact would throw it out faster: it is pressed out
  * instead, at 0.08 m/s at most.
  */
-#define FL_EVENT_PUT_INTO 10
+#define FL_EVENT_PLACED_IN_OVERLAP 10
 
 /**
  * fl_event.kind: a body answers the wrenches that a following host is given otherwise than its mass in the model
  * says: the host moves it with another (fl_engine_mass_matrix()). Told once a body.
  */
-#define FL_EVENT_MASS_DIFFERS 11
+#define FL_EVENT_MASS_MISMATCH 11
 
 /**
  * fl_contact.flags: the friction slips; else it sticks.
@@ -413,9 +413,9 @@ typedef struct {
      */
     uint32_t host;
     /**
-     * FL_TURNING_..., of a host of the present; 0 for a following one, whose loads hold the turning terms.
+     * FL_CORIOLIS_..., of a host of the present; 0 for a following one, whose loads hold the turning terms.
      */
-    uint32_t turning;
+    uint32_t coriolis;
     /**
      * FL_INTEGRATION_... of a following host; else 0.
      */
@@ -583,7 +583,7 @@ typedef struct {
     /**
      * The largest energy within the step that loads such a fender from nothing to where it is (J).
      */
-    double peak_loaded_j;
+    double peak_absorbed_j;
     /**
      * Angle between a fender's face and the hull (rad).
      */
@@ -718,7 +718,7 @@ fl_status fl_builder_add_pair(fl_builder *builder,
 /**
  * Lets all pairs of bodies touch that fl_builder_add_pair() does not name, with a material.
  */
-fl_status fl_builder_every_other_pair(fl_builder *builder, uint32_t material);
+fl_status fl_builder_add_all_other_pairs(fl_builder *builder, uint32_t material);
 
 /**
  * Makes an engine of all that was added, at `*engine`, to be destroyed by fl_engine_destroy(); NULL where
@@ -853,12 +853,12 @@ fl_status fl_engine_set_states(fl_engine *engine,
 /**
  * Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
  * start afresh (FL_EVENT_TELEPORTED), no load is read from it, and out of another body it is pressed slowly
- * (FL_EVENT_PUT_INTO, where it lies so deep that it would be thrown out). Without it the engine finds that out where the body is a tenth of the
+ * (FL_EVENT_PLACED_IN_OVERLAP, where it lies so deep that it would be thrown out). Without it the engine finds that out where the body is a tenth of the
  * radius of its outline farther than its velocities lead it. A host that shows its states some steps late calls it
  * when it first shows the new place. To go back in time, restore a saved engine.
  */
-fl_status fl_engine_place(fl_engine *engine,
-                          uint32_t body);
+fl_status fl_engine_mark_teleported(fl_engine *engine,
+                                    uint32_t body);
 
 /**
  * Tells all that acts on each body except contact, until it is told again; `count` is the number of bodies.
@@ -891,7 +891,7 @@ fl_status fl_engine_advance(fl_engine *engine,
 
 /**
  * Copies the wrenches of the last step, which the host is to add to its forces for that step: means over it, so that
- * the impulse is right, as fl_engine_peaks() are not. `count` is the number of bodies.
+ * the impulse is right, as fl_engine_peak_wrenches() are not. `count` is the number of bodies.
  */
 fl_status fl_engine_wrenches(const fl_engine *engine,
                              fl_wrench *wrenches,
@@ -905,9 +905,9 @@ fl_status fl_engine_wrenches(const fl_engine *engine,
  * method, which knows no sub-steps, the same as fl_engine_wrenches(). The peak of each contact is
  * fl_contact.peak_normal_force_n.
  */
-fl_status fl_engine_peaks(const fl_engine *engine,
-                          fl_wrench *peaks,
-                          size_t count);
+fl_status fl_engine_peak_wrenches(const fl_engine *engine,
+                                  fl_wrench *peaks,
+                                  size_t count);
 
 /**
  * Copies the states that the engine came to at the end of the last step, for hosts that let it move the
@@ -924,10 +924,10 @@ fl_status fl_engine_states_after(const fl_engine *engine,
  * Copies what the last step took for a following host's present states, which it will show when they are old
  * enough, and its loads, told or observed. `count` is the number of bodies.
  */
-fl_status fl_engine_reckoned(const fl_engine *engine,
-                             fl_state *states,
-                             fl_wrench *loads,
-                             size_t count);
+fl_status fl_engine_host_estimate(const fl_engine *engine,
+                                  fl_state *states,
+                                  fl_wrench *loads,
+                                  size_t count);
 
 /**
  * Number of patches that touched in the last step.

@@ -11,8 +11,8 @@ use maud::html;
 use crate::cli::{FenderCommand, FitArgs, FitStanding};
 use crate::failure::Failure;
 use crate::output::write_whole;
-use crate::plot::{Axis, Chart, Point, Series, fixed, page};
 use crate::terminal::say;
+use fenderline_report::plot::{Axis, Chart, Point, Series, fixed, page};
 
 /// Rows of the printed table.
 const ROWS: u32 = 10;

@@ -117,7 +117,8 @@ fn attack(seed: u64, tally: &mut Tally) {
             8 => step_s = random.number(),
             9 => states[body].east_mps = random.number(),
             10 => {
-                tally.told += u64::from(fl_engine_place(engine, body as u32) == FlStatus::Ok);
+                tally.told +=
+                    u64::from(fl_engine_mark_teleported(engine, body as u32) == FlStatus::Ok);
             }
             11 => {
                 let load = FlWrench {

@@ -279,12 +279,12 @@ impl Memory {
 
     /// The host has put a body where the next step shows it: its contacts start afresh there
     /// ([`crate::EventKind::Teleported`]), and where it is put into another one it is pressed out slowly
-    /// ([`crate::EventKind::PutInto`]). Without a word of the host that is found out where the way is longer than a
+    /// ([`crate::EventKind::PlacedInOverlap`]). Without a word of the host that is found out where the way is longer than a
     /// tenth of the body's radius.
     ///
     /// # Panics
     /// Where the model has no such body.
-    pub fn place(&mut self, model: &Model, body: BodyId) {
+    pub fn mark_teleported(&mut self, model: &Model, body: BodyId) {
         let rank = model.rank_of[body.0 as usize];
         if let Err(at) = self.placed.binary_search(&rank) {
             self.placed.insert(at, rank);

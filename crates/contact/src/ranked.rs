@@ -242,11 +242,11 @@ fn describe(body: &Body, shape: u32, fenders_reach_m: f64) -> (RankedBody, Rest)
             let inverse = InverseMatrix::isotropic(mass_kg, yaw_inertia_kgm2);
             (mass_kg, yaw_inertia_kgm2, Some(inverse))
         }
-        Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
+        Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
             let matrix = body.mobility.matrix().expect("it floats");
             (lesser(surge_kg, sway_kg), yaw_inertia_kgm2, InverseMatrix::of(&matrix))
         }
-        Mobility::Massive { matrix } => {
+        Mobility::FullMatrix { matrix } => {
             let lightest = lesser(matrix[0][0], matrix[1][1]);
             (lightest, matrix[2][2], InverseMatrix::of(&matrix))
         }

@@ -5,7 +5,7 @@ use crate::geometry::clip::ClipBuffers;
 use crate::memory::PatchMemory;
 use crate::model::{BodyId, Material, Model};
 use crate::overlap::{self, Overlap, Patch};
-use crate::report::{Contact, ContactWork, ForceParts, Friction};
+use crate::report::{Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::{Pose, Vec2};
 
@@ -244,8 +244,7 @@ impl Touch {
             shear_m: self.shear_m,
             normal_force_n: 0.0,
             tangential_force_n: 0.0,
-            normal_impulse_ns: 0.0,
-            tangential_impulse_ns: 0.0,
+            impulse: ContactImpulse::default(),
             friction: Friction::Stick,
             limited: false,
             peak_normal_force_n: 0.0,
@@ -254,11 +253,7 @@ impl Touch {
             work: ContactWork::default(),
             factor: 1.0,
             tilt_rad: self.tilt_rad,
-            stored_j: 0.0,
-            peak_loaded_j: 0.0,
-            hysteresis_j: 0.0,
-            hysteresis_at_start_j: 0.0,
-            shear_stored_j: 0.0,
+            energy: EnergyParts::default(),
         }
     }
 }

@@ -19,7 +19,7 @@ use crate::model::{MaterialId, Model};
 use crate::near::NearList;
 use crate::overlap::Overlap;
 use crate::pairing::Bounds;
-use crate::report::{Contact, Event, Motion, Wrench};
+use crate::report::{Contact, Displacement, Event, Wrench};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::Pose;
 
@@ -82,8 +82,8 @@ pub struct Workspace {
     /// Of what the step leaves of all that are active.
     pub(crate) sums: Sums,
     /// How far each body went: by rank as far as sub-steps have come and more are to come, then by id.
-    pub(crate) motions_by_rank: Vec<Motion>,
-    pub(crate) motions: Vec<Motion>,
+    pub(crate) motions_by_rank: Vec<Displacement>,
+    pub(crate) motions: Vec<Displacement>,
     /// Velocities by rank: without contact before a solve and new after it, while `states` have those from before.
     pub(crate) velocities: Vec<Velocity>,
     /// What loads alone accelerate each body at, by rank (m/s², rad/s²); and the loads themselves, of those whose
@@ -268,14 +268,14 @@ impl Workspace {
 
     /// How far each body went in the last step by [`crate::advance`], one a body: what a load works along.
     #[must_use]
-    pub fn motions(&self) -> &[Motion] {
+    pub fn displacements(&self) -> &[Displacement] {
         &self.motions
     }
 
     /// Whether steps report their contacts one by one in [`Workspace::contacts`], as they do if not told
     /// otherwise. Wrenches, states, motions, events and what is remembered are the same to the bit without, and
     /// come somewhat sooner.
-    pub fn tell_contacts(&mut self, told: bool) {
+    pub fn report_contacts(&mut self, told: bool) {
         self.contacts_told = told;
     }
 
@@ -286,7 +286,7 @@ impl Workspace {
     }
 
     /// Sum of the contact forces on each body in the last step, one a body: means over the step, by which bodies are
-    /// moved. [`Workspace::tell_peaks`] has what was there at the worst moment.
+    /// moved. [`Workspace::peak_wrenches_into`] has what was there at the worst moment.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.wrenches
@@ -297,7 +297,7 @@ impl Workspace {
     /// sub-step, [`Workspace::wrenches`]. Size fenders and structures by it, but move no body: a force that falls off
     /// within a long step is this large for a part of it. Of a fixed body that floating ones touch which do not touch
     /// each other, what it is where they are greatest at one time.
-    pub fn tell_peaks(&self, into: &mut Vec<Wrench>) {
+    pub fn peak_wrenches_into(&self, into: &mut Vec<Wrench>) {
         peaks::tell(&self.peaks, &self.wrenches, into);
     }
 

@@ -127,7 +127,7 @@ fn hit(buffer: Buffer, ratio: f64, step_s: f64, gap_m: f64) -> Hit {
         for contact in work.contacts() {
             found.depth_m = found.depth_m.max(contact.peak_depth_m);
             peak_n += contact.peak_normal_force_n;
-            found.impulse += contact.normal_impulse_ns;
+            found.impulse += contact.impulse.normal_ns;
         }
         found.peak_n = found.peak_n.max(peak_n);
     }

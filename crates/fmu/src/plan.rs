@@ -146,7 +146,7 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
     for (name, description, setting, start) in rows {
         let (class, unit, range) = match setting {
             Setting::DelaySteps | Setting::SkipSteps => {
-                let most = f64::from(fenderline_embed::MOST_DELAY_STEPS);
+                let most = f64::from(fenderline_embed::MAX_DELAY_STEPS);
                 (Class::Integer, Unit::One, Some([0.0, most]))
             }
             Setting::StepS => (Class::Real, Unit::Second, Some([1e-6, 1e3])),

@@ -37,7 +37,7 @@ const FIELDS: [(&str, char); 33] = [
     ("factor", 'f'),
     ("tilt_rad", 'f'),
     ("stored_j", 'f'),
-    ("peak_loaded_j", 'f'),
+    ("peak_absorbed_j", 'f'),
     ("hysteresis_j", 'f'),
     ("shear_stored_j", 'f'),
     ("arm_1_north_m", 'f'),
@@ -75,10 +75,10 @@ fn words(c: &Contact) -> [u64; FIELDS.len()] {
         f(c.work.tangential_j),
         f(c.factor),
         f(c.tilt_rad),
-        f(c.stored_j),
-        f(c.peak_loaded_j),
-        f(c.hysteresis_j),
-        f(c.shear_stored_j),
+        f(c.energy.stored_j),
+        f(c.energy.peak_absorbed_j),
+        f(c.energy.hysteresis_j),
+        f(c.energy.shear_stored_j),
         f(c.arm_1_m.x),
         f(c.arm_1_m.y),
     ]
@@ -108,7 +108,7 @@ pub(crate) fn contacts_array<'py>(
 #[pyclass(frozen, get_all, module = "fenderline")]
 #[derive(Clone, Debug)]
 pub(crate) struct StepEvent {
-    /// What, as `summary.json` has it: `contact_began`, `fender_over_rated`, ...
+    /// What, as `summary.json` has it: `contact_began`, `fender_rating_exceeded`, ...
     kind: &'static str,
     /// Whom it is about: names of bodies, or of a vessel, a tug or a line.
     subjects: Vec<String>,
@@ -127,7 +127,7 @@ impl StepEvent {
 /// An event of contact, told by names.
 pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]) -> StepEvent {
     let fender = match event.kind {
-        EventKind::FenderOverRated(id) | EventKind::FenderFailed(id) => Some(id),
+        EventKind::FenderRatingExceeded(id) | EventKind::FenderFailed(id) => Some(id),
         _ => None,
     };
     StepEvent {

@@ -1,7 +1,7 @@
 //! The contact engine alone.
 
 use fenderline_contact::{BodyState, HostIntegration, HostSettings, Mobility, Wrench};
-use fenderline_embed::{self as embed, EngineError, Host, Settings, Turning};
+use fenderline_embed::{self as embed, CoriolisTerms, EngineError, Host, Settings};
 use fenderline_sim::Method;
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
@@ -18,14 +18,14 @@ use crate::scenario::Scenario;
 /// The contact engine for a simulator that moves its own bodies: write `states` and, where there are any, `loads`,
 /// call `step`, add `wrenches` to your forces.
 ///
-/// `method` is `"coupled"` or `"paper"` (the scenario's where not given). `host="present"` shows the states of the
-/// step's beginning and tells its loads; `turning` then says whose a body's Coriolis terms are, `"engine"` or
-/// `"loads"`. `host="following"` moves its bodies with the wrenches by `integration` (`"semi_implicit"` or
+/// `method` is `"coupled"` or `"paper"` (the scenario's where not given). `host="direct"` shows the states of the
+/// step's beginning and tells its loads; `coriolis` then says whose a body's Coriolis terms are, `"engine"` or
+/// `"loads"`. `host="cosimulation"` moves its bodies with the wrenches by `integration` (`"semi_implicit"` or
 /// `"forward_euler"`), may show states that are `delay_steps` old, and need not tell loads.
 ///
 /// >>> import fenderline
 /// >>> tug_at_speed = fenderline.example("tug_4kn").with_set({"contact.method": "coupled"})
-/// >>> engine = fenderline.Engine(tug_at_speed, host="following")
+/// >>> engine = fenderline.Engine(tug_at_speed, host="cosimulation")
 /// >>> engine.bodies
 /// ['ship', 'tug']
 /// >>> engine.states[1, 1] = -38.5  # half a metre into the ship's side
@@ -52,7 +52,7 @@ pub(crate) struct Engine {
 impl Engine {
     #[new]
     #[pyo3(signature = (
-        scenario, *, method=None, host="present", turning=None, delay_steps=0,
+        scenario, *, method=None, host="direct", coriolis=None, delay_steps=0,
         integration="semi_implicit",
     ))]
     fn new(
@@ -60,7 +60,7 @@ impl Engine {
         scenario: &Scenario,
         method: Option<&str>,
         host: &str,
-        turning: Option<&str>,
+        coriolis: Option<&str>,
         delay_steps: u32,
         integration: &str,
     ) -> PyResult<Engine> {
@@ -70,11 +70,11 @@ impl Engine {
             Some("paper") => Some(Method::Paper),
             Some(other) => return Err(no_choice("method", other, "coupled, paper")),
         };
-        let turning = match turning {
+        let coriolis = match coriolis {
             None => None,
-            Some("engine") => Some(Turning::Engine),
-            Some("loads") => Some(Turning::Loads),
-            Some(other) => return Err(no_choice("turning", other, "engine, loads")),
+            Some("engine") => Some(CoriolisTerms::ByEngine),
+            Some("loads") => Some(CoriolisTerms::InLoads),
+            Some(other) => return Err(no_choice("coriolis", other, "engine, loads")),
         };
         let integration = match integration {
             "semi_implicit" => HostIntegration::SemiImplicit,
@@ -84,17 +84,17 @@ impl Engine {
             }
         };
         let host = match host {
-            "present" if delay_steps == 0 => Host::Present { turning },
-            "present" => {
-                return Err(PyValueError::new_err("delay_steps is for host=\"following\""));
+            "direct" if delay_steps == 0 => Host::Direct { coriolis },
+            "direct" => {
+                return Err(PyValueError::new_err("delay_steps is for host=\"cosimulation\""));
             }
-            "following" if turning.is_none() => {
-                Host::Following(HostSettings { delay_steps, integration })
+            "cosimulation" if coriolis.is_none() => {
+                Host::CoSimulation(HostSettings { delay_steps, integration })
             }
-            "following" => {
-                return Err(PyValueError::new_err("turning is for host=\"present\""));
+            "cosimulation" => {
+                return Err(PyValueError::new_err("coriolis is for host=\"direct\""));
             }
-            other => return Err(no_choice("host", other, "present, following")),
+            other => return Err(no_choice("host", other, "direct, cosimulation")),
         };
         let settings = Settings { method, host };
         let checked = (*scenario.checked).clone();
@@ -121,10 +121,10 @@ impl Engine {
     }
 
     /// Says that you have put the body of a name where `states` has it in the next step, rather than moved it there:
-    /// its contacts start afresh, and where it lies within another one it is pressed out slowly (event `put_into`).
-    fn place(&mut self, py: Python<'_>, body: &str) -> PyResult<()> {
+    /// its contacts start afresh, and where it lies within another one it is pressed out slowly (event `placed_in_overlap`).
+    fn mark_teleported(&mut self, py: Python<'_>, body: &str) -> PyResult<()> {
         let Engine { engine, .. } = self;
-        let placed = engine.body_named(body).and_then(|index| engine.place(index));
+        let placed = engine.body_named(body).and_then(|index| engine.mark_teleported(index));
         placed.map_err(|error| errors::of_engine(py, &error))
     }
 
@@ -151,7 +151,7 @@ impl Engine {
     #[setter]
     fn set_uses_loads(&mut self, py: Python<'_>, uses_loads: bool) -> PyResult<()> {
         if uses_loads && self.engine.method() == Method::Paper {
-            let error = EngineError::NotHere("the paper's method knows no loads");
+            let error = EngineError::NotAvailable("the paper's method knows no loads");
             return Err(errors::of_engine(py, &error));
         }
         if !uses_loads {
@@ -183,12 +183,12 @@ impl Engine {
     #[getter]
     fn states_after(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         if self.engine.method() == Method::Coupled
-            && matches!(self.engine.host(), Host::Present { .. })
+            && matches!(self.engine.host(), Host::Direct { .. })
         {
             return Ok(self.states_after.view(py));
         }
         let why = "the host moves the bodies itself: there are no states after";
-        Err(errors::of_engine(py, &EngineError::NotHere(why)))
+        Err(errors::of_engine(py, &EngineError::NotAvailable(why)))
     }
 
     /// The touching patches of the last step: a structured array of its own.
@@ -300,7 +300,7 @@ impl Engine {
         let bodies: Vec<String> = model.bodies().iter().map(|body| body.name.clone()).collect();
         let fenders = model.fenders().iter().map(|fender| fender.name.clone()).collect();
         let count = bodies.len();
-        let present = matches!(engine.host(), Host::Present { .. });
+        let present = matches!(engine.host(), Host::Direct { .. });
         let made = Engine {
             uses_loads: present && engine.method() == Method::Coupled,
             states: Shared::zeros(py, count, STATE),
@@ -325,7 +325,7 @@ impl Engine {
             self.peak_wrenches.write(py, |rows| rows.fill(0.0))?;
             return self.wrenches.write(py, |rows| rows.fill(0.0));
         };
-        self.peak_wrenches.write(py, |rows| write_wrenches(results.peaks, rows))?;
+        self.peak_wrenches.write(py, |rows| write_wrenches(results.peak_wrenches, rows))?;
         self.wrenches.write(py, |rows| write_wrenches(results.wrenches, rows))?;
         self.states_after.write(py, |rows| write_states(results.states_after, rows))
     }

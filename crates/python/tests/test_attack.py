@@ -38,9 +38,9 @@ def a_step_s(draw: random.Random) -> float:
 
 def an_engine(draw: random.Random) -> Engine:
     scenario = fenderline.example("tug_4kn") if draw.random() < 0.5 else Scenario.load(BERTH)
-    host = draw.choice(["present", "following"])
-    if host == "following":
-        return Engine(scenario, method="coupled", host="following", delay_steps=draw.randrange(3))
+    host = draw.choice(["direct", "cosimulation"])
+    if host == "cosimulation":
+        return Engine(scenario, method="coupled", host="cosimulation", delay_steps=draw.randrange(3))
     return Engine(scenario, method=draw.choice(["coupled", "paper"]))
 
 
@@ -58,7 +58,7 @@ def lie(engine: Engine, draw: random.Random) -> None:
     elif kind == 3:
         engine.loads[body, draw.randrange(engine.loads.shape[1])] = any_float(draw)
     elif kind == 4:
-        engine.place(engine.bodies[body])
+        engine.mark_teleported(engine.bodies[body])
     else:
         engine.states[body, draw.randrange(6)] = any_float(draw)
 

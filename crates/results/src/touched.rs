@@ -35,7 +35,7 @@ pub fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
         let along_axis = libm::cos(contact.tilt_rad);
         fender.reaction_n += contact.normal_force_n * along_axis;
         fender.peak_reaction_n += contact.peak_normal_force_n * along_axis;
-        fender.stored_j += contact.stored_j;
+        fender.stored_j += contact.energy.stored_j;
         add_parts(&mut fender.parts, &contact.parts);
     }
     fenders

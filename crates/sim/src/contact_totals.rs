@@ -67,9 +67,9 @@ impl ContactTotals {
             let index = self.index_of(contact);
             let at_start = &mut self.at_start[index];
             at_start.exists = true;
-            at_start.stored_j += contact.stored_j;
-            at_start.hysteresis_j += contact.hysteresis_at_start_j;
-            at_start.shear_stored_j += contact.shear_stored_j;
+            at_start.stored_j += contact.energy.stored_j;
+            at_start.hysteresis_j += contact.energy.hysteresis_at_start_j;
+            at_start.shear_stored_j += contact.energy.shear_stored_j;
         }
         // Between outlines there is no potential: the accumulated energy stands until the contact ends.
         for (energy, at_start) in self.all.iter_mut().zip(&self.at_start) {
@@ -90,7 +90,7 @@ impl ContactTotals {
     pub(crate) fn add(&mut self, contacts: &[Contact], mean: &[MeanVelocity], source: WorkSource) {
         for contact in contacts {
             let (work, impulse_ns) = match source {
-                WorkSource::Engine => (contact.work, contact.normal_impulse_ns),
+                WorkSource::Engine => (contact.work, contact.impulse.normal_ns),
                 WorkSource::MeanVelocity(seconds) => {
                     (work_along(contact, mean, seconds), contact.normal_force_n * seconds)
                 }
@@ -100,7 +100,7 @@ impl ContactTotals {
             energy.normal_impulse_ns += impulse_ns;
             energy.normal_j += work.normal_j;
             energy.tangential_j += work.tangential_j;
-            let hysteresis_j = contact.hysteresis_j - contact.hysteresis_at_start_j;
+            let hysteresis_j = contact.energy.hysteresis_j - contact.energy.hysteresis_at_start_j;
             energy.hysteresis_j += hysteresis_j;
             energy.damping_j -= work.damper_j;
             energy.restitution_j += work.limiter_j;

@@ -190,7 +190,7 @@ impl FenderSummaries {
             let (reaction_n, energy_j) = &mut self.now[index];
             // Forces of several hulls on one fender add up. The reaction is the component along the fender's axis.
             *reaction_n += contact.peak_normal_force_n * libm::cos(contact.tilt_rad);
-            *energy_j += contact.peak_loaded_j;
+            *energy_j += contact.energy.peak_absorbed_j;
             add_contact(summary, setup, contact, t_s);
             update_peaks(summary, setup, *reaction_n, *energy_j, t_s);
         }

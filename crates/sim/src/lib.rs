@@ -104,7 +104,7 @@
 //!     bodies: vec![ship, quay],
 //!     materials: vec![rubber],
 //!     pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
-//!     every_other_pair: None,
+//!     all_other_pairs: None,
 //!     fenders: vec![fender],
 //!     berthing: None,
 //!     loads: vec![load],

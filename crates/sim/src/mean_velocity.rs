@@ -1,6 +1,6 @@
 //! The mean velocity of a body over a step, with which works are computed.
 
-use fenderline_contact::{BodyState, Motion, Vec2, Wrench};
+use fenderline_contact::{BodyState, Displacement, Vec2, Wrench};
 
 /// Mean velocity of a body over a step. For a constant force, force times mean velocity times Δt is exactly the
 /// change of kinetic energy: ½m(v₁² − v₀²) = m(v₁ − v₀)·½(v₀ + v₁).
@@ -25,10 +25,10 @@ impl MeanVelocity {
     }
 
     /// The mean velocity of the engine's motion, sub-steps included.
-    pub(crate) fn over(motion: &Motion, step_s: f64) -> MeanVelocity {
+    pub(crate) fn over(motion: &Displacement, step_s: f64) -> MeanVelocity {
         MeanVelocity {
-            velocity_mps: motion.way_m * (1.0 / step_s),
-            yaw_rate_radps: motion.turn_rad / step_s,
+            velocity_mps: motion.translation_m * (1.0 / step_s),
+            yaw_rate_radps: motion.rotation_rad / step_s,
         }
     }
 

@@ -73,7 +73,7 @@ impl Inertia {
             return Mobility::Free { mass_kg: self.surge_kg, yaw_inertia_kgm2: self.yaw_kgm2 };
         }
         if self.engine_turns {
-            return Mobility::Afloat {
+            return Mobility::SurgeSway {
                 surge_kg: self.surge_kg,
                 sway_kg: self.sway_kg,
                 yaw_inertia_kgm2: self.yaw_kgm2,
@@ -81,7 +81,7 @@ impl Inertia {
         }
         let c = self.coupling_kgm;
         let matrix = [[self.surge_kg, 0.0, 0.0], [0.0, self.sway_kg, c], [0.0, c, self.yaw_kgm2]];
-        Mobility::Massive { matrix }
+        Mobility::FullMatrix { matrix }
     }
 
     /// The Coriolis and centripetal wrench C of a body in a current (m/s), earth-fixed: M v̇ = F + C.

@@ -24,7 +24,7 @@ pub struct Setup {
     /// Pairs of bodies that may touch, with their material.
     pub pairs: Vec<PairSetup>,
     /// Material of every pair that is not in `pairs`; `None`: those pairs do not touch.
-    pub every_other_pair: Option<usize>,
+    pub all_other_pairs: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
     /// Particulars for the berthing formulas, if the comparison is wanted.

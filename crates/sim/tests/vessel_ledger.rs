@@ -94,7 +94,7 @@ fn run(
         bodies: vec![body],
         materials: vec![],
         pairs: vec![],
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: vec![],
         berthing: None,
         loads,

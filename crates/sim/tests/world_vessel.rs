@@ -36,7 +36,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
         bodies: vec![body],
         materials: vec![],
         pairs: vec![],
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: vec![],
         berthing: None,
         loads: vec![],

@@ -7,8 +7,8 @@ use fenderline_sim::hydro::vessels::Vessel;
 use super::catalogue::ManoeuvreName;
 use super::conditions::{Conditions, GRAVITY_MPS2, KNOT_MPS, Sea};
 use super::section::{Row, Section, Unit};
-use crate::plot::{fixed, plain, significant};
 use crate::vessels::accuracy_text;
+use fenderline_report::plot::{fixed, plain, significant};
 
 /// Width of the column of names (characters).
 const NAMES: usize = 38;

@@ -2,11 +2,11 @@
 //! answer.
 
 mod group;
-mod notices;
 mod process;
 mod protocol;
 
 use fenderline_contact::{Rotation, Wrench};
+use fenderline_results::{ProviderNotice, ProviderNotices};
 use fenderline_sim::external::{ForceRequest, HeldWrench, ProviderEvent};
 use fenderline_sim::{ProviderSetup, Simulation};
 
@@ -14,8 +14,6 @@ use fenderline_sim::{ProviderSetup, Simulation};
 pub(crate) use self::group::end_all;
 use self::process::Process;
 use crate::failure::Failure;
-
-pub(crate) use notices::{ProviderNotice, ProviderNotices, provider_event_key};
 
 /// All providers of a run.
 pub(crate) struct Providers {

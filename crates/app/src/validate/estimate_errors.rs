@@ -3,7 +3,9 @@
 
 use std::sync::OnceLock;
 
+use fenderline_results::EstimateError;
 use fenderline_sim::hydro::EstimateMethod;
+use fenderline_sim::hydro::vessels;
 
 use super::computed::Values;
 use super::computed::estimates::{MEASURES, ROUTES, SHIPS, compute_route};
@@ -11,31 +13,6 @@ use super::published::{Number, Origin, Source};
 
 /// The file.
 const ESTIMATED_SHIPS: &str = include_str!("../../../../validation/estimated_ships.toml");
-
-/// The errors of a route in one measure, ours over theirs less one.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct EstimateError {
-    /// Key of the measure.
-    pub(crate) measure: &'static str,
-    /// The measure in words.
-    pub(crate) name: &'static str,
-    /// Mean of the errors without their signs.
-    pub(crate) size: f64,
-    /// Mean of the errors with their signs.
-    pub(crate) bias: f64,
-    /// The lowest and the highest, each with its ship.
-    pub(crate) ends: [(String, f64); 2],
-    /// How many ships.
-    pub(crate) ships: usize,
-}
-
-impl EstimateError {
-    /// The largest, with its sign.
-    fn largest(&self) -> f64 {
-        let [(_, low), (_, high)] = &self.ends;
-        if low.abs() > high.abs() { *low } else { *high }
-    }
-}
 
 /// Measures in words, in the order of [`MEASURES`].
 const NAMES: [&str; 4] = [
@@ -45,8 +22,19 @@ const NAMES: [&str; 4] = [
     "first overshoot of 20°/20°",
 ];
 
+/// The errors of the formulas that estimated a vessel; empty where nothing of her is estimated, or the formulas' errors
+/// are not known.
+pub(crate) fn errors_of(origin: &vessels::Origin) -> &'static [EstimateError] {
+    match origin.estimate_method {
+        Some(EstimateMethod::YoshimuraMasumoto) => {
+            estimate_errors(EstimateMethod::YoshimuraMasumoto)
+        }
+        Some(EstimateMethod::Clarke) | None => &[],
+    }
+}
+
 /// The errors of a route, by measure. Computed once in a program.
-pub(crate) fn estimate_errors(route: EstimateMethod) -> &'static [EstimateError] {
+fn estimate_errors(route: EstimateMethod) -> &'static [EstimateError] {
     static ERRORS: [OnceLock<Vec<EstimateError>>; 2] = [OnceLock::new(), OnceLock::new()];
     let index = ROUTES.iter().position(|(_, known)| *known == route).expect("every route is there");
     ERRORS[index].get_or_init(|| {

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 use super::play::{Played, Sample};
 use super::row::Runs;
-use crate::plot::{
+use fenderline_report::plot::{
     Axis, Chart, Frame, Harbour, Label, Outlined, Plan, Point, Reference, Series, Stage, plain,
 };
 

@@ -164,7 +164,7 @@ impl MomentumWatch {
             Mobility::Fixed => None,
             Mobility::Free { mass_kg, yaw_inertia_kgm2 } => Some((mass_kg, yaw_inertia_kgm2)),
             // Momentum of a body whose mass differs with direction is not m v.
-            Mobility::Massive { .. } | Mobility::Afloat { .. } => {
+            Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {
                 panic!("the case's bodies have one mass in all directions")
             }
         });

@@ -6,7 +6,7 @@ use core::fmt::Write as _;
 
 use super::published::{Tolerance, Uncertainty};
 use super::row::{Compared, Row, count};
-use crate::plot::{plain, significant};
+use fenderline_report::plot::{plain, significant};
 
 /// Numbers by subject, statements, what does not match, and the count.
 pub(super) fn tables(rows: &[Row]) -> String {

@@ -20,7 +20,7 @@ use crate::memory::PatchMemory;
 use crate::number::{greater, lesser};
 
 /// V_out: the fastest that a contact presses bodies apart that were put into one another (m/s).
-pub const PRESSED_OUT_MPS: f64 = 0.08;
+pub const MAX_PUSH_OUT_MPS: f64 = 0.08;
 
 /// a: how fast it gets there (m/s²): a five-hundredth of the weight.
 const GENTLY_MPS2: f64 = 0.02;
@@ -68,7 +68,7 @@ impl Put<'_> {
     /// Where the law has no more than it takes: until the bodies close again.
     #[cold]
     fn is_still_let_out(&self) -> bool {
-        let hit_mps = if self.restitution.is_none() { PRESSED_OUT_MPS } else { 0.0 };
+        let hit_mps = if self.restitution.is_none() { MAX_PUSH_OUT_MPS } else { 0.0 };
         self.v_normal_mps <= hit_mps
     }
 
@@ -81,15 +81,15 @@ impl Put<'_> {
         };
         // So little may be from one putting or from many, each by a little.
         let earned_j = self.old.map_or(0.0, |old| old.taken_j);
-        let made_j = if fastest_mps(earned_j) > PRESSED_OUT_MPS {
+        let made_j = if fastest_mps(earned_j) > MAX_PUSH_OUT_MPS {
             self.may_give_j - earned_j
         } else {
             self.may_give_j
         };
         match (fastest_mps(made_j), self.restitution) {
-            (thrown_mps, None) => thrown_mps > PRESSED_OUT_MPS,
+            (thrown_mps, None) => thrown_mps > MAX_PUSH_OUT_MPS,
             (thrown_mps, Some(restitution)) => {
-                thrown_mps > THROWN_OUT_MPS || restitution * thrown_mps > PRESSED_OUT_MPS
+                thrown_mps > THROWN_OUT_MPS || restitution * thrown_mps > MAX_PUSH_OUT_MPS
             }
         }
     }
@@ -101,5 +101,5 @@ pub(crate) fn opening_mps(v_normal_mps: f64, h: f64) -> f64 {
     // A sub-step that is long beside T stops them.
     let opening_mps =
         lesser(slower_mps, greater(v_normal_mps, 0.0) + h * GENTLY_MPS2) - v_normal_mps;
-    lesser(opening_mps, PRESSED_OUT_MPS)
+    lesser(opening_mps, MAX_PUSH_OUT_MPS)
 }

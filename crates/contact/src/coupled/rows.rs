@@ -207,7 +207,7 @@ pub(crate) fn collect(
         | (u32::from(approaching) * PatchMemory::APPROACHING)
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
     if pressed_out && taken.placed > 0 {
-        note(model, aside.events, a, b, EventKind::PutInto);
+        note(model, aside.events, a, b, EventKind::PlacedInOverlap);
     }
     if let Some(row) = row {
         let Touch { depth_m, tilt_rad, stored_j, .. } = touch;

@@ -23,7 +23,7 @@ impl Turning {
     /// `None` for a body that the engine does not turn, and for one with nothing to turn.
     pub(crate) fn of(mobility: &Mobility) -> Option<Turning> {
         match *mobility {
-            Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } if surge_kg != sway_kg => {
+            Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } if surge_kg != sway_kg => {
                 Some(Turning { surge_kg, sway_kg, yaw_kgm2: yaw_inertia_kgm2 })
             }
             _ => None,

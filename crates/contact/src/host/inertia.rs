@@ -14,7 +14,7 @@ pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -
         Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
             Wrench { force_n: v.linear_mps * *mass_kg, moment_nm: v.yaw_radps * *yaw_inertia_kgm2 }
         }
-        Mobility::Massive { .. } | Mobility::Afloat { .. } => {
+        Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {
             let matrix = mobility.matrix().expect("it floats");
             let rotation = Rotation::from_angle(state.heading_rad);
             let own = rotation.apply_inverse(v.linear_mps);

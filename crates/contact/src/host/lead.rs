@@ -82,7 +82,7 @@ pub(super) fn closed(start: &Start, step_s: f64) -> Velocity {
 
 /// Is the host so near to the engine's place that it may go on from its own, where nothing touches the body?
 pub(super) fn is_near(way: Way) -> bool {
-    way.linear_m.length() < NEAR_M && way.turn_rad.abs() < NEAR_RAD
+    way.linear_m.length() < NEAR_M && way.rotation_rad.abs() < NEAR_RAD
 }
 
 /// What is left of the velocity, where nothing touches the body any more, after a step.

@@ -43,7 +43,7 @@ pub(crate) fn berth(stiffness_npm2: f64) -> Model {
         friction_dynamic: 0.4,
         restitution: 0.1,
     });
-    builder.every_other_pair(rubber);
+    builder.all_other_pairs(rubber);
     builder.build().expect("a good model")
 }
 

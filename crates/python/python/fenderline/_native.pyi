@@ -82,13 +82,13 @@ class Engine:
         scenario: Scenario,
         *,
         method: Literal["coupled", "paper"] | None = None,
-        host: Literal["present", "following"] = "present",
-        turning: Literal["engine", "loads"] | None = None,
+        host: Literal["direct", "cosimulation"] = "direct",
+        coriolis: Literal["engine", "loads"] | None = None,
         delay_steps: int = 0,
         integration: Literal["semi_implicit", "forward_euler"] = "semi_implicit",
     ) -> Engine: ...
     def step(self, step_s: float) -> None: ...
-    def place(self, body: str) -> None: ...
+    def mark_teleported(self, body: str) -> None: ...
     uses_loads: bool
     @property
     def states(self) -> _Floats: ...

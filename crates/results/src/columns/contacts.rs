@@ -114,7 +114,7 @@ pub(crate) fn contacts_columns() -> Vec<Column<ContactRow>> {
             "stored_j",
             "J",
             "stored in a fender's spring and stop at the start of the step",
-            |r| r.contact.stored_j,
+            |r| r.contact.energy.stored_j,
         ),
         float("tilt_rad", "rad", "angle between a fender's face and the hull", |r| {
             r.contact.tilt_rad

@@ -136,13 +136,7 @@ impl Assembly<'_, '_> {
             let message = format!("`{path}` needs a `depth` beside it: deep water has no squat");
             return Err(self.sources.error(&item.key_span, &path, message));
         }
-        Ok(match item.choice() {
-            0 => None,
-            1 => Some(Squat::Icorels),
-            2 => Some(Squat::Barrass),
-            3 => Some(Squat::Eryuzlu),
-            other => unreachable!("the key table has no squat {other}"),
-        })
+        Ok(item.choice())
     }
 
     fn banks(&self, table: &Table) -> Checked<Vec<Bank>> {

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use fenderline_contact::{FenderLaw, ReactionFactors, Stop, Unloading};
-use fenderline_sim::berthing::{BerthingSetup, Configuration, Softness};
+use fenderline_sim::berthing::BerthingSetup;
 use fenderline_sim::hydro::vessels::Standing;
 use fenderline_sim::{BodySetup, FenderSetup, FenderSource, HullPressure, Rated};
 
@@ -437,15 +437,8 @@ impl Assembly<'_, '_> {
             draught_m: number("draught"),
             under_keel_clearance_m: number("under_keel_clearance"),
             block_coefficient: number("block_coefficient"),
-            softness: match table.given("softness").choice() {
-                0 => Softness::Soft,
-                _ => Softness::Hard,
-            },
-            configuration: match table.given("configuration").choice() {
-                0 => Configuration::SolidQuay,
-                1 => Configuration::SemiOpen,
-                _ => Configuration::OpenPiles,
-            },
+            softness: table.given("softness").choice(),
+            configuration: table.given("configuration").choice(),
             abnormal_factor: table.item("abnormal_factor").map(|item| *item.number()),
         }))
     }

@@ -308,7 +308,7 @@ impl Assembly<'_, '_> {
         Ok(match what.name {
             "rudder" => Action::Rudder(*what.number()),
             "engine" => Action::Engine(*what.number()),
-            "telegraph" => Action::Engine(Telegraph::ALL[*what.choice()].revolutions_ratio()),
+            "telegraph" => Action::Engine(what.choice::<Telegraph>().revolutions_ratio()),
             "thruster" => {
                 let of = what.table();
                 let name = of.given("name");
@@ -426,11 +426,6 @@ fn to_line(index: usize, what: &Item) -> Action {
 }
 
 fn rope(table: &Table) -> Rope {
-    let curve = match table.given("rope").choice() {
-        0 => RopeCurve::wire(),
-        1 => RopeCurve::hmpe(),
-        2 => RopeCurve::polyester(),
-        _ => RopeCurve::nylon(),
-    };
-    Rope { break_load_n: *table.given("break_load").number(), curve }
+    let curve: fn() -> RopeCurve = table.given("rope").choice();
+    Rope { break_load_n: *table.given("break_load").number(), curve: curve() }
 }

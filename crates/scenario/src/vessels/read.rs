@@ -9,7 +9,7 @@ use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::{Figure, Origin, Source};
 use fenderline_sim::hydro::{
     AddedMass, CrossFlow, DriftPolynomial, HydroError, Known, LowSpeedHull, Particulars,
-    Polynomial, Series, SternCoefficients, SternGear, SwayPolynomial, TunnelThruster, estimated,
+    Polynomial, SternCoefficients, SternGear, SwayPolynomial, TunnelThruster, estimated,
 };
 
 use fenderline_sim::{AzimuthSetup, ThrusterSetup};
@@ -731,13 +731,7 @@ fn stern(propeller: Option<&Table>, rudder: Option<&Table>) -> SternCoefficients
     };
     SternCoefficients {
         thrust_polynomial: inner(propeller, "thrust"),
-        series: propeller.and_then(|table| table.item_if_any("series")).map(|item| {
-            match item.choice() {
-                0 => Series::B4Pitch08,
-                1 => Series::B4Pitch10,
-                other => unreachable!("the key table has no series {other}"),
-            }
-        }),
+        series: propeller.and_then(|table| table.item_if_any("series")).map(Item::choice),
         thrust_deduction: number(propeller, "thrust_deduction"),
         thrust_deduction_astern: number(propeller, "thrust_deduction_astern"),
         wake: number(propeller, "wake"),

@@ -169,7 +169,7 @@ impl Study {
             self.outcome = Some(self.first_touch(fenders, inertias, step, contact));
         }
         let Some(Ok(outcome)) = self.outcome.as_mut() else { return };
-        let peaks_j: f64 = step.contacts.iter().map(|c| c.peak_loaded_j).sum();
+        let peaks_j: f64 = step.contacts.iter().map(|c| c.energy.peak_absorbed_j).sum();
         self.heat_j += step.hysteresis_j;
         self.most_stored_j = greater(self.most_stored_j, step.stored_j);
         // The peaks of several fenders within a step need not coincide, so their sum is only an upper bound.

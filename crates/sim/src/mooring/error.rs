@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use fenderline_contact::Shown;
+use fenderline_contact::DisplayNumber;
 
 use crate::range::OutOfRange;
 
@@ -49,7 +49,7 @@ impl fmt::Display for MooringError {
                 write!(
                     f,
                     "line `{line}` cannot be fitted with a tension of {} N",
-                    Shown(*tension_n)
+                    DisplayNumber(*tension_n)
                 )
             }
         }

@@ -47,7 +47,7 @@ impl Simulation {
     fn find_mean_velocities(&mut self) {
         let step_s = self.setup.step_s;
         if self.engine_moves() {
-            for (mean, motion) in self.buffers.mean.iter_mut().zip(self.work.motions()) {
+            for (mean, motion) in self.buffers.mean.iter_mut().zip(self.work.displacements()) {
                 *mean = MeanVelocity::over(motion, step_s);
             }
             return;

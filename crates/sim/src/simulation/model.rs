@@ -81,8 +81,8 @@ pub(super) fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, 
         let bodies = pair.bodies.map(|body| BodyId(body as u32));
         builder.pair(Pair { bodies, material: MaterialId(pair.material as u32) });
     }
-    if let Some(material) = setup.every_other_pair {
-        builder.every_other_pair(MaterialId(material as u32));
+    if let Some(material) = setup.all_other_pairs {
+        builder.all_other_pairs(MaterialId(material as u32));
     }
     Ok(builder.build()?)
 }
