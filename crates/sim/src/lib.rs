@@ -154,6 +154,7 @@
 
 pub mod attitude;
 pub mod berthing;
+pub mod constants;
 pub mod control;
 pub mod environment;
 pub mod external;
