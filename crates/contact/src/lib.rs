@@ -150,6 +150,7 @@ mod events;
 mod face;
 mod fender;
 mod geometry;
+pub mod hash;
 mod host;
 mod inherit;
 mod law;
