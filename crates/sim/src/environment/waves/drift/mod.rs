@@ -65,9 +65,8 @@ impl DriftHull {
         Ok(())
     }
 
-    /// Mean force to starboard of and along the bow, and moment about midship, over ρga², in a regular wave of
-    /// amplitude a and wave number k > 0 (rad/m) that runs towards μ from the bow (rad): [X, Y, N] in
-    /// (m, m, m²).
+    /// Mean force forward and to starboard, and moment about midship, over ρga², in a regular wave of amplitude a, wave
+    /// number k > 0 (rad/m) and direction μ relative to the bow (rad): [X, Y, N] in (m, m, m²).
     #[must_use]
     pub fn coefficients(&self, number_radpm: f64, direction_rad: f64) -> [f64; 3] {
         let reflected = Waterline::of(self).reflection(direction_rad);

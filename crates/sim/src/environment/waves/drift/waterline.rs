@@ -33,8 +33,8 @@ impl Waterline {
         }
     }
 
-    /// ½∫sin²θ n dl over what waves towards μ meet, n into the hull and θ between wave and side: [X, Y, N] over
-    /// ρga², (m, m, m²). What lies in the lee of something else is taken to be met, as the hull is convex.
+    /// ½∫sin²θ n dl over the part of the waterline exposed to waves towards μ, with the normal n into the hull and θ the
+    /// angle between wave and side: [X, Y, N] over ρga² (m, m, m²). No part shelters another, as the waterline is convex.
     pub(super) fn reflection(&self, direction_rad: f64) -> [f64; 3] {
         let towards = [libm::cos(direction_rad), libm::sin(direction_rad)];
         let mut sum = [0.0; 3];
