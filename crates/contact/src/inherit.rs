@@ -4,7 +4,7 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::events::{note, tell_ends_and_splits};
+use crate::events::{note, report_ends_and_splits};
 use crate::memory::{Past, PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
 use crate::number::greater;
@@ -81,7 +81,7 @@ pub(crate) fn inherit_from(
             own.iter().for_each(|_| note(model, &mut work.events, a, b, EventKind::ContactEnded));
             own = &[];
         }
-        tell_ends_and_splits(model, work, (own, old_places), from, to);
+        report_ends_and_splits(model, work, (own, old_places), from, to);
         let Workspace { found: Overlap { patches, places, .. }, inherited, shares, .. } =
             &mut *work;
         let patches = &patches[from..to];

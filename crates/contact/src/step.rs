@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use crate::admit;
 use crate::broad;
 use crate::error::StepError;
-use crate::events::tell_of_patch;
+use crate::events::report_patch;
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::{Inherited, inherit_from};
@@ -176,7 +176,7 @@ fn contact(
         step_s,
     );
 
-    let flags = tell_of_patch(model, books.events, patch, face, &touch, inherited, old);
+    let flags = report_patch(model, books.events, patch, face, &touch, inherited, old);
     let report = Contact {
         shear_m: shear.shear_m,
         normal_force_n,

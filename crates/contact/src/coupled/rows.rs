@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use crate::coupled::bodies::kick_s;
 use crate::coupled::press_out::{Put, opening_mps};
 use crate::coupled::tie::{Forces, Slide, Tie};
-use crate::events::{note, tell_of_patch};
+use crate::events::{note, report_patch};
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherit::Inherited;
@@ -204,7 +204,7 @@ pub(crate) fn collect(
         Some(_) => Slide::Holds,
     };
     tie.obey(&touch, &laws, (begins_with, slide), (begun.h, kick_s));
-    let flags = tell_of_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
+    let flags = report_patch(model, aside.events, patch, face, &touch, taken.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING)
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
     if pressed_out && taken.placed > 0 {
