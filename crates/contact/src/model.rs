@@ -9,7 +9,7 @@ use crate::fender::{self, Fender, FenderId, FenderLaw, RankedFender};
 use crate::mass::InverseMatrix;
 use crate::number::greater;
 use crate::outline::Outline;
-use crate::pairing::{Bounds, RankedPair};
+use crate::pair::{Bounds, RankedPair};
 use crate::ranked::Ranked;
 
 /// Index of a body, in the order in which bodies were added.
