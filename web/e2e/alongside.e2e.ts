@@ -15,8 +15,11 @@ const LONGEST_S = 280;
 
 /** Stopped abreast of her berth: what is left is theirs. */
 const ABREAST = [
-  "body.ship.position=[0, -28]", 'body.ship.heading="0 deg"', 'body.ship.velocity.surge="0 kn"',
-  "body.forward_tug.position=[40, -75]", "body.after_tug.position=[-80, -75]",
+  "body.ship.position=[0, -28]",
+  'body.ship.heading="0 deg"',
+  'body.ship.velocity.surge="0 kn"',
+  "body.forward_tug.position=[40, -75]",
+  "body.after_tug.position=[-80, -75]",
 ];
 
 const errors: string[] = [];
@@ -38,7 +41,10 @@ afterAll(async () => {
   await served.close();
 });
 
-interface End { off: number; closing: number }
+interface End {
+  off: number;
+  closing: number;
+}
 
 /** What the docking board shows. */
 async function board(page: Page): Promise<{ bow: End; stern: End }> {
@@ -84,16 +90,30 @@ async function tells(page: Page, end: "bow" | "stern", { order, percent }: Word)
     if (!(await card.getByRole("button", { name: `${name} push` }).isEnabled())) continue;
     // The tug that is told where to go is sent to the end that is hers.
     const place = card.getByRole("combobox");
-    if ((await place.count()) > 0) await once(`${name} place`, end, async () => void (await place.selectOption({ label: end === "bow" ? "port shoulder" : "port quarter" })));
+    if ((await place.count()) > 0)
+      await once(
+        `${name} place`,
+        end,
+        async () =>
+          void (await place.selectOption({
+            label: end === "bow" ? "port shoulder" : "port quarter",
+          })),
+      );
     const pulls = (await card.getByRole("button", { name: `${name} pull` }).count()) > 0;
     const verb = order === "Pull" && !pulls ? "Stop" : order;
-    await once(`${name} power`, String(percent), () => card.getByRole("button", { name: `${name} ${percent} %` }).click());
-    await once(name, verb, () => card.getByRole("button", { name: `${name} ${verb.toLowerCase()}`, exact: true }).click());
+    await once(`${name} power`, String(percent), () =>
+      card.getByRole("button", { name: `${name} ${percent} %` }).click(),
+    );
+    await once(name, verb, () =>
+      card.getByRole("button", { name: `${name} ${verb.toLowerCase()}`, exact: true }).click(),
+    );
   }
 }
 
 test("nobody commands before taking the helm, and two cannot hold it", async () => {
-  expect(await pilot.getByRole("button", { name: "Rudder port 10", exact: true }).isDisabled()).toBe(true);
+  expect(
+    await pilot.getByRole("button", { name: "Rudder port 10", exact: true }).isDisabled(),
+  ).toBe(true);
   await pilot.getByRole("button", { name: "Take the helm" }).click();
   await pilot.getByRole("button", { name: "Release the helm" }).waitFor();
   await tug.getByRole("button", { name: /^Take / }).click();
@@ -107,7 +127,8 @@ test("nobody commands before taking the helm, and two cannot hold it", async () 
 
 test("a pilot and a tugmaster bring her alongside", async () => {
   await instructor.getByRole("button", { name: `Pace ${PACE}`, exact: true }).click();
-  if ((await instructor.locator(".run-state").textContent()) === "PAUSED") await instructor.getByRole("button", { name: "Resume (K)" }).click();
+  if ((await instructor.locator(".run-state").textContent()) === "PAUSED")
+    await instructor.getByRole("button", { name: "Resume (K)" }).click();
   await pilot.bringToFront();
   await pilot.getByRole("tab", { name: "Docking" }).click();
   await pilot.getByRole("button", { name: "Midships (M)" }).click();
@@ -117,18 +138,26 @@ test("a pilot and a tugmaster bring her alongside", async () => {
     const now = await board(pilot);
     // Each end for itself would turn her: who is ahead of the other waits.
     const lead = now.bow.off - now.stern.off;
-    const held = { bow: { ...now.bow, closing: now.bow.closing + Math.max(0, -lead) * 0.02 }, stern: { ...now.stern, closing: now.stern.closing + Math.max(0, lead) * 0.02 } };
+    const held = {
+      bow: { ...now.bow, closing: now.bow.closing + Math.max(0, -lead) * 0.02 },
+      stern: { ...now.stern, closing: now.stern.closing + Math.max(0, lead) * 0.02 },
+    };
     await masterObeys(word(held[MASTERS_END]));
     await tells(pilot, PILOTS_END, word(held[PILOTS_END]));
-    for (const end of [now.bow, now.stern]) if (end.off < 0.4) landing = Math.max(landing, end.closing);
-    const still = [now.bow, now.stern].every((end) => end.off < 0.25 && Math.abs(end.closing) < 0.04);
+    for (const end of [now.bow, now.stern])
+      if (end.off < 0.4) landing = Math.max(landing, end.closing);
+    const still = [now.bow, now.stern].every(
+      (end) => end.off < 0.25 && Math.abs(end.closing) < 0.04,
+    );
     settled = still ? settled + 1 : 0;
     if (settled > 6) break;
     await pilot.waitForTimeout(200);
   }
   const last = await board(pilot);
   const minutes = ((Date.now() - begun) / 60_000) * Number(PACE);
-  console.log(`alongside after ${minutes.toFixed(1)} min of her time; landed at ${landing.toFixed(2)} m/s; bow ${last.bow.off} m, stern ${last.stern.off} m`);
+  console.log(
+    `alongside after ${minutes.toFixed(1)} min of her time; landed at ${landing.toFixed(2)} m/s; bow ${last.bow.off} m, stern ${last.stern.off} m`,
+  );
   expect(Math.max(last.bow.off, last.stern.off)).toBeLessThan(0.3);
   expect(landing).toBeLessThan(0.3);
   // What a ship at her fenders looks like, close by and with her lines; for a person to look at.
@@ -146,7 +175,9 @@ test("a pilot and a tugmaster bring her alongside", async () => {
   for (let i = 0; i < 2; i++) await pilot.getByRole("button", { name: "Zoom in (+)" }).click();
   await pilot.waitForTimeout(200);
   await pilot.screenshot({ path: join(SHOTS, "alongside-close.png") });
-  expect(await pilot.locator(".fenders .summary").textContent()).toMatch(/touched so far · highest so far \d+ % of rated/);
+  expect(await pilot.locator(".fenders .summary").textContent()).toMatch(
+    /touched so far · highest so far \d+ % of rated/,
+  );
   expect(await pilot.locator(".fenders li.alarm").count()).toBe(0);
 });
 
@@ -184,8 +215,12 @@ test("frames are on the page within 100 ms, and it draws smoothly", async () => 
   await instructor.getByRole("button", { name: "Resume (K)" }).click();
   // Only the page in front is drawn: the others' clocks would stand.
   await instructor.waitForTimeout(12_000);
-  const { median, p99, fps } = await instructor.locator(".link-state").evaluate((each: HTMLElement) => ({ ...each.dataset }));
-  console.log(`tick to drawing: median ${median} ms, 99 of 100 within ${p99} ms; ${fps} drawings a second`);
+  const { median, p99, fps } = await instructor
+    .locator(".link-state")
+    .evaluate((each: HTMLElement) => ({ ...each.dataset }));
+  console.log(
+    `tick to drawing: median ${median} ms, 99 of 100 within ${p99} ms; ${fps} drawings a second`,
+  );
   expect(Number(median)).toBeLessThan(100);
   expect(errors).toEqual([]);
 });

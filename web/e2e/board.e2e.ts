@@ -6,8 +6,11 @@ import { type Browser, type Served, SHOTS, browse, open, serve } from "./browser
 
 /** Along the quay where it has no fenders, with her side 2 m into the concrete: she is pressed out slowly. */
 const ON_CONCRETE = [
-  "body.ship.position=[-130, -13]", 'body.ship.heading="0 deg"', 'body.ship.velocity.surge="0 kn"',
-  "body.forward_tug.position=[-90, -70]", "body.after_tug.position=[-210, -70]",
+  "body.ship.position=[-130, -13]",
+  'body.ship.heading="0 deg"',
+  'body.ship.velocity.surge="0 kn"',
+  "body.forward_tug.position=[-90, -70]",
+  "body.after_tug.position=[-210, -70]",
 ];
 
 const errors: string[] = [];
@@ -33,16 +36,27 @@ const end = (page: Page) => page.locator('.end[aria-label="Bow"]');
 test("the board is red with the hull on the quay, and not green before the alarm is acknowledged", async () => {
   await pilot.getByRole("tab", { name: "Docking" }).click();
   await observer.getByRole("tab", { name: "Docking" }).click();
-  await pilot.waitForFunction(() => document.querySelector('.end[aria-label="Bow"] .lamp')?.textContent === "STRUCTURE");
+  await pilot.waitForFunction(
+    () => document.querySelector('.end[aria-label="Bow"] .lamp')?.textContent === "STRUCTURE",
+  );
   expect(await end(pilot).getAttribute("class")).toContain("alarm");
   await pilot.screenshot({ path: join(SHOTS, "board-structure.png") });
   // She is pressed off the concrete; that it was touched stays on everybody's board.
-  await pilot.waitForFunction(() => document.querySelector('.end[aria-label="Bow"] .lamp')?.textContent === "TOUCHED", undefined, { timeout: 120_000 });
+  await pilot.waitForFunction(
+    () => document.querySelector('.end[aria-label="Bow"] .lamp')?.textContent === "TOUCHED",
+    undefined,
+    { timeout: 120_000 },
+  );
   expect(await end(pilot).getAttribute("class")).not.toContain("ok");
   await pilot.getByRole("tab", { name: "Alarms" }).click();
   await pilot.screenshot({ path: join(SHOTS, "board-alarms.png") });
   await pilot.getByRole("button", { name: /^Acknowledge ship touches quay/ }).click();
-  await observer.waitForFunction(() => !["TOUCHED", "STRUCTURE"].includes(document.querySelector('.end[aria-label="Bow"] .lamp')?.textContent ?? ""));
+  await observer.waitForFunction(
+    () =>
+      !["TOUCHED", "STRUCTURE"].includes(
+        document.querySelector('.end[aria-label="Bow"] .lamp')?.textContent ?? "",
+      ),
+  );
   expect(await lamp(observer).textContent()).not.toBe("STRUCTURE");
   await observer.screenshot({ path: join(SHOTS, "board-after.png") });
   expect(errors).toEqual([]);

@@ -6,12 +6,19 @@ import { join } from "node:path";
 import { type BrowserContext, type Page, chromium } from "playwright-core";
 
 const FLAGS = [
-  "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-  "--disable-background-networking", "--disable-component-update", "--disable-sync",
+  "--headless",
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
 ];
 
 /** Where screenshots go. */
-export const SHOTS = process.env.SCREENSHOTS ?? new URL("../screenshots/", import.meta.url).pathname;
+export const SHOTS =
+  process.env.SCREENSHOTS ?? new URL("../screenshots/", import.meta.url).pathname;
 
 export interface Served {
   url: string;
@@ -31,16 +38,31 @@ const STARTS_MS = 30_000;
  */
 export async function serve(set: string[] = []): Promise<Served> {
   const program = process.env.FENDERLINE_BIN;
-  if (!program) throw new Error("FENDERLINE_BIN names no program to test; `cargo xtask pages` builds and names it");
+  if (!program)
+    throw new Error(
+      "FENDERLINE_BIN names no program to test; `cargo xtask pages` builds and names it",
+    );
   const sessions = mkdtempSync(join(tmpdir(), "fenderline-sessions-"));
-  const server = spawn(program, ["serve", SCENARIO, ...set.flatMap((key) => ["--set", key]), "--port", "0", "--page", DIST, "--sessions", sessions]);
+  const server = spawn(program, [
+    "serve",
+    SCENARIO,
+    ...set.flatMap((key) => ["--set", key]),
+    "--port",
+    "0",
+    "--page",
+    DIST,
+    "--sessions",
+    sessions,
+  ]);
   const tokens: Record<string, string> = {};
   let [url, said] = ["", ""];
   await new Promise<void>((ready, failed) => {
     const timer = setTimeout(() => failed(new Error(`it printed no links: ${said}`)), STARTS_MS);
     const hear = (data: Buffer) => {
       said += String(data);
-      for (const [, role, tug, base, token] of said.matchAll(/^ +(instructor|pilot|observer|master of (\S+)) +(http:\S+?)\/\?token=(\S+)\s/gm)) {
+      for (const [, role, tug, base, token] of said.matchAll(
+        /^ +(instructor|pilot|observer|master of (\S+)) +(http:\S+?)\/\?token=(\S+)\s/gm,
+      )) {
         if (role === undefined || base === undefined || token === undefined) continue;
         url = base;
         tokens[tug === undefined ? role : "tugmaster"] ??= token;
@@ -67,27 +89,44 @@ export interface Browser {
   close(): Promise<void>;
 }
 
-export async function browse(size: { width: number; height: number }, touch = false): Promise<Browser> {
-  const context = await chromium.launchPersistentContext(mkdtempSync(join(tmpdir(), "fenderline-e2e-")), {
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    headless: true,
-    args: FLAGS,
-    viewport: size,
-    hasTouch: touch,
-  });
+export async function browse(
+  size: { width: number; height: number },
+  touch = false,
+): Promise<Browser> {
+  const context = await chromium.launchPersistentContext(
+    mkdtempSync(join(tmpdir(), "fenderline-e2e-")),
+    {
+      executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+      headless: true,
+      args: FLAGS,
+      viewport: size,
+      hasTouch: touch,
+    },
+  );
   return { context, close: () => context.close() };
 }
 
 /** Opens the page of a role and waits until it has data. What goes wrong in the page fails the test. */
-export async function open(context: BrowserContext, served: Served, role: string, errors: string[], hints = false): Promise<Page> {
+export async function open(
+  context: BrowserContext,
+  served: Served,
+  role: string,
+  errors: string[],
+  hints = false,
+): Promise<Page> {
   const page = await context.newPage();
   page.on("pageerror", (error) => errors.push(`${role}: ${error.message}`));
-  page.on("console", (message) => message.type() === "error" && errors.push(`${role}: ${message.text()}`));
+  page.on(
+    "console",
+    (message) => message.type() === "error" && errors.push(`${role}: ${message.text()}`),
+  );
   const token = served.tokens[role];
   if (token === undefined) throw new Error(`there is no token for ${role}`);
   await page.goto(`${served.url}/?token=${encodeURIComponent(token)}`);
   await page.getByRole("img", { name: "Plan of ship" }).waitFor();
-  await page.waitForFunction(() => (document.querySelector(".readout dd")?.textContent ?? "–") !== "–");
+  await page.waitForFunction(
+    () => (document.querySelector(".readout dd")?.textContent ?? "–") !== "–",
+  );
   if (!hints) await page.getByRole("button", { name: "No hints" }).click();
   return page;
 }

@@ -47,7 +47,8 @@ for (const [begins, { berth }] of Object.entries(GALLERY)) {
   test(`${begins}: opened from the page, it runs`, async () => {
     await instructor.bringToFront();
     await instructor.getByRole("tab", { name: "Session" }).click();
-    const title = (await instructor.locator(".gallery b", { hasText: begins }).first().textContent()) ?? "";
+    const title =
+      (await instructor.locator(".gallery b", { hasText: begins }).first().textContent()) ?? "";
     await load(title);
     await instructor.locator("header", { hasText: title }).waitFor();
     await instructor.getByRole("button", { name: "Resume (K)" }).click();
@@ -57,9 +58,13 @@ for (const [begins, { berth }] of Object.entries(GALLERY)) {
     await pilot.locator("header", { hasText: title }).waitFor();
     await pilot.getByRole("tab", { name: "Docking" }).click();
     await pilot.waitForTimeout(600);
-    const off = await pilot.evaluate(() => document.querySelector<HTMLElement>('.end[aria-label="Bow"]')?.dataset.off ?? null);
+    const off = await pilot.evaluate(
+      () => document.querySelector<HTMLElement>('.end[aria-label="Bow"]')?.dataset.off ?? null,
+    );
     expect(off !== null && Number.isFinite(Number(off))).toBe(berth);
-    await pilot.screenshot({ path: join(SHOTS, `gallery-${begins.toLowerCase().replaceAll(" ", "-")}.png`) });
+    await pilot.screenshot({
+      path: join(SHOTS, `gallery-${begins.toLowerCase().replaceAll(" ", "-")}.png`),
+    });
     expect(errors).toEqual([]);
   });
 }

@@ -29,13 +29,18 @@ test("hints lead a newcomer to the helm, the rudder, the engine and a tug within
   await hint.getByText("Steer:").waitFor();
   await page.screenshot({ path: join(SHOTS, "newcomer-2.png") });
   await page.getByRole("button", { name: "Rudder starboard 20", exact: true }).tap();
-  await expect.poll(() => page.getByRole("status", { name: "Rudder now" }).textContent()).toMatch(/^S \d/);
+  await expect
+    .poll(() => page.getByRole("status", { name: "Rudder now" }).textContent())
+    .toMatch(/^S \d/);
   await hint.getByText("telegraph").waitFor();
   await page.getByRole("button", { name: "Slow ahead", exact: true }).tap();
   await hint.getByText("Tell a tug").waitFor();
   await page.screenshot({ path: join(SHOTS, "newcomer-3.png") });
   await page.getByRole("button", { name: "Tugs", exact: true }).tap();
-  await page.getByRole("button", { name: / push$/ }).first().tap();
+  await page
+    .getByRole("button", { name: / push$/ })
+    .first()
+    .tap();
   await hint.getByText("docking board").waitFor();
   await page.getByRole("tab", { name: "Docking" }).tap();
   await hint.waitFor({ state: "hidden" });
@@ -50,8 +55,12 @@ test("a page whose data stops says so, and goes on when they come again", async 
     const server = socket.connectToServer();
     server.onMessage((message) => (cut ? (dropped += 1) : socket.send(message)));
   });
-  await page.goto(`${served.url}/?token=${encodeURIComponent(served.tokens.observer ?? served.tokens.pilot ?? "")}`);
-  await page.waitForFunction(() => (document.querySelector(".readout dd")?.textContent ?? "–") !== "–");
+  await page.goto(
+    `${served.url}/?token=${encodeURIComponent(served.tokens.observer ?? served.tokens.pilot ?? "")}`,
+  );
+  await page.waitForFunction(
+    () => (document.querySelector(".readout dd")?.textContent ?? "–") !== "–",
+  );
   const alert = page.getByRole("alert");
   expect(await alert.isVisible()).toBe(false);
   cut = true;
@@ -66,7 +75,10 @@ test("a page whose data stops says so, and goes on when they come again", async 
 test("a link that opens nothing is told so, and one without a token what a link looks like", async () => {
   const page = await browser.context.newPage();
   await page.goto(`${served.url}/?token=nonsense`);
-  await page.getByRole("alert").getByText(/The server says: /).waitFor();
+  await page
+    .getByRole("alert")
+    .getByText(/The server says: /)
+    .waitFor();
   await page.goto(`${served.url}/`);
   await page.getByText("Ask the instructor for yours").waitFor();
   await page.close();

@@ -9,7 +9,11 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { type Served, SHOTS, browse, open, serve } from "./browser";
 
-const SIZES = { desk: { width: 1280, height: 800 }, landscape: { width: 1024, height: 768 }, portrait: { width: 768, height: 1024 } };
+const SIZES = {
+  desk: { width: 1280, height: 800 },
+  landscape: { width: 1024, height: 768 },
+  portrait: { width: 768, height: 1024 },
+};
 const TABS = ["Docking", "Conning", "Fenders", "Lines", "Charts", "Alarms"];
 const errors: string[] = [];
 let served: Served;
@@ -39,7 +43,8 @@ async function underWay(): Promise<void> {
 }
 
 async function palette(page: Page, name: string): Promise<void> {
-  for (let i = 0; i < 3 && (await page.locator("html").getAttribute("data-palette")) !== name; i++) await page.keyboard.press("b");
+  for (let i = 0; i < 3 && (await page.locator("html").getAttribute("data-palette")) !== name; i++)
+    await page.keyboard.press("b");
   await page.waitForTimeout(150);
 }
 
@@ -52,9 +57,11 @@ const faults = (page: Page) =>
       const box = each.getBoundingClientRect();
       const name = each.getAttribute("aria-label") ?? each.textContent ?? "";
       // A slider's track may be thinner where its thumb is not alone in setting it.
-      if (box.width < 43.5 || (box.height < 43.5 && !each.closest(".thruster .track"))) found.push(`${name}: ${box.width.toFixed(0)} × ${box.height.toFixed(0)}`);
+      if (box.width < 43.5 || (box.height < 43.5 && !each.closest(".thruster .track")))
+        found.push(`${name}: ${box.width.toFixed(0)} × ${box.height.toFixed(0)}`);
       const card = each.closest(".card")?.getBoundingClientRect();
-      if (card && (box.right > card.right + 1 || box.left < card.left - 1)) found.push(`${name} sticks out of its card`);
+      if (card && (box.right > card.right + 1 || box.left < card.left - 1))
+        found.push(`${name} sticks out of its card`);
       if (box.right > innerWidth + 1 || box.left < -1) found.push(`${name} is out of the page`);
     }
     if (document.documentElement.scrollWidth > innerWidth) found.push("the page scrolls sideways");
@@ -64,16 +71,30 @@ const faults = (page: Page) =>
 for (const [size, viewport] of Object.entries(SIZES)) {
   test(`every view at ${size}, ${viewport.width} × ${viewport.height}`, async () => {
     const { context, close } = await browse(viewport, size !== "desk");
-    for (const role of ["pilot", "tugmaster", "instructor", "observer"].filter((r) => served.tokens[r] !== undefined)) {
+    for (const role of ["pilot", "tugmaster", "instructor", "observer"].filter(
+      (r) => served.tokens[r] !== undefined,
+    )) {
       const page = await open(context, served, role, errors);
       await page.waitForTimeout(1300);
-      const tabs = role === "instructor" ? ["Session", "Weather, faults"] : role === "pilot" ? TABS : ["Docking"];
+      const tabs =
+        role === "instructor"
+          ? ["Session", "Weather, faults"]
+          : role === "pilot"
+            ? TABS
+            : ["Docking"];
       for (const tab of tabs) {
         await page.getByRole("tab", { name: tab, exact: true }).click();
         await page.waitForTimeout(tab === "Charts" ? 1200 : 200);
-        for (const name of size === "desk" || tab === "Docking" ? ["day", "dusk", "night"] : ["day"]) {
+        for (const name of size === "desk" || tab === "Docking"
+          ? ["day", "dusk", "night"]
+          : ["day"]) {
           await palette(page, name);
-          await page.screenshot({ path: join(SHOTS, `${size}-${role}-${tab.split(",")[0]?.toLowerCase() ?? ""}-${name}.png`) });
+          await page.screenshot({
+            path: join(
+              SHOTS,
+              `${size}-${role}-${tab.split(",")[0]?.toLowerCase() ?? ""}-${name}.png`,
+            ),
+          });
         }
         await palette(page, "day");
         expect(await faults(page)).toEqual([]);
@@ -82,7 +103,12 @@ for (const [size, viewport] of Object.entries(SIZES)) {
         for (const group of await page.locator(".group-tabs button").all()) {
           if (!(await group.isVisible())) continue;
           await group.click();
-          await page.screenshot({ path: join(SHOTS, `${size}-pilot-controls-${(await group.textContent())?.toLowerCase() ?? ""}-day.png`) });
+          await page.screenshot({
+            path: join(
+              SHOTS,
+              `${size}-pilot-controls-${(await group.textContent())?.toLowerCase() ?? ""}-day.png`,
+            ),
+          });
           expect(await faults(page)).toEqual([]);
         }
         for (const tab of ["Docking", "Conning", "Charts"]) {

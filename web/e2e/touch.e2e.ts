@@ -26,14 +26,18 @@ type Place = [number, number];
 async function touch(...places: Place[][]): Promise<void> {
   const points = (at: Place[]) => at.map(([x, y], id) => ({ x, y, id }));
   for (const [i, at] of places.entries()) {
-    await fingers.send("Input.dispatchTouchEvent", { type: i === 0 ? "touchStart" : "touchMove", touchPoints: points(at) });
+    await fingers.send("Input.dispatchTouchEvent", {
+      type: i === 0 ? "touchStart" : "touchMove",
+      touchPoints: points(at),
+    });
   }
   await fingers.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   await page.waitForTimeout(150);
 }
 
 async function view(): Promise<{ north: number; east: number; scale: number }> {
-  const text = (await page.getByRole("img", { name: "Plan of ship" }).getAttribute("data-view")) ?? "";
+  const text =
+    (await page.getByRole("img", { name: "Plan of ship" }).getAttribute("data-view")) ?? "";
   const [north = NaN, east = NaN, scale = NaN] = text.split(" ").map(Number);
   return { north, east, scale };
 }
@@ -42,7 +46,10 @@ test("a pinch zooms the plan in and out, a finger moves it", async () => {
   const box = await page.getByRole("img", { name: "Plan of ship" }).boundingBox();
   if (!box) throw new Error("the plan is not shown");
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  const pair = (half: number): Place[] => [[x - half, y], [x + half, y]];
+  const pair = (half: number): Place[] => [
+    [x - half, y],
+    [x + half, y],
+  ];
   const before = await view();
   await touch(pair(40), pair(60), pair(80));
   const wide = await view();
@@ -53,6 +60,8 @@ test("a pinch zooms the plan in and out, a finger moves it", async () => {
   await touch([[x, y]], [[x + 30, y]], [[x + 60, y]]);
   const moved = await view();
   // Metres that 60 pixels are; the ship, which the plan follows, goes a little on meanwhile.
-  expect(Math.hypot(moved.north - still.north, moved.east - still.east) * moved.scale).toBeGreaterThan(50);
+  expect(
+    Math.hypot(moved.north - still.north, moved.east - still.east) * moved.scale,
+  ).toBeGreaterThan(50);
   expect(errors).toEqual([]);
 });

@@ -23,13 +23,17 @@ for (const path of files(dist).toSorted()) {
   const gzip = gzipSync(bytes, { level: 9 }).length;
   const name = relative(dist, path);
   const isFirst = first.has(name);
-  console.log(`${isFirst ? "first " : "later "} ${name.padEnd(44)} ${kb(bytes.length)} ${kb(gzip)} gzip`);
+  console.log(
+    `${isFirst ? "first " : "later "} ${name.padEnd(44)} ${kb(bytes.length)} ${kb(gzip)} gzip`,
+  );
   for (const key of isFirst ? ["first", "all"] : ["all"]) {
     sum[key][0] += bytes.length;
     sum[key][1] += gzip;
   }
 }
-console.log(`first page ${kb(sum.first[0])}, ${kb(sum.first[1])} gzip; everything ${kb(sum.all[0])}, ${kb(sum.all[1])} gzip`);
+console.log(
+  `first page ${kb(sum.first[0])}, ${kb(sum.first[1])} gzip; everything ${kb(sum.all[0])}, ${kb(sum.all[1])} gzip`,
+);
 if (sum.first[0] >= FIRST_PAGE_BYTES) {
   console.error(`the first page has ${sum.first[0]} bytes; ${FIRST_PAGE_BYTES} is the limit`);
   process.exit(1);

@@ -42,7 +42,9 @@ export class App implements Page {
   private readonly connection: Connection;
   private readonly history = new History();
   private readonly hints = new Hints();
-  private readonly help = new Help(() => this.live.hello && this.hints.again(this.live.hello.role.name));
+  private readonly help = new Help(
+    () => this.live.hello && this.hints.again(this.live.hello.role.name),
+  );
   private built = "";
   private plan: Plan | null = null;
   private tabs: Tab[] = [];
@@ -55,10 +57,21 @@ export class App implements Page {
   private readonly title = h("h1", {}, "fenderline");
   private readonly role = h("span", { class: "badge" });
   private readonly held = h("span", { class: "held" });
-  private readonly time = h("span", { class: "time", role: "timer", "aria-label": "Simulated time" });
+  private readonly time = h("span", {
+    class: "time",
+    role: "timer",
+    "aria-label": "Simulated time",
+  });
   private readonly run = h("span", { class: "run-state", "aria-label": "State of the run" });
-  private readonly link = h("span", { class: "link-state", role: "status", "aria-label": "Link" }, "connecting");
-  private readonly alarmButton = button("Alarms 0", () => this.show("Alarms"), { class: "alarm-button", name: "Alarms" });
+  private readonly link = h(
+    "span",
+    { class: "link-state", role: "status", "aria-label": "Link" },
+    "connecting",
+  );
+  private readonly alarmButton = button("Alarms 0", () => this.show("Alarms"), {
+    class: "alarm-button",
+    name: "Alarms",
+  });
   private readonly paletteButton = button("Day", () => this.nextPalette(), { name: "Palette (B)" });
   private readonly banner = h("div", { class: "banner hidden", role: "alert" });
   private readonly said = h("div", { class: "said", role: "status", "aria-live": "polite" });
@@ -66,11 +79,27 @@ export class App implements Page {
   private readonly strip = h("footer", { class: "controls" });
 
   constructor(root: HTMLElement, url: string) {
-    const bar = h("header", { class: "top" }, this.title, this.role, this.time, this.run, this.held, h("span", { class: "space" }), this.link, this.alarmButton, this.paletteButton, button("?", () => this.help.open(this.keys()), { name: "Help and keys (?)" }));
+    const bar = h(
+      "header",
+      { class: "top" },
+      this.title,
+      this.role,
+      this.time,
+      this.run,
+      this.held,
+      h("span", { class: "space" }),
+      this.link,
+      this.alarmButton,
+      this.paletteButton,
+      button("?", () => this.help.open(this.keys()), { name: "Help and keys (?)" }),
+    );
     root.replaceChildren(bar, this.banner, this.stage, this.strip, this.help.root);
     const kept = localStorage.getItem("palette") as PaletteName | null;
     this.setPalette(kept && PALETTE_NAMES.includes(kept) ? kept : "day");
-    this.connection = new Connection(url, { message: (message) => this.heard(message), link: (state, why) => this.linked(state, why) });
+    this.connection = new Connection(url, {
+      message: (message) => this.heard(message),
+      link: (state, why) => this.linked(state, why),
+    });
   }
 
   start(): void {
@@ -137,7 +166,10 @@ export class App implements Page {
 
   private linked(state: LinkState, why: string): void {
     if (why !== "") this.why = why;
-    setText(this.link, state === "open" ? "linked" : state === "connecting" ? "connecting" : "no link");
+    setText(
+      this.link,
+      state === "open" ? "linked" : state === "connecting" ? "connecting" : "no link",
+    );
     this.watch();
   }
 
@@ -182,18 +214,42 @@ export class App implements Page {
       ["Charts", "g", new Strips(this.history)],
       ["Alarms", "a", new Alarms(this, (open, worst) => this.alarmed(open, worst))],
     ];
-    if (hello.role.name === "instructor") views.unshift(["Session", null, new Session(this, hello)], ["Weather, faults", null, new Conditions(this, hello)]);
+    if (hello.role.name === "instructor")
+      views.unshift(
+        ["Session", null, new Session(this, hello)],
+        ["Weather, faults", null, new Conditions(this, hello)],
+      );
     this.tabs = views.map(([name, key, view]) => ({
       name,
       key,
       view,
-      button: button(name, () => {
-        this.show(name);
-        this.did("tab");
-      }, { role: "tab", name, "aria-selected": "false" }),
+      button: button(
+        name,
+        () => {
+          this.show(name);
+          this.did("tab");
+        },
+        { role: "tab", name, "aria-selected": "false" },
+      ),
     }));
-    const size = button("⤢", () => this.widen(), { name: "Panel over the whole page (X)", class: "widen" });
-    const panel = h("section", { class: "panel", "aria-label": "Panel" }, h("div", { class: "tabs" }, h("div", { class: "tab-list", role: "tablist", "aria-label": "Views" }, ...this.tabs.map((tab) => tab.button)), size));
+    const size = button("⤢", () => this.widen(), {
+      name: "Panel over the whole page (X)",
+      class: "widen",
+    });
+    const panel = h(
+      "section",
+      { class: "panel", "aria-label": "Panel" },
+      h(
+        "div",
+        { class: "tabs" },
+        h(
+          "div",
+          { class: "tab-list", role: "tablist", "aria-label": "Views" },
+          ...this.tabs.map((tab) => tab.button),
+        ),
+        size,
+      ),
+    );
     for (const { name, view } of this.tabs) {
       view.root.classList.add("view");
       view.root.setAttribute("role", "tabpanel");
@@ -201,7 +257,11 @@ export class App implements Page {
       panel.append(view.root);
     }
     this.stage.replaceChildren(plan.root, panel, this.said);
-    this.show(this.tabs.some((tab) => tab.name === this.shownTab) ? this.shownTab : (this.tabs[0]?.name ?? ""));
+    this.show(
+      this.tabs.some((tab) => tab.name === this.shownTab)
+        ? this.shownTab
+        : (this.tabs[0]?.name ?? ""),
+    );
   }
 
   private buildStrip(hello: Hello): void {
@@ -219,17 +279,32 @@ export class App implements Page {
       if (tugs.count > 0) groups.push(tugs);
     }
     this.groups = groups;
-    const buttons = groups.map((group) => button(group.name, () => choose(group), { "data-group": group.name, "aria-pressed": "false" }));
-    const choose = (chosen: Group) => groups.forEach((group, i) => {
-      setClass(group.root, "shown", group === chosen);
-      const own = buttons[i];
-      if (own) setAttribute(own, "aria-pressed", String(group === chosen));
-    });
-    const nothing = hello.role.name === "observer" ? "You watch: an observer commands nothing." : hello.role.name === "tugmaster" ? `This scenario has no tug named ${hello.role.tug}.` : "There is nothing to command here.";
+    const buttons = groups.map((group) =>
+      button(group.name, () => choose(group), {
+        "data-group": group.name,
+        "aria-pressed": "false",
+      }),
+    );
+    const choose = (chosen: Group) =>
+      groups.forEach((group, i) => {
+        setClass(group.root, "shown", group === chosen);
+        const own = buttons[i];
+        if (own) setAttribute(own, "aria-pressed", String(group === chosen));
+      });
+    const nothing =
+      hello.role.name === "observer"
+        ? "You watch: an observer commands nothing."
+        : hello.role.name === "tugmaster"
+          ? `This scenario has no tug named ${hello.role.tug}.`
+          : "There is nothing to command here.";
     setClass(this.strip, "empty", groups.length === 0);
     this.strip.replaceChildren(
-      ...(groups.length > 1 ? [h("nav", { class: "group-tabs", "aria-label": "Controls" }, ...buttons)] : []),
-      ...(groups.length === 0 ? [h("p", { class: "nothing" }, nothing)] : [h("div", { class: "groups" }, ...groups.map((group) => group.root))]),
+      ...(groups.length > 1
+        ? [h("nav", { class: "group-tabs", "aria-label": "Controls" }, ...buttons)]
+        : []),
+      ...(groups.length === 0
+        ? [h("p", { class: "nothing" }, nothing)]
+        : [h("div", { class: "groups" }, ...groups.map((group) => group.root))]),
     );
     this.held.replaceChildren(...groups.flatMap((group) => group.held ?? []));
     if (groups[0]) choose(groups[0]);
@@ -242,7 +317,8 @@ export class App implements Page {
       setAttribute(tab.button, "aria-selected", String(tab.name === name));
     }
     // Fills what is shown without waiting for the next tick, which does not come while paused.
-    if (this.live.frame && this.live.hello) this.tabs.find((tab) => tab.name === name)?.view.tick(this.live.frame, this.live.hello);
+    if (this.live.frame && this.live.hello)
+      this.tabs.find((tab) => tab.name === name)?.view.tick(this.live.frame, this.live.hello);
   }
 
   private widen(): void {
@@ -252,12 +328,17 @@ export class App implements Page {
   private setPalette(name: PaletteName): void {
     applyPalette(name);
     localStorage.setItem("palette", name);
-    setText(this.paletteButton, name.replace(/^./, (c) => c.toUpperCase()));
+    setText(
+      this.paletteButton,
+      name.replace(/^./, (c) => c.toUpperCase()),
+    );
   }
 
   private nextPalette(): void {
     const now = document.documentElement.dataset.palette as PaletteName;
-    this.setPalette(PALETTE_NAMES[(PALETTE_NAMES.indexOf(now) + 1) % PALETTE_NAMES.length] ?? "day");
+    this.setPalette(
+      PALETTE_NAMES[(PALETTE_NAMES.indexOf(now) + 1) % PALETTE_NAMES.length] ?? "day",
+    );
   }
 
   private alarmed(open: number, worst: Alarm["level"] | null): void {
@@ -274,7 +355,16 @@ export class App implements Page {
     if (!frame || !hello) return;
     setText(this.time, clock(frame.t_s));
     const rewound = frame.tick < frame.run.last_tick;
-    setText(this.run, rewound ? (frame.run.paused ? "REWOUND" : "REPLAY") : frame.run.paused ? "PAUSED" : `${fixed(frame.run.pace, frame.run.pace % 1 === 0 ? 0 : 2)}×`);
+    setText(
+      this.run,
+      rewound
+        ? frame.run.paused
+          ? "REWOUND"
+          : "REPLAY"
+        : frame.run.paused
+          ? "PAUSED"
+          : `${fixed(frame.run.pace, frame.run.pace % 1 === 0 ? 0 : 2)}×`,
+    );
     setClass(this.run, "caution", rewound || frame.run.paused);
     this.plan?.tick(frame);
     for (const group of this.groups) group.tick(frame, hello);
@@ -287,7 +377,8 @@ export class App implements Page {
   private draw(now_ms: number): void {
     requestAnimationFrame((next) => this.draw(next));
     this.plan?.draw(performance.now());
-    for (const { name, view } of this.tabs) if (name === this.shownTab) view.draw?.(performance.now());
+    for (const { name, view } of this.tabs)
+      if (name === this.shownTab) view.draw?.(performance.now());
     for (const group of this.groups) if (group.root.offsetParent !== null) group.draw?.(now_ms);
     this.live.drawn(Date.now());
     this.fps.count += 1;
@@ -302,14 +393,28 @@ export class App implements Page {
     const silent = this.live.silence(performance.now());
     const late = this.live.latency.figures();
     if (open && late) {
-      setText(this.link, `${late.clocks ? "+" : ""}${late.median.toFixed(0)} ms · ${this.fps.shown} fps`);
+      setText(
+        this.link,
+        `${late.clocks ? "+" : ""}${late.median.toFixed(0)} ms · ${this.fps.shown} fps`,
+      );
       this.link.title = `From tick to drawing: median ${late.median.toFixed(0)} ms, 99 of 100 within ${late.p99.toFixed(0)} ms${late.clocks ? " over the quickest (the clocks of page and server differ)" : ""}; ${this.fps.shown} drawings a second`;
-      Object.assign(this.link.dataset, { median: late.median.toFixed(1), p99: late.p99.toFixed(1), fps: String(this.fps.shown) });
+      Object.assign(this.link.dataset, {
+        median: late.median.toFixed(1),
+        p99: late.p99.toFixed(1),
+        fps: String(this.fps.shown),
+      });
     }
     setClass(this.link, "alarm", !open || silent !== null);
-    const text = this.connection.failures > 0
-      ? this.why !== "" ? `The server says: ${this.why}` : this.live.frame ? "NO LINK TO THE SERVER — what is shown is old. Trying again." : "The server does not answer. Trying again."
-      : silent === null ? "" : `NO DATA FOR ${Math.round(silent / 1000)} s — what is shown is old.`;
+    const text =
+      this.connection.failures > 0
+        ? this.why !== ""
+          ? `The server says: ${this.why}`
+          : this.live.frame
+            ? "NO LINK TO THE SERVER — what is shown is old. Trying again."
+            : "The server does not answer. Trying again."
+        : silent === null
+          ? ""
+          : `NO DATA FOR ${Math.round(silent / 1000)} s — what is shown is old.`;
     setText(this.banner, text);
     setClass(this.banner, "hidden", text === "");
     setClass(this.stage, "stale", text !== "");
@@ -320,7 +425,9 @@ export class App implements Page {
   private keys(): KeyAction[] {
     const { plan } = this;
     const common: KeyAction[] = [
-      ...this.tabs.flatMap(({ name, key }) => (key ? [{ key, text: `Show ${name}`, run: () => this.show(name) }] : [])),
+      ...this.tabs.flatMap(({ name, key }) =>
+        key ? [{ key, text: `Show ${name}`, run: () => this.show(name) }] : [],
+      ),
       { key: "x", text: "Panel over the whole page, and back", run: () => this.widen() },
       { key: "+", text: "Zoom in", repeats: true, run: () => plan?.zoom(1.2) },
       { key: "-", text: "Zoom out", repeats: true, run: () => plan?.zoom(1 / 1.2) },
@@ -335,12 +442,14 @@ export class App implements Page {
   }
 
   private pressed(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.altKey || event.metaKey || document.querySelector("dialog[open]")) return;
+    if (event.ctrlKey || event.altKey || event.metaKey || document.querySelector("dialog[open]"))
+      return;
     const target = event.target as HTMLElement;
     // Sliders and text fields keep the keys that are theirs.
     if (target.matches("input[type=text], select, textarea")) return;
     if (target.matches("input[type=range]") && event.key.startsWith("Arrow")) return;
-    const key = event.key === "=" ? "+" : event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const key =
+      event.key === "=" ? "+" : event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const action = this.keys().find((each) => each.key === key);
     if (!action || (event.repeat && !action.repeats)) return;
     event.preventDefault();
@@ -348,4 +457,7 @@ export class App implements Page {
   }
 }
 
-const roleName = (role: Role): string => (role.name === "tugmaster" ? spoken(`Tug ${role.tug}`) : role.name.replace(/^./, (c) => c.toUpperCase()));
+const roleName = (role: Role): string =>
+  role.name === "tugmaster"
+    ? spoken(`Tug ${role.tug}`)
+    : role.name.replace(/^./, (c) => c.toUpperCase());

@@ -48,12 +48,14 @@ export class Connection {
       this.failures = 0;
       const message = JSON.parse(event.data) as FromServer;
       if (message.type === "ack") this.answered(message.id, null);
-      else if (message.type === "refused" && message.id !== null) this.answered(message.id, message.reason);
+      else if (message.type === "refused" && message.id !== null)
+        this.answered(message.id, message.reason);
       else this.heard.message(message);
     });
     socket.addEventListener("close", (event) => {
       this.failures += 1;
-      for (const id of this.waiting.keys()) this.answered(id, "the connection broke before an answer came");
+      for (const id of this.waiting.keys())
+        this.answered(id, "the connection broke before an answer came");
       this.heard.link("broken", event.reason);
       setTimeout(() => this.open(), this.wait_ms);
       this.wait_ms = Math.min(LONGEST_WAIT_MS, this.wait_ms * 2);
@@ -63,11 +65,15 @@ export class Connection {
   /** Sends a command; resolves to `null` when it counts, to the reason when it was refused. */
   send(action: Action): Promise<string | null> {
     const socket = this.socket;
-    if (socket?.readyState !== WebSocket.OPEN) return Promise.resolve("there is no connection to the server");
+    if (socket?.readyState !== WebSocket.OPEN)
+      return Promise.resolve("there is no connection to the server");
     const id = this.nextId++;
     const command: Command = { type: "command", id, action };
     return new Promise((answer) => {
-      const timer = window.setTimeout(() => this.answered(id, "the server did not answer"), ANSWER_MS);
+      const timer = window.setTimeout(
+        () => this.answered(id, "the server did not answer"),
+        ANSWER_MS,
+      );
       this.waiting.set(id, { answer, timer });
       socket.send(JSON.stringify(command));
     });

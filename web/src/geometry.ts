@@ -15,7 +15,8 @@ export function turned(by_rad: number, [x, y]: Pair): Pair {
 }
 
 /** Where a body-fixed place is on the earth. */
-export const onEarth = (body: BodyNow, at: Pair): Pair => add([body[0], body[1]], turned(body[2], at));
+export const onEarth = (body: BodyNow, at: Pair): Pair =>
+  add([body[0], body[1]], turned(body[2], at));
 
 /** A body between two ticks; its heading goes the short way. */
 export function between(from: BodyNow, to: BodyNow, share: number): BodyNow {
@@ -42,7 +43,10 @@ export interface Camera {
 
 export function toScreen(camera: Camera, place: Pair): Pair {
   const [ahead, right] = turned(-camera.up_rad, minus(place, camera.centre));
-  return [camera.width / 2 + right * camera.pixels_per_m, camera.height / 2 - ahead * camera.pixels_per_m];
+  return [
+    camera.width / 2 + right * camera.pixels_per_m,
+    camera.height / 2 - ahead * camera.pixels_per_m,
+  ];
 }
 
 export function toEarth(camera: Camera, [x, y]: Pair): Pair {
@@ -60,7 +64,11 @@ export function zoomed(camera: Camera, by: number, about: Pair): Camera {
 }
 
 /** The camera that shows all the places, with margins in pixels above, at the sides and below. */
-export function fitted(camera: Camera, places: Pair[], [above, sides, below]: [number, number, number]): Camera {
+export function fitted(
+  camera: Camera,
+  places: Pair[],
+  [above, sides, below]: [number, number, number],
+): Camera {
   const local = places.map((place) => turned(-camera.up_rad, place));
   const range = (axis: 0 | 1): Pair => {
     const all = local.map((p) => p[axis]);

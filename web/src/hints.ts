@@ -10,24 +10,62 @@ interface Hint {
   text: string;
 }
 
-const CLAIM: Hint = { until: "claim", at: [".take:not(.hidden)"], text: "Start here. Until you take her, this page only watches." };
+const CLAIM: Hint = {
+  until: "claim",
+  at: [".take:not(.hidden)"],
+  text: "Start here. Until you take her, this page only watches.",
+};
 const HINTS: Record<Role["name"], Hint[]> = {
   pilot: [
     CLAIM,
-    { until: "rudder", at: [".rudder .slider", '[data-group="Helm"]'], text: "Steer: drag the knob or press a number. Red is port, green is starboard. The bar shows where the rudder is now." },
-    { until: "engine", at: [".telegraph", '[data-group="Helm"]'], text: "The engine telegraph: upper row ahead, lower row astern." },
-    { until: "tug", at: [".tugs .tug", '[data-group="Tugs"]'], text: "Tell a tug to push, stop or pull, and how hard in per cent." },
-    { until: "tab", at: ['[role="tab"][aria-label="Docking"]'], text: "The docking board has distance and speed at bow and stern; amber and red are too fast." },
+    {
+      until: "rudder",
+      at: [".rudder .slider", '[data-group="Helm"]'],
+      text: "Steer: drag the knob or press a number. Red is port, green is starboard. The bar shows where the rudder is now.",
+    },
+    {
+      until: "engine",
+      at: [".telegraph", '[data-group="Helm"]'],
+      text: "The engine telegraph: upper row ahead, lower row astern.",
+    },
+    {
+      until: "tug",
+      at: [".tugs .tug", '[data-group="Tugs"]'],
+      text: "Tell a tug to push, stop or pull, and how hard in per cent.",
+    },
+    {
+      until: "tab",
+      at: ['[role="tab"][aria-label="Docking"]'],
+      text: "The docking board has distance and speed at bow and stern; amber and red are too fast.",
+    },
   ],
   tugmaster: [
     CLAIM,
-    { until: "tug", at: [".tugmaster .ring"], text: "The ring says whither, the slider how hard. Drag either." },
+    {
+      until: "tug",
+      at: [".tugmaster .ring"],
+      text: "The ring says whither, the slider how hard. Drag either.",
+    },
   ],
   instructor: [
-    { until: "rewind", at: [".timeline input"], text: "Drag back in time, then “Go on from here” starts a new branch. Nothing is lost." },
-    { until: "tab", at: ['[role="tab"][aria-label="Session"]'], text: "Links for the others, scenarios, weather and faults are in these tabs." },
+    {
+      until: "rewind",
+      at: [".timeline input"],
+      text: "Drag back in time, then “Go on from here” starts a new branch. Nothing is lost.",
+    },
+    {
+      until: "tab",
+      at: ['[role="tab"][aria-label="Session"]'],
+      text: "Links for the others, scenarios, weather and faults are in these tabs.",
+    },
   ],
-  observer: [{ until: "tab", at: ['[role="tab"][aria-label="Docking"]'], text: "You watch. Choose what to see here; drag and pinch the plan." }],
+  observer: [
+    {
+      until: "tab",
+      at: ['[role="tab"][aria-label="Docking"]'],
+      text: "You watch. Choose what to see here; drag and pinch the plan.",
+    },
+  ],
 };
 
 export class Hints {
@@ -38,7 +76,17 @@ export class Hints {
   private briefing: Hint[] = [];
 
   constructor() {
-    this.bubble = h("aside", { class: "hint hidden", role: "status", "aria-label": "Hint" }, this.text, h("div", { class: "row" }, button("Next hint", () => this.next()), button("No hints", () => this.stop())));
+    this.bubble = h(
+      "aside",
+      { class: "hint hidden", role: "status", "aria-label": "Hint" },
+      this.text,
+      h(
+        "div",
+        { class: "row" },
+        button("Next hint", () => this.next()),
+        button("No hints", () => this.stop()),
+      ),
+    );
     document.body.append(this.bubble);
     setInterval(() => this.place(), 200);
   }
@@ -48,7 +96,8 @@ export class Hints {
     const key = `hints seen ${role}`;
     if (this.key === key && !fresh) return;
     this.key = key;
-    this.briefing = briefing === "" ? [] : [{ until: "briefing", at: ["header h1"], text: briefing }];
+    this.briefing =
+      briefing === "" ? [] : [{ until: "briefing", at: ["header h1"], text: briefing }];
     this.steps = [...this.briefing, ...(localStorage.getItem(key) === null ? HINTS[role] : [])];
     this.place();
   }
@@ -77,22 +126,31 @@ export class Hints {
 
   private place(): void {
     const step = this.steps[0];
-    const anchor = step?.at.flatMap((selector) => [...document.querySelectorAll<HTMLElement>(selector)]).find((each) => each.offsetParent !== null && !each.classList.contains("hidden"));
+    const anchor = step?.at
+      .flatMap((selector) => [...document.querySelectorAll<HTMLElement>(selector)])
+      .find((each) => each.offsetParent !== null && !each.classList.contains("hidden"));
     // Who has the helm already needs not be told to take it.
     if (step && !anchor && step.until === "claim") {
       const taken = document.querySelector(".claim .release:not(.hidden)");
       if (taken) this.did("claim");
     }
-    const shown = step !== undefined && anchor !== undefined && !document.querySelector("dialog[open]");
+    const shown =
+      step !== undefined && anchor !== undefined && !document.querySelector("dialog[open]");
     this.bubble.classList.toggle("hidden", !shown);
     if (!shown) return;
     setText(this.text, step.text);
     const [at, own] = [anchor.getBoundingClientRect(), this.bubble.getBoundingClientRect()];
     const above = at.top - own.height - 14 > 4;
-    const left = Math.min(innerWidth - own.width - 8, Math.max(8, at.left + at.width / 2 - own.width / 2));
+    const left = Math.min(
+      innerWidth - own.width - 8,
+      Math.max(8, at.left + at.width / 2 - own.width / 2),
+    );
     this.bubble.style.left = `${left}px`;
     this.bubble.style.top = `${above ? at.top - own.height - 14 : at.bottom + 14}px`;
-    this.bubble.style.setProperty("--tip", `${Math.min(own.width - 24, Math.max(24, at.left + at.width / 2 - left))}px`);
+    this.bubble.style.setProperty(
+      "--tip",
+      `${Math.min(own.width - 24, Math.max(24, at.left + at.width / 2 - left))}px`,
+    );
     this.bubble.classList.toggle("below", !above);
   }
 }

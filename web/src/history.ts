@@ -39,10 +39,15 @@ export class History {
       stern_m: now.berth?.stern_m ?? null,
       of_energy: Math.max(0, ...frame.fenders.map((f) => f.of_energy)) * 100,
       of_reaction: Math.max(0, ...frame.fenders.map((f) => f.of_reaction)) * 100,
-      tension: Math.max(0, ...frame.lines.map((l, i) => l.tension_n / Math.max(1, hello.lines[i]?.working_n ?? 1))) * 100,
+      tension:
+        Math.max(
+          0,
+          ...frame.lines.map((l, i) => l.tension_n / Math.max(1, hello.lines[i]?.working_n ?? 1)),
+        ) * 100,
     });
     const from = frame.t_s - KEPT_S;
-    if ((this.samples[0]?.t_s ?? 0) < from - 60) this.samples = this.samples.filter((s) => s.t_s >= from);
+    if ((this.samples[0]?.t_s ?? 0) < from - 60)
+      this.samples = this.samples.filter((s) => s.t_s >= from);
   }
 
   clear(): void {

@@ -23,7 +23,9 @@ export class Latency {
     const sorted = this.recent.toSorted((a, b) => a - b);
     const least = sorted[0] ?? 0;
     const clocks = Math.abs(least) > 1000;
-    const at = (share: number) => (sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * share))] ?? 0) - (clocks ? least : 0);
+    const at = (share: number) =>
+      (sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * share))] ?? 0) -
+      (clocks ? least : 0);
     return { median: Math.max(0, at(0.5)), p99: Math.max(0, at(0.99)), clocks };
   }
 }
@@ -49,7 +51,10 @@ export class Live {
   tick(frame: Frame, now_ms: number): void {
     const went = frame.tick - (this.frame?.tick ?? frame.tick);
     // After a rewind, a branch or a gap there is nothing to draw between.
-    this.previous = went > 0 && went <= 50 && frame.bodies.length === this.frame?.bodies.length ? this.frame : null;
+    this.previous =
+      went > 0 && went <= 50 && frame.bodies.length === this.frame?.bodies.length
+        ? this.frame
+        : null;
     if (this.previous) {
       const since = now_ms - this.received_ms;
       this.interval_ms += 0.2 * (Math.min(250, Math.max(16, since)) - this.interval_ms);
@@ -68,7 +73,9 @@ export class Live {
 
   /** How far it is from the last tick but one to the last. */
   share(now_ms: number): number {
-    return this.previous ? Math.min(1, Math.max(0, (now_ms - this.received_ms) / this.interval_ms)) : 1;
+    return this.previous
+      ? Math.min(1, Math.max(0, (now_ms - this.received_ms) / this.interval_ms))
+      : 1;
   }
 
   /** Bodies where they are drawn now. */
@@ -90,7 +97,10 @@ export class Live {
   /** Index of the vessel whose helm this page has: a tugmaster's own where she is a vessel, or else the ship. */
   conned(): number {
     const role = this.hello?.role;
-    const own = role?.name === "tugmaster" ? (this.hello?.vessels.findIndex((v) => v.name === role.tug) ?? -1) : -1;
+    const own =
+      role?.name === "tugmaster"
+        ? (this.hello?.vessels.findIndex((v) => v.name === role.tug) ?? -1)
+        : -1;
     return own >= 0 ? own : this.ship();
   }
 

@@ -11,5 +11,11 @@ if (token) {
   url.search = new URLSearchParams({ token }).toString();
   new App(root, url.href).start();
 } else {
-  root.append(h("p", { class: "no-token" }, "This page is opened by a link that ends in “?token=…”. Ask the instructor for yours; the server printed them all where it was started."));
+  root.append(
+    h(
+      "p",
+      { class: "no-token" },
+      "This page is opened by a link that ends in “?token=…”. Ask the instructor for yours; the server printed them all where it was started.",
+    ),
+  );
 }

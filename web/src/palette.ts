@@ -3,39 +3,131 @@
 export type PaletteName = "day" | "dusk" | "night";
 
 export interface Palette {
-  bg: string; panel: string; edge: string; text: string; dim: string;
-  button: string; button_edge: string; chosen: string; chosen_text: string;
-  water: string; land: string; land_edge: string; grid: string;
-  own: string; own_edge: string; tug: string; tug_edge: string; path: string;
-  ok: string; caution: string; alarm: string; alarm_text: string;
-  port: string; starboard: string; line: string; force: string; wind: string; current: string; label: string;
+  bg: string;
+  panel: string;
+  edge: string;
+  text: string;
+  dim: string;
+  button: string;
+  button_edge: string;
+  chosen: string;
+  chosen_text: string;
+  water: string;
+  land: string;
+  land_edge: string;
+  grid: string;
+  own: string;
+  own_edge: string;
+  tug: string;
+  tug_edge: string;
+  path: string;
+  ok: string;
+  caution: string;
+  alarm: string;
+  alarm_text: string;
+  port: string;
+  starboard: string;
+  line: string;
+  force: string;
+  wind: string;
+  current: string;
+  label: string;
 }
 
 /** Day is for the sun: black on white, saturated signals. Night keeps eyes dark-adapted: red on black, no white or blue. */
 export const PALETTES: Record<PaletteName, Palette> = {
   day: {
-    bg: "#e4e9ed", panel: "#ffffff", edge: "#9fadb8", text: "#05101a", dim: "#3c4a56",
-    button: "#eef2f5", button_edge: "#71818e", chosen: "#0b4f8a", chosen_text: "#ffffff",
-    water: "#cfe4f3", land: "#dccb94", land_edge: "#6b5a22", grid: "#a9c7dc",
-    own: "#71808c", own_edge: "#05101a", tug: "#e08a2c", tug_edge: "#5b3000", path: "#b0106a",
-    ok: "#0a7a33", caution: "#b86200", alarm: "#c8102e", alarm_text: "#ffffff",
-    port: "#c8102e", starboard: "#0a7a33", line: "#23313d", force: "#6a1bb0", wind: "#0b4f8a", current: "#00727a", label: "#ffffffdd",
+    bg: "#e4e9ed",
+    panel: "#ffffff",
+    edge: "#9fadb8",
+    text: "#05101a",
+    dim: "#3c4a56",
+    button: "#eef2f5",
+    button_edge: "#71818e",
+    chosen: "#0b4f8a",
+    chosen_text: "#ffffff",
+    water: "#cfe4f3",
+    land: "#dccb94",
+    land_edge: "#6b5a22",
+    grid: "#a9c7dc",
+    own: "#71808c",
+    own_edge: "#05101a",
+    tug: "#e08a2c",
+    tug_edge: "#5b3000",
+    path: "#b0106a",
+    ok: "#0a7a33",
+    caution: "#b86200",
+    alarm: "#c8102e",
+    alarm_text: "#ffffff",
+    port: "#c8102e",
+    starboard: "#0a7a33",
+    line: "#23313d",
+    force: "#6a1bb0",
+    wind: "#0b4f8a",
+    current: "#00727a",
+    label: "#ffffffdd",
   },
   dusk: {
-    bg: "#0b1116", panel: "#141d25", edge: "#354653", text: "#d3dde5", dim: "#93a5b3",
-    button: "#1e2a34", button_edge: "#4b6070", chosen: "#3d87bd", chosen_text: "#04121d",
-    water: "#0e2231", land: "#453d22", land_edge: "#8d7d48", grid: "#1b394d",
-    own: "#5c6d7a", own_edge: "#d3dde5", tug: "#b5722a", tug_edge: "#f0b878", path: "#e060a8",
-    ok: "#3cb869", caution: "#e8a317", alarm: "#ff5252", alarm_text: "#14060a",
-    port: "#ff5252", starboard: "#3cb869", line: "#b9c7d2", force: "#c59bf0", wind: "#6fb4e6", current: "#4fc4c4", label: "#0b1116cc",
+    bg: "#0b1116",
+    panel: "#141d25",
+    edge: "#354653",
+    text: "#d3dde5",
+    dim: "#93a5b3",
+    button: "#1e2a34",
+    button_edge: "#4b6070",
+    chosen: "#3d87bd",
+    chosen_text: "#04121d",
+    water: "#0e2231",
+    land: "#453d22",
+    land_edge: "#8d7d48",
+    grid: "#1b394d",
+    own: "#5c6d7a",
+    own_edge: "#d3dde5",
+    tug: "#b5722a",
+    tug_edge: "#f0b878",
+    path: "#e060a8",
+    ok: "#3cb869",
+    caution: "#e8a317",
+    alarm: "#ff5252",
+    alarm_text: "#14060a",
+    port: "#ff5252",
+    starboard: "#3cb869",
+    line: "#b9c7d2",
+    force: "#c59bf0",
+    wind: "#6fb4e6",
+    current: "#4fc4c4",
+    label: "#0b1116cc",
   },
   night: {
-    bg: "#000000", panel: "#080201", edge: "#481610", text: "#d04434", dim: "#9c3427",
-    button: "#150504", button_edge: "#65201a", chosen: "#8a2418", chosen_text: "#000000",
-    water: "#030000", land: "#1c0c04", land_edge: "#5c2c12", grid: "#210807",
-    own: "#3a0f0b", own_edge: "#d04434", tug: "#3a1a08", tug_edge: "#a85a1a", path: "#bf4a2c",
-    ok: "#71781f", caution: "#dc8200", alarm: "#ff2d1a", alarm_text: "#000000",
-    port: "#b02a1e", starboard: "#5d6a1c", line: "#9c3427", force: "#b0491c", wind: "#b0491c", current: "#8a5a1a", label: "#000000cc",
+    bg: "#000000",
+    panel: "#080201",
+    edge: "#481610",
+    text: "#d04434",
+    dim: "#9c3427",
+    button: "#150504",
+    button_edge: "#65201a",
+    chosen: "#8a2418",
+    chosen_text: "#000000",
+    water: "#030000",
+    land: "#1c0c04",
+    land_edge: "#5c2c12",
+    grid: "#210807",
+    own: "#3a0f0b",
+    own_edge: "#d04434",
+    tug: "#3a1a08",
+    tug_edge: "#a85a1a",
+    path: "#bf4a2c",
+    ok: "#71781f",
+    caution: "#dc8200",
+    alarm: "#ff2d1a",
+    alarm_text: "#000000",
+    port: "#b02a1e",
+    starboard: "#5d6a1c",
+    line: "#9c3427",
+    force: "#b0491c",
+    wind: "#b0491c",
+    current: "#8a5a1a",
+    label: "#000000cc",
   },
 };
 
@@ -46,7 +138,8 @@ export function applyPalette(name: PaletteName): void {
   const root = document.documentElement;
   root.dataset.palette = name;
   root.style.colorScheme = name === "day" ? "light" : "dark";
-  for (const [key, colour] of Object.entries(PALETTES[name])) root.style.setProperty(`--${key.replace("_", "-")}`, colour);
+  for (const [key, colour] of Object.entries(PALETTES[name]))
+    root.style.setProperty(`--${key.replace("_", "-")}`, colour);
   document.querySelector('meta[name="theme-color"]')?.setAttribute("content", PALETTES[name].bg);
 }
 

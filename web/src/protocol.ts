@@ -158,7 +158,12 @@ export interface VesselNow {
   rudder: { order_rad: number; now_rad: number };
   shaft: { order: number; now: number };
   thrusters: { order: number; now: number }[];
-  azimuths: { power_order: number; power: number; direction_order_rad: number; direction_rad: number }[];
+  azimuths: {
+    power_order: number;
+    power: number;
+    direction_order_rad: number;
+    direction_rad: number;
+  }[];
   /** Who steers: `hands`, `course`, `speed`, `course+speed`, `station`, `assist`. */
   pilot: string;
   course_rad: number | null;
@@ -186,7 +191,8 @@ export interface VesselNow {
  * past the last one than they are apart, where a hull was on the structure and nobody has acknowledged it, at a fender
  * beyond its rating or failed, with the hull on the structure.
  */
-export type BerthEnd = "off" | "at_fenders" | "no_fender" | "past_end" | "touched" | "over_rated" | "structure";
+export type BerthEnd =
+  "off" | "at_fenders" | "no_fender" | "past_end" | "touched" | "over_rated" | "structure";
 
 /** A ship beside the berth's line of fenders: the two ends of the flat of her side. */
 export interface BerthNow {
@@ -303,7 +309,13 @@ export type Action =
   | { do: "rudder"; vessel: string; angle_rad: number }
   | { do: "engine"; vessel: string; share: number }
   | { do: "thruster"; vessel: string; thruster: string; share: number }
-  | { do: "azimuth"; vessel: string; unit: string; power: number | null; direction_rad: number | null }
+  | {
+      do: "azimuth";
+      vessel: string;
+      unit: string;
+      power: number | null;
+      direction_rad: number | null;
+    }
   | { do: "course"; vessel: string; heading_rad: number }
   | { do: "speed"; vessel: string; speed_mps: number }
   | { do: "hands"; vessel: string }

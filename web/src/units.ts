@@ -32,7 +32,8 @@ export function fixed(value: number, decimals: number): string {
 }
 
 export const knots = (mps: number, decimals = 1): string => `${fixed(toKnots(mps), decimals)} kn`;
-export const tonnes = (newtons: number): string => `${fixed(newtons / TONNE_N, newtons < 10 * TONNE_N ? 1 : 0)} t`;
+export const tonnes = (newtons: number): string =>
+  `${fixed(newtons / TONNE_N, newtons < 10 * TONNE_N ? 1 : 0)} t`;
 export const percent = (share: number): string => `${fixed(share * 100, 0)} %`;
 
 /** A rudder angle, a turn: its size and its side. */
@@ -47,7 +48,9 @@ export const rateOfTurn = (radPerS: number): number => radPerS * DEG * 60;
 
 /** Kilonewtons up to a thousand, then meganewtons. */
 export function force(newtons: number): string {
-  return Math.abs(newtons) < 1e6 ? `${fixed(newtons / 1e3, 0)} kN` : `${fixed(newtons / 1e6, 2)} MN`;
+  return Math.abs(newtons) < 1e6
+    ? `${fixed(newtons / 1e3, 0)} kN`
+    : `${fixed(newtons / 1e6, 2)} MN`;
 }
 
 export const energy = (joules: number): string => `${fixed(joules / 1e3, 0)} kJ`;

@@ -1,8 +1,24 @@
 import { describe, expect, test } from "vitest";
-import { type Camera, between, fitted, onEarth, roundLength, sideAt, toEarth, toScreen, zoomed } from "../src/geometry";
+import {
+  type Camera,
+  between,
+  fitted,
+  onEarth,
+  roundLength,
+  sideAt,
+  toEarth,
+  toScreen,
+  zoomed,
+} from "../src/geometry";
 import type { BodyNow, Pair } from "../src/protocol";
 
-const camera = (up_rad: number): Camera => ({ centre: [100, 50], pixels_per_m: 2, up_rad, width: 800, height: 600 });
+const camera = (up_rad: number): Camera => ({
+  centre: [100, 50],
+  pixels_per_m: 2,
+  up_rad,
+  width: 800,
+  height: 600,
+});
 const near = (a: Pair, b: Pair) => {
   expect(a[0]).toBeCloseTo(b[0], 9);
   expect(a[1]).toBeCloseTo(b[1], 9);
@@ -32,7 +48,8 @@ describe("the camera", () => {
   });
 
   test("screen and earth are each other's inverse, however it is turned", () => {
-    for (const up of [0, 1, 2.5, -2]) near(toEarth(camera(up), toScreen(camera(up), [123, -45])), [123, -45]);
+    for (const up of [0, 1, 2.5, -2])
+      near(toEarth(camera(up), toScreen(camera(up), [123, -45])), [123, -45]);
   });
 
   test("zooming keeps the place under the finger", () => {
@@ -43,7 +60,11 @@ describe("the camera", () => {
   });
 
   test("fitted, all places are within the margins", () => {
-    const places: Pair[] = [[0, 0], [230, 10], [100, -60]];
+    const places: Pair[] = [
+      [0, 0],
+      [230, 10],
+      [100, -60],
+    ];
     for (const up of [0, 0.7, 3]) {
       const fit = fitted(camera(up), places, [40, 50, 80]);
       for (const place of places) {
@@ -62,7 +83,13 @@ test("a scale bar has a round length", () => {
 });
 
 test("a ship's side is found on her outline, and nothing beyond her ends", () => {
-  const outline: Pair[] = [[-50, -8], [30, -8], [50, 0], [30, 8], [-50, 8]];
+  const outline: Pair[] = [
+    [-50, -8],
+    [30, -8],
+    [50, 0],
+    [30, 8],
+    [-50, 8],
+  ];
   expect(sideAt(outline, 0, -1)).toBe(-8);
   expect(sideAt(outline, 40, 1)).toBeCloseTo(4, 12);
   expect(sideAt(outline, 60, 1)).toBeNull();

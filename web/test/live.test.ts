@@ -4,11 +4,37 @@ import type { BodyNow, Frame } from "../src/protocol";
 import { light, limitAt } from "../src/views/limits";
 
 function frame(tick: number, north: number, paused = false): Frame {
-  const bodies: BodyNow[] = [[north, 0, 0, 0, 0, 0], [0, 40, 1, 0, 0, 0]];
+  const bodies: BodyNow[] = [
+    [north, 0, 0, 0, 0, 0],
+    [0, 40, 1, 0, 0, 0],
+  ];
   return {
-    type: "frame", tick, t_s: tick / 10, at_ms: 0, bodies, vessels: [], fenders: [], contacts: [], lines: [], tugs: [],
-    run: { paused, pace: 1, late_ticks: 0, latest_ms: 0, branch: 0, branches: [], last_tick: tick, clients: 1, opening: null },
-    wind: { speed_mps: 5, from_rad: 0 }, current: { speed_mps: 0, to_rad: 0 }, waves: null, alarms: [], events: [],
+    type: "frame",
+    tick,
+    t_s: tick / 10,
+    at_ms: 0,
+    bodies,
+    vessels: [],
+    fenders: [],
+    contacts: [],
+    lines: [],
+    tugs: [],
+    run: {
+      paused,
+      pace: 1,
+      late_ticks: 0,
+      latest_ms: 0,
+      branch: 0,
+      branches: [],
+      last_tick: tick,
+      clients: 1,
+      opening: null,
+    },
+    wind: { speed_mps: 5, from_rad: 0 },
+    current: { speed_mps: 0, to_rad: 0 },
+    waves: null,
+    alarms: [],
+    events: [],
   };
 }
 

@@ -28,8 +28,21 @@ test("on the centre line she pushes along the ship, and pulls away from the end 
 });
 
 test("places to push at lie on the hull's outline", () => {
-  const outline: Pair[] = [[-100, -15], [70, -15], [100, 0], [70, 15], [-100, 15]];
+  const outline: Pair[] = [
+    [-100, -15],
+    [70, -15],
+    [100, 0],
+    [70, 15],
+    [-100, 15],
+  ];
   const found = stations(outline, 200);
-  expect(found.map((s) => s.name)).toEqual(["port shoulder", "port midships", "port quarter", "starboard shoulder", "starboard midships", "starboard quarter"]);
+  expect(found.map((s) => s.name)).toEqual([
+    "port shoulder",
+    "port midships",
+    "port quarter",
+    "starboard shoulder",
+    "starboard midships",
+    "starboard quarter",
+  ]);
   for (const { at_m, side } of found) expect(at_m[1] * side).toBe(15);
 });

@@ -18,8 +18,10 @@ function contrast(a: string, b: string): number {
 test("by day text has the contrast that a screen in the sun needs, by dusk that of WCAG AA", () => {
   expect(contrast(PALETTES.day.text, PALETTES.day.panel)).toBeGreaterThan(15);
   expect(contrast(PALETTES.day.dim, PALETTES.day.panel)).toBeGreaterThan(7);
-  for (const key of ["text", "dim", "ok", "caution", "alarm"] as const) expect(contrast(PALETTES.dusk[key], PALETTES.dusk.panel), key).toBeGreaterThan(4.5);
-  for (const key of ["ok", "alarm"] as const) expect(contrast(PALETTES.day[key], PALETTES.day.panel), key).toBeGreaterThan(4.5);
+  for (const key of ["text", "dim", "ok", "caution", "alarm"] as const)
+    expect(contrast(PALETTES.dusk[key], PALETTES.dusk.panel), key).toBeGreaterThan(4.5);
+  for (const key of ["ok", "alarm"] as const)
+    expect(contrast(PALETTES.day[key], PALETTES.day.panel), key).toBeGreaterThan(4.5);
 });
 
 test("by night nothing is white, nothing is blue, and text can still be read", () => {
@@ -34,7 +36,8 @@ test("by night nothing is white, nothing is blue, and text can still be read", (
 test("loads go from green over amber to red, each palette by its own", () => {
   for (const colours of Object.values(PALETTES) as Palette[]) {
     expect(loadColour(0, colours)).toBe(colours.ok);
-    const rgb = (hex: string) => `rgb(${[1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16)).join(" ")})`;
+    const rgb = (hex: string) =>
+      `rgb(${[1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16)).join(" ")})`;
     expect(loadColour(0.7, colours)).toBe(rgb(colours.caution));
     expect(loadColour(1, colours)).toBe(rgb(colours.alarm));
     expect(loadColour(9, colours)).toBe(rgb(colours.alarm));

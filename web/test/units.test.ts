@@ -1,5 +1,15 @@
 import { expect, test } from "vitest";
-import { clock, fixed, force, heading, knots, rateOfTurn, sided, tonnes, wrapped } from "../src/units";
+import {
+  clock,
+  fixed,
+  force,
+  heading,
+  knots,
+  rateOfTurn,
+  sided,
+  tonnes,
+  wrapped,
+} from "../src/units";
 
 const RAD = Math.PI / 180;
 

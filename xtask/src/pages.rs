@@ -9,7 +9,7 @@ use crate::tools;
 
 const FOLDER: &str = "web";
 
-/// Types, lints, unit tests, the build and its weight.
+/// Format, types, lints, unit tests, the build and its size.
 pub(crate) const CHECKED: Step = Step { name: "the pages", run: check };
 /// All that stands in `web/e2e`.
 pub(crate) const DRIVEN: Step = Step { name: "the pages in a browser", run: in_a_browser };

@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// Largest position, velocity, load and time step [m, m/s, rad/s, rad, N, s]. A larger number is a mistake of the host, and
+/// Largest position, velocity, load and time step (m, m/s, rad/s, rad, N, s). A larger number is a mistake of the host, and
 /// forces could overflow.
 const FURTHEST_M: f64 = 1e9;
 const FASTEST_MPS: f64 = 1e6;

@@ -16,9 +16,9 @@ pub(crate) struct Bodies {
     pub(crate) input: Vec<BodyState>,
     /// Poses at the start of the (sub-)step.
     pub(crate) poses: Vec<Pose>,
-    /// The heading that each pose's rotation was computed from [rad].
+    /// The heading that each pose's rotation was computed from (rad).
     pub(crate) headings_rad: Vec<f64>,
-    /// How far from its centre of gravity each body may reach within this step [m].
+    /// How far from its centre of gravity each body may reach within this step (m).
     pub(crate) reach_m: Vec<f64>,
 }
 

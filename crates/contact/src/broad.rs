@@ -17,7 +17,7 @@ pub(crate) fn pair(
 ) {
     pairings.clear();
     push_near(model, bodies, &model.pairs, 0, pairings);
-    if let Some(material) = model.every_other_pair {
+    if let Some(material) = model.all_other_pairs {
         if !list_holds {
             neighbours.renew(model, material, &bodies.poses, &bodies.reach_m);
         }

@@ -3,7 +3,7 @@
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
 
-/// Masses of a body in surge, sway and yaw [kg, kg, kg·m²].
+/// Masses of a body in surge, sway and yaw (kg, kg, kg·m²).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Kirchhoff {
     surge_kg: f64,
@@ -44,7 +44,7 @@ impl Kirchhoff {
         state.yaw_rate_radps = velocity.2;
     }
 
-    /// A bound on the square of the rate at which the equations turn velocities of this energy [1/s²]. In √m_x u,
+    /// A bound on the square of the rate at which the equations turn velocities of this energy (1/s²). In √m_x u,
     /// √m_y v and √I r their Jacobian has, with ρ² twice the energy, a Frobenius norm of at most
     /// ρ √(2(m_y/m_x + m_x/m_y)/I).
     fn rate_squared(&self, (u, v, r): (f64, f64, f64)) -> f64 {

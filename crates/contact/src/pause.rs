@@ -4,12 +4,12 @@ use crate::admit::{admit, admit_loads};
 use crate::error::StepError;
 use crate::memory::Memory;
 use crate::model::Model;
-use crate::report::{ContactWork, Motion, Wrench};
+use crate::report::{ContactImpulse, ContactWork, Displacement, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
 /// Takes a step of 0 s. The memory does not change. Wrenches and contacts stay those of the last step; impulses, work,
-/// motions and events are zero or empty; the states at the end are the input states.
+/// displacements and events are zero or empty; the states at the end are the input states.
 ///
 /// # Errors
 /// As any step.
@@ -32,11 +32,11 @@ pub(crate) fn pause(
     }
     for contact in &mut results.contacts {
         contact.work = ContactWork::default();
-        (contact.normal_impulse_ns, contact.tangential_impulse_ns) = (0.0, 0.0);
+        contact.impulse = ContactImpulse::default();
     }
     results.events.clear();
-    results.motions.clear();
-    results.motions.resize(count, Motion::default());
+    results.displacements.clear();
+    results.displacements.resize(count, Displacement::default());
     results.states_after.clear();
     results.states_after.extend_from_slice(states);
     // States at the end are results of settled bodies too: the next step computes all bodies anew.

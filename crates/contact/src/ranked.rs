@@ -15,7 +15,7 @@ use crate::number::{greater, lesser};
 pub(crate) struct Ranked {
     bodies: Vec<RankedBody>,
     rests: Vec<Rest>,
-    /// Area of the smallest body [m²].
+    /// Area of the smallest body (m²).
     smallest_m2: f64,
     /// The convex pieces of all outlines, body by body.
     pieces: Vec<ConvexPolygon>,
@@ -28,18 +28,18 @@ pub(crate) struct RankedBody {
     pieces: [u32; 2],
     /// Its mass is the same in all directions.
     pub(crate) is_alike: bool,
-    /// Largest distance of a vertex from the centre of gravity [m].
+    /// Largest distance of a vertex from the centre of gravity (m).
     pub(crate) radius_m: f64,
-    /// The same including the body's fenders [m].
+    /// The same including the body's fenders (m).
     pub(crate) reach_m: f64,
     pub(crate) area_m2: f64,
-    /// 1/m [1/kg]; 0 for a fixed body.
+    /// 1/m (1/kg); 0 for a fixed body.
     pub(crate) inverse_mass: f64,
-    /// 1/I [1/(kg·m²)].
+    /// 1/I (1/(kg·m²)).
     pub(crate) inverse_inertia: f64,
-    /// The largest inverse mass in any direction, without rotation [1/kg].
+    /// The largest inverse mass in any direction, without rotation (1/kg).
     pub(crate) lightest_inverse_mass: f64,
-    /// The inverse yaw inertia by the full matrix [1/(kg·m²)].
+    /// The inverse yaw inertia by the full matrix (1/(kg·m²)).
     pub(crate) inverse_of_turning: f64,
 }
 
@@ -48,7 +48,7 @@ pub(crate) struct RankedBody {
 pub(crate) struct Rest {
     /// M⁻¹ in the body's axes.
     pub(crate) inverse: InverseMatrix,
-    /// About half of its width: a convex body's area is about its length times its width [m].
+    /// About half of its width: a convex body's area is about its length times its width (m).
     pub(crate) half_width_m: f64,
     /// For a body whose momentum the engine turns with it.
     pub(crate) kirchhoff: Option<Kirchhoff>,
@@ -91,7 +91,7 @@ impl Ranked {
         &self.rests[rank]
     }
 
-    /// Area of the smallest body [m²]; infinite if there is none.
+    /// Area of the smallest body (m²); infinite if there is none.
     #[inline]
     pub(crate) fn smallest_m2(&self) -> f64 {
         self.smallest_m2
@@ -144,11 +144,11 @@ fn describe(body: &Body, pieces: [u32; 2], fenders_reach_m: f64) -> (RankedBody,
             let inverse = InverseMatrix::isotropic(mass_kg, yaw_inertia_kgm2);
             (mass_kg, yaw_inertia_kgm2, Some(inverse))
         }
-        Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
+        Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
             let matrix = body.mobility.matrix().expect("it floats");
             (lesser(surge_kg, sway_kg), yaw_inertia_kgm2, InverseMatrix::of(&matrix))
         }
-        Mobility::Massive { matrix } => {
+        Mobility::FullMatrix { matrix } => {
             let lightest = lesser(matrix[0][0], matrix[1][1]);
             (lightest, matrix[2][2], InverseMatrix::of(&matrix))
         }
@@ -168,7 +168,7 @@ fn describe(body: &Body, pieces: [u32; 2], fenders_reach_m: f64) -> (RankedBody,
     };
     let half_width_m = 0.25 * area_m2 / radius_m;
     let kirchhoff = match body.mobility {
-        Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
+        Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
             Kirchhoff::new(surge_kg, sway_kg, yaw_inertia_kgm2)
         }
         _ => None,

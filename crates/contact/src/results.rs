@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use crate::coupled::peaks::PeakWrench;
 use crate::error::StepError;
 use crate::model::Model;
-use crate::report::{Contact, Event, EventKind, Motion, Wrench};
+use crate::report::{Contact, Displacement, Event, EventKind, Wrench};
 use crate::state::BodyState;
 
 /// Results of the last step, by body id. Written by stages 1, 5 and 6.
@@ -23,7 +23,7 @@ pub(crate) struct Results {
     /// By the coupled method: states at the end of the step.
     pub(crate) states_after: Vec<BodyState>,
     /// By the coupled method: how far each body moved in the step.
-    pub(crate) motions: Vec<Motion>,
+    pub(crate) displacements: Vec<Displacement>,
     /// By the coupled method: greatest wrenches of bodies whose contacts took several sub-steps.
     pub(crate) peaks: Vec<PeakWrench>,
 }
@@ -37,7 +37,7 @@ impl Results {
             wrenches: vec![Wrench::default(); count],
             events: Vec::new(),
             states_after: Vec::with_capacity(count),
-            motions: Vec::with_capacity(count),
+            displacements: Vec::with_capacity(count),
             peaks: Vec::new(),
         }
     }

@@ -17,7 +17,7 @@ use crate::model::Model;
 use crate::next_memory::NextMemory;
 use crate::overlap::{self, Hints, Patch};
 use crate::pause::pause;
-use crate::report::{Contact, Wrench};
+use crate::report::{Contact, ContactImpulse, EnergyParts, Wrench};
 use crate::results::Results;
 use crate::state::BodyState;
 use crate::touch::{Movers, Scene, arms_m, touch};
@@ -187,16 +187,21 @@ impl Stage<'_> {
             shear_m: shear.shear_m,
             normal_force_n,
             tangential_force_n,
-            normal_impulse_ns: normal_force_n * step_s,
-            tangential_impulse_ns: tangential_force_n * step_s,
+            impulse: ContactImpulse {
+                normal_ns: normal_force_n * step_s,
+                tangential_ns: tangential_force_n * step_s,
+            },
             friction: shear.friction,
             limited: normal_force_n < law_n || tangential_force_n != shear.force_n,
             peak_normal_force_n: normal_force_n,
             parts,
             factor,
-            stored_j: touch.stored_j * factor,
-            peak_loaded_j: touch.stored_j * factor,
-            shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
+            energy: EnergyParts {
+                stored_j: touch.stored_j * factor,
+                peak_absorbed_j: touch.stored_j * factor,
+                shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
+                ..EnergyParts::default()
+            },
             ..touch.contact(&scene, patch, ids, arms_m)
         };
         add_wrenches(&contact, &mut results.wrenches);

@@ -5,7 +5,7 @@ use crate::geometry::clip::ClipBuffers;
 use crate::memory::PatchMemory;
 use crate::model::{BodyId, Model};
 use crate::overlap::{self, Overlap, Patch};
-use crate::report::{Contact, ContactWork, ForceParts, Friction};
+use crate::report::{Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::{Pose, Vec2};
 
@@ -21,25 +21,25 @@ pub(crate) struct Touch {
     /// About each body's centre of gravity.
     pub(crate) levers_a: Levers,
     pub(crate) levers_b: Levers,
-    /// δ [m].
+    /// δ (m).
     pub(crate) depth_m: f64,
-    /// Spring and stop, before factors [N].
+    /// Spring and stop, before factors (N).
     pub(crate) spring_n: f64,
     pub(crate) stop_n: f64,
-    /// Energy stored in a fender, before factors [J]; 0 between two outlines, whose law has no potential.
+    /// Energy stored in a fender, before factors (J); 0 between two outlines, whose law has no potential.
     pub(crate) stored_j: f64,
-    /// dS by the distance that the bodies close along n [m].
+    /// dS by the distance that the bodies close along n (m).
     pub(crate) chord_m: f64,
-    /// Angle between a fender's face and the hull [rad].
+    /// Angle between a fender's face and the hull (rad).
     pub(crate) tilt_rad: f64,
-    /// V_n, V_t [m/s] (eq. 10).
+    /// V_n, V_t (m/s) (eq. 10).
     pub(crate) v_normal_mps: f64,
     pub(crate) v_tangential_mps: f64,
-    /// Δs before this step's friction law [m].
+    /// Δs before this step's friction law (m).
     pub(crate) shear_m: f64,
 }
 
-/// Of n and t about a body's centre of gravity: r × n and r × t [m].
+/// Of n and t about a body's centre of gravity: r × n and r × t (m).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Levers {
     pub(crate) n_m: f64,
@@ -77,7 +77,7 @@ impl Movers {
         }
     }
 
-    /// V_n and V_t of two bodies (eq. 10) [m/s], from n and the levers of n and t about each centre of gravity. The
+    /// V_n and V_t of two bodies (eq. 10) (m/s), from n and the levers of n and t about each centre of gravity. The
     /// velocity of a body at rest is not read.
     #[inline(always)]
     pub(crate) fn speeds(
@@ -194,7 +194,7 @@ fn press_fender(scene: &Scene<'_>, patch: &Patch, face: &RankedFender) -> Touch 
     }
 }
 
-/// r of both bodies of a patch: from its centre of gravity to where the force acts, earth-fixed [m].
+/// r of both bodies of a patch: from its centre of gravity to where the force acts, earth-fixed (m).
 #[inline]
 pub(crate) fn arms_m(scene: &Scene<'_>, patch: &Patch, point_in_a_m: Vec2) -> [Vec2; 2] {
     let rotation = scene.poses[patch.candidate.a as usize].rotation;
@@ -241,8 +241,7 @@ impl Touch {
             shear_m: self.shear_m,
             normal_force_n: 0.0,
             tangential_force_n: 0.0,
-            normal_impulse_ns: 0.0,
-            tangential_impulse_ns: 0.0,
+            impulse: ContactImpulse::default(),
             friction: Friction::Stick,
             limited: false,
             peak_normal_force_n: 0.0,
@@ -251,11 +250,7 @@ impl Touch {
             work: ContactWork::default(),
             factor: 1.0,
             tilt_rad: self.tilt_rad,
-            stored_j: 0.0,
-            peak_loaded_j: 0.0,
-            hysteresis_j: 0.0,
-            hysteresis_at_start_j: 0.0,
-            shear_stored_j: 0.0,
+            energy: EnergyParts::default(),
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::inherit::Inheritance;
 use crate::model::Model;
 use crate::next_memory::NextMemory;
 use crate::overlap::Overlap;
-use crate::report::{Contact, Event, Motion, Wrench};
+use crate::report::{Contact, Displacement, Event, Wrench};
 use crate::results::Results;
 use crate::state::BodyState;
 
@@ -76,46 +76,47 @@ impl Workspace {
         }
     }
 
-    /// States at the end of the last step by [`crate::advance`], one a body: what a host that lets
-    /// the engine move its bodies goes on with. None after [`crate::advance_in_place`], which has moved them. Velocities
-    /// are those of the middle of the last sub-step.
+    /// States at the end of the last step by [`crate::advance`], one a body. A host that lets the engine move its bodies
+    /// takes these as its next input. Empty after [`crate::advance_in_place`]. Velocities belong to the middle of the last
+    /// sub-step.
     #[must_use]
     pub fn states_after(&self) -> &[BodyState] {
         &self.results.states_after
     }
 
-    /// How far each body went in the last step by [`crate::advance`], one a body: what a load works along.
+    /// Displacement of each body in the last step by [`crate::advance`], one a body: what a load does work along.
     #[must_use]
-    pub fn motions(&self) -> &[Motion] {
-        &self.results.motions
+    pub fn displacements(&self) -> &[Displacement] {
+        &self.results.displacements
     }
 
-    /// Whether steps report their contacts one by one in [`Workspace::contacts`], as they do if not told
-    /// otherwise. Wrenches, states, motions, events and what is remembered are the same to the bit without, and
-    /// come somewhat sooner.
-    pub fn tell_contacts(&mut self, told: bool) {
-        self.results.reports_contacts = told;
+    /// Whether steps report their contacts one by one in [`Workspace::contacts`]; they do by default. Without, a step is
+    /// somewhat faster. Wrenches, states, displacements, events and memory are the same to the bit either way.
+    pub fn report_contacts(&mut self, report: bool) {
+        self.results.reports_contacts = report;
     }
 
-    /// Contacts of the last step, sorted by the bodies' keys and patch; none where they are not told of.
+    /// Contacts of the last step, sorted by the bodies' keys and patch. Empty if they are not reported.
     #[must_use]
     pub fn contacts(&self) -> &[Contact] {
         &self.results.contacts
     }
 
-    /// Sum of the contact forces on each body in the last step, one a body: means over the step, by which bodies are
-    /// moved. [`Workspace::tell_peaks`] has what was there at the worst moment.
+    /// Sum of the contact forces on each body, one a body: the mean over the last step, by which bodies are moved. See
+    /// [`Workspace::peak_wrenches_into`] for the greatest within it.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.results.wrenches
     }
 
-    /// Writes the greatest sum of the contact forces on each body within the last step into a list, one a body: of its
-    /// sub-steps the wrench of that in which the force was greatest; by the paper's method, and where the step was one
-    /// sub-step, [`Workspace::wrenches`]. Size fenders and structures by it, but move no body: a force that falls off
-    /// within a long step is this large for a part of it. Of a fixed body that floating ones touch which do not touch
-    /// each other, what it is where they are greatest at one time.
-    pub fn tell_peaks(&self, into: &mut Vec<Wrench>) {
+    /// Writes the greatest sum of the contact forces on each body within the last step into a list, one a body: the wrench
+    /// of the sub-step in which the force was greatest. By the paper's method, and if the step was one sub-step, that is
+    /// [`Workspace::wrenches`].
+    ///
+    /// Use it to size fenders and structures, not to move bodies: a force that falls off within a long step is this large
+    /// for a part of it only. On a fixed body that several floating bodies touch, which do not touch each other, it is the
+    /// wrench as if their greatest forces acted at one time.
+    pub fn peak_wrenches_into(&self, into: &mut Vec<Wrench>) {
         peaks::write(&self.results.peaks, &self.results.wrenches, into);
     }
 

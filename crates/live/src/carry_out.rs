@@ -14,7 +14,7 @@ use fenderline_sim::{
 use crate::action::{Action, TugWord, WinchWord};
 use crate::refusal::Refusal;
 
-/// A tug's fastest beside a ship that she pushes or pulls, and beside one that she follows [m/s]: 2 and 4 knots, the
+/// A tug's fastest beside a ship that she pushes or pulls, and beside one that she follows (m/s): 2 and 4 knots, the
 /// defaults of the scenario's keys.
 const PUSH_MPS: f64 = 2.0 * 1852.0 / 3600.0;
 const FOLLOW_MPS: f64 = 4.0 * 1852.0 / 3600.0;
@@ -90,7 +90,7 @@ pub(crate) fn carry_out(
     }
     // Kept is what is for other controls, and the one just given.
     let mut forgotten = false;
-    simulation.keep_orders(|other| {
+    simulation.retain_orders(|other| {
         let keep = moved_by(other) != moved || *other == order;
         forgotten |= !keep;
         keep
@@ -285,7 +285,7 @@ fn to_line(simulation: &Simulation, action: &Action) -> Result<(usize, Do), Refu
     let order = match action {
         Action::Winch { order, rate_mps, .. } => {
             let rate_mps = within("a winch's rate [m/s]", *rate_mps, 0.0, 20.0)?;
-            if matches!(lines[index].line.holding, fenderline_sim::mooring::Holding::Bitts) {
+            if matches!(lines[index].line.inboard_end, fenderline_sim::mooring::InboardEnd::Bitts) {
                 return Err(Refusal::new(format_args!("line `{name}` is on bitts: no winch")));
             }
             let order = match order {

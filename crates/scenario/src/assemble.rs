@@ -17,8 +17,8 @@ use fenderline_contact::{Material, Outline, Vec2};
 use fenderline_sim::environment::wind::ShipWindage;
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{
-    BodySetup, BodyVelocity, FenderSetup, Integrator, Load, MassProperties, Method, NamedMaterial,
-    Order, PairSetup, Setup, WorldSetup,
+    BodySetup, BodyVelocity, FenderSetup, Integrator, Load, MassProperties, NamedMaterial, Order,
+    PairSetup, Setup, WorldSetup,
 };
 
 use crate::checked::{Item, Table};
@@ -95,11 +95,11 @@ pub(crate) fn setup(
         step_s,
         duration_s,
         integrator,
-        method: method(file.given("contact").table()),
+        method: file.given("contact").table().given("method").choice(),
         bodies,
         materials,
         pairs: pairs.named,
-        every_other_pair: pairs.every_other,
+        all_other_pairs: pairs.every_other,
         fenders,
         berthing,
         loads,
@@ -112,19 +112,11 @@ pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Chec
     let (files, mut notices) = (Files::default(), Vec::new());
     let assembly = Assembly { sources, files: &files, notices: &mut notices };
     let names = Names::new(&setup.bodies, &setup.materials);
-    let pairs = Pairs::new(setup.pairs.clone(), setup.every_other_pair);
+    let pairs = Pairs::new(setup.pairs.clone(), setup.all_other_pairs);
     let world = &setup.world;
     let afloat = Afloat::new(&setup.bodies, &setup.fenders, &pairs, &world.lines);
     let known = WorldNames::new(&world.vessels, &world.tugs, afloat);
     assembly.order(table, &known, &names)
-}
-
-fn method(contact: &Table) -> Method {
-    match contact.given("method").choice() {
-        0 => Method::Coupled,
-        1 => Method::Paper,
-        other => unreachable!("the key table has no method {other}"),
-    }
 }
 
 /// The names that pairs and loads refer to.
@@ -200,13 +192,7 @@ impl Assembly<'_, '_> {
             let error = self.sources.error(&duration.span, "time.duration", message);
             return Err(error.with_help("take a longer step or a shorter run"));
         }
-        let integrator = match time.given("integrator").choice() {
-            0 => Integrator::Euler,
-            1 => Integrator::SemiImplicit,
-            2 => Integrator::Rk4,
-            other => unreachable!("the key table has no integrator {other}"),
-        };
-        Ok((step_s, duration_s, integrator))
+        Ok((step_s, duration_s, time.given("integrator").choice()))
     }
 
     fn materials(&mut self, materials: &[(String, Table)]) -> Checked<Vec<NamedMaterial>> {

@@ -33,9 +33,17 @@ export class ClaimBar {
   /** For the bar, while it is held. */
   readonly held: HTMLElement;
 
-  constructor(private readonly page: Page, private readonly control: Control, private readonly what: string) {
+  constructor(
+    private readonly page: Page,
+    private readonly control: Control,
+    private readonly what: string,
+  ) {
     const take = button(`Take ${what}`, () => void this.claim(), { class: "take" });
-    this.release = button(`Release ${what.replace("the ", "")}`, () => void page.order({ do: "release", control }), { name: `Release ${what}`, class: "release" });
+    this.release = button(
+      `Release ${what.replace("the ", "")}`,
+      () => void page.order({ do: "release", control }),
+      { name: `Release ${what}`, class: "release" },
+    );
     this.root = h("div", { class: "claim" }, take, this.who);
     this.held = this.release;
   }
@@ -52,7 +60,12 @@ export class ClaimBar {
     setClass(this.root, "hidden", mine);
     // A page may command what nobody is at, without taking it: then there is nothing to give back.
     setClass(this.release, "hidden", !mine || !claim?.holder || !claim.connected);
-    setText(this.who, claim?.holder ? `${claim.holder} has ${this.what}${claim.connected ? "" : ", but has gone"}` : `Nobody has ${this.what} now.`);
+    setText(
+      this.who,
+      claim?.holder
+        ? `${claim.holder} has ${this.what}${claim.connected ? "" : ", but has gone"}`
+        : `Nobody has ${this.what} now.`,
+    );
     return mine;
   }
 }

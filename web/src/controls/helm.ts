@@ -10,7 +10,12 @@ const RUDDER_STEPS_DEG = [5, 10, 20, 35];
 /** So long after a key the next one counts on from it. */
 const KEY_HELD_MS = 500;
 /** The telegraph's detents as shares of full. */
-const AHEAD = [{ share: 0.25, text: "Dead slow" }, { share: 0.45, text: "Slow" }, { share: 0.7, text: "Half" }, { share: 1, text: "Full" }];
+const AHEAD = [
+  { share: 0.25, text: "Dead slow" },
+  { share: 0.45, text: "Slow" },
+  { share: 0.7, text: "Half" },
+  { share: 1, text: "Full" },
+];
 const DETENTS = [...AHEAD.map((d) => -d.share).toReversed(), 0, ...AHEAD.map((d) => d.share)];
 
 export class Helm implements Group {
@@ -23,14 +28,23 @@ export class Helm implements Group {
   private now: VesselNow | null = null;
   private heading_rad = 0;
 
-  constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number) {
+  constructor(
+    private readonly page: Page,
+    private readonly info: VesselInfo,
+    private readonly index: number,
+  ) {
     this.claim = new ClaimBar(page, { vessel: info.name }, "the helm");
     this.held = this.claim.held;
     const cards: HTMLElement[] = [];
     if (info.rudder_stop_rad !== null) cards.push(this.rudder(info.rudder_stop_rad));
     if (info.full_rps !== null) cards.push(this.engine(info.full_rps));
     if (info.thrusters.length > 0) cards.push(this.thrusters());
-    this.root = h("div", { class: "group helm", "aria-label": `Helm of ${info.title}`, role: "group" }, this.claim.root, ...cards);
+    this.root = h(
+      "div",
+      { class: "group helm", "aria-label": `Helm of ${info.title}`, role: "group" },
+      this.claim.root,
+      ...cards,
+    );
     this.keys = this.keyboard();
   }
 
@@ -40,7 +54,10 @@ export class Helm implements Group {
 
   private setRudder(rad: number): void {
     const stop = this.info.rudder_stop_rad ?? 0;
-    this.order({ do: "rudder", vessel: this.info.name, angle_rad: Math.min(stop, Math.max(-stop, rad)) }, "rudder");
+    this.order(
+      { do: "rudder", vessel: this.info.name, angle_rad: Math.min(stop, Math.max(-stop, rad)) },
+      "rudder",
+    );
   }
 
   private setEngine(share: number): void {
@@ -63,10 +80,24 @@ export class Helm implements Group {
         this.page.drag("rudder", { do: "rudder", vessel, angle_rad: toRadians(d) });
         this.page.did("rudder");
       },
-      marks: [-30, -20, -10, 0, 10, 20, 30].filter((d) => Math.abs(d) < stop).map((d) => ({ at: d, text: String(Math.abs(d)), ...(d !== 0 && { side: d < 0 ? ("port" as const) : ("starboard" as const) }) })),
+      marks: [-30, -20, -10, 0, 10, 20, 30]
+        .filter((d) => Math.abs(d) < stop)
+        .map((d) => ({
+          at: d,
+          text: String(Math.abs(d)),
+          ...(d !== 0 && { side: d < 0 ? ("port" as const) : ("starboard" as const) }),
+        })),
     });
-    const push = (d: number) => button(String(Math.abs(d)), () => this.setRudder(toRadians(d)), { name: `Rudder ${d < 0 ? "port" : "starboard"} ${Math.abs(d)}`, class: d < 0 ? "port" : "starboard" });
-    const buttons = [...steps.toReversed().map((d) => push(-d)), button("Mid", () => this.setRudder(0), { name: "Midships (M)", class: "midships" }), ...steps.map(push)];
+    const push = (d: number) =>
+      button(String(Math.abs(d)), () => this.setRudder(toRadians(d)), {
+        name: `Rudder ${d < 0 ? "port" : "starboard"} ${Math.abs(d)}`,
+        class: d < 0 ? "port" : "starboard",
+      });
+    const buttons = [
+      ...steps.toReversed().map((d) => push(-d)),
+      button("Mid", () => this.setRudder(0), { name: "Midships (M)", class: "midships" }),
+      ...steps.map(push),
+    ];
     const keeper = this.courseKeeper();
     const root = h(
       "section",
@@ -98,16 +129,27 @@ export class Helm implements Group {
     const change = (by: number) => () => {
       const from = wanted ?? this.heading_rad;
       const next = toRadians(Math.round(toDegrees(from)) + by);
-      if (this.now?.course_rad !== null) this.order({ do: "course", vessel, heading_rad: next }, "course");
+      if (this.now?.course_rad !== null)
+        this.order({ do: "course", vessel, heading_rad: next }, "course");
       wanted = next;
       setText(figure, heading(next, 0));
     };
     const figure = h("output", { class: "wanted", "aria-label": "Course to keep" }, "–");
-    const engage = button("Keep course", () => {
-      if (this.now?.course_rad === null) this.order({ do: "course", vessel, heading_rad: wanted ?? this.heading_rad }, "course");
-      else this.toHands("course");
-    }, { "aria-pressed": "false" });
-    const buttons = [button("−5", change(-5), { name: "Course 5 to port" }), button("−1", change(-1), { name: "Course 1 to port" }), button("+1", change(1), { name: "Course 1 to starboard" }), button("+5", change(5), { name: "Course 5 to starboard" })];
+    const engage = button(
+      "Keep course",
+      () => {
+        if (this.now?.course_rad === null)
+          this.order({ do: "course", vessel, heading_rad: wanted ?? this.heading_rad }, "course");
+        else this.toHands("course");
+      },
+      { "aria-pressed": "false" },
+    );
+    const buttons = [
+      button("−5", change(-5), { name: "Course 5 to port" }),
+      button("−1", change(-1), { name: "Course 1 to port" }),
+      button("+1", change(1), { name: "Course 1 to starboard" }),
+      button("+5", change(5), { name: "Course 5 to starboard" }),
+    ];
     const [a, b, c, d] = buttons;
     return {
       root: h("div", { class: "row keeper" }, engage, a, b, figure, c, d),
@@ -127,8 +169,10 @@ export class Helm implements Group {
     const vessel = this.info.name;
     const [course, speed] = [this.now?.course_rad ?? null, this.now?.speed_order_mps ?? null];
     this.order({ do: "hands", vessel }, "hands");
-    if (off === "course" && speed !== null) this.order({ do: "speed", vessel, speed_mps: speed }, "speed");
-    if (off === "speed" && course !== null) this.order({ do: "course", vessel, heading_rad: course }, "course");
+    if (off === "course" && speed !== null)
+      this.order({ do: "speed", vessel, speed_mps: speed }, "speed");
+    if (off === "speed" && course !== null)
+      this.order({ do: "course", vessel, heading_rad: course }, "course");
   }
 
   private engine(full_rps: number): HTMLElement {
@@ -137,7 +181,14 @@ export class Helm implements Group {
     const ordered = h("span", { class: "ordered" });
     const push = (share: number, text: string) => {
       const way = share < 0 ? "astern" : "ahead";
-      return { share, root: button(text, () => this.setEngine(share), { name: share === 0 ? "Stop engine (S)" : `${text} ${way}`, class: share === 0 ? "stop" : share < 0 ? "port" : "starboard", "aria-pressed": "false" }) };
+      return {
+        share,
+        root: button(text, () => this.setEngine(share), {
+          name: share === 0 ? "Stop engine (S)" : `${text} ${way}`,
+          class: share === 0 ? "stop" : share < 0 ? "port" : "starboard",
+          "aria-pressed": "false",
+        }),
+      };
     };
     const stop = push(0, "Stop");
     const ahead = AHEAD.map((d) => push(d.share, d.text));
@@ -150,7 +201,15 @@ export class Helm implements Group {
       { class: "card engine", "aria-label": "Engine" },
       h("div", { class: "card-head" }, h("h3", {}, "Engine"), figure, ordered),
       h("div", { class: "gauge-track" }, gauge),
-      h("div", { class: "telegraph" }, stop.root, h("span", { class: "starboard" }, "Ahead"), ...ahead.map((d) => d.root), h("span", { class: "port" }, "Astern"), ...astern.map((d) => d.root)),
+      h(
+        "div",
+        { class: "telegraph" },
+        stop.root,
+        h("span", { class: "starboard" }, "Ahead"),
+        ...ahead.map((d) => d.root),
+        h("span", { class: "port" }, "Astern"),
+        ...astern.map((d) => d.root),
+      ),
       keeper.root,
     );
     this.parts.push({
@@ -165,7 +224,8 @@ export class Helm implements Group {
         gauge.style.left = `${50 + Math.min(0, actual) * 50}%`;
         gauge.style.width = `${Math.abs(actual) * 50}%`;
         gauge.classList.toggle("port", actual < 0);
-        for (const each of all) setAttribute(each.root, "aria-pressed", String(Math.abs(each.share - order) < 0.01));
+        for (const each of all)
+          setAttribute(each.root, "aria-pressed", String(Math.abs(each.share - order) < 0.01));
         keeper.show(now);
       },
     });
@@ -178,14 +238,26 @@ export class Helm implements Group {
     const ahead_kn = () => Math.round(toKnots(this.now?.ground_mps[0] ?? 0) * 2) / 2;
     const change = (by: number) => () => {
       wanted_kn = (wanted_kn ?? ahead_kn()) + by;
-      if (this.now?.speed_order_mps !== null) this.order({ do: "speed", vessel, speed_mps: wanted_kn * KNOT_MPS }, "speed");
+      if (this.now?.speed_order_mps !== null)
+        this.order({ do: "speed", vessel, speed_mps: wanted_kn * KNOT_MPS }, "speed");
       setText(figure, `${fixed(wanted_kn, 1)} kn`);
     };
-    const engage = button("Keep speed", () => {
-      if (this.now?.speed_order_mps === null) this.order({ do: "speed", vessel, speed_mps: (wanted_kn ?? ahead_kn()) * KNOT_MPS }, "speed");
-      else this.toHands("speed");
-    }, { "aria-pressed": "false" });
-    const [less, more] = [button("−½", change(-0.5), { name: "Half a knot slower" }), button("+½", change(0.5), { name: "Half a knot faster" })];
+    const engage = button(
+      "Keep speed",
+      () => {
+        if (this.now?.speed_order_mps === null)
+          this.order(
+            { do: "speed", vessel, speed_mps: (wanted_kn ?? ahead_kn()) * KNOT_MPS },
+            "speed",
+          );
+        else this.toHands("speed");
+      },
+      { "aria-pressed": "false" },
+    );
+    const [less, more] = [
+      button("−½", change(-0.5), { name: "Half a knot slower" }),
+      button("+½", change(0.5), { name: "Half a knot faster" }),
+    ];
     return {
       root: h("div", { class: "row keeper" }, engage, less, figure, more),
       enable: (on: boolean) => {
@@ -208,11 +280,21 @@ export class Helm implements Group {
         most: 100,
         step: 5,
         say: (p) => `${p < 0 ? "port" : "starboard"} ${Math.abs(p)} %`,
-        order: (p) => this.page.drag(`thruster ${i}`, { do: "thruster", vessel, thruster: thruster.name, share: p / 100 }),
+        order: (p) =>
+          this.page.drag(`thruster ${i}`, {
+            do: "thruster",
+            vessel,
+            thruster: thruster.name,
+            share: p / 100,
+          }),
         marks: [],
       });
       const figure = h("span", { class: "ordered" });
-      const stop = button("Stop", () => this.order({ do: "thruster", vessel, thruster: thruster.name, share: 0 }, "thruster"), { name: `${thruster.name} thruster stop` });
+      const stop = button(
+        "Stop",
+        () => this.order({ do: "thruster", vessel, thruster: thruster.name, share: 0 }, "thruster"),
+        { name: `${thruster.name} thruster stop` },
+      );
       this.parts.push({
         enable: (on) => {
           slider.enable(on);
@@ -222,10 +304,29 @@ export class Helm implements Group {
           const state = now.thrusters[i];
           if (!state) return;
           slider.show(state.order * 100, state.now * 100);
-          setText(figure, state.now === 0 && state.order === 0 ? "stopped" : `${state.now < 0 ? "P" : "S"} ${percent(Math.abs(state.now))}`);
+          setText(
+            figure,
+            state.now === 0 && state.order === 0
+              ? "stopped"
+              : `${state.now < 0 ? "P" : "S"} ${percent(Math.abs(state.now))}`,
+          );
         },
       });
-      return h("div", { class: "thruster" }, h("div", { class: "card-head" }, h("h3", {}, `${thruster.name} thr.`.replace(/^./, (c) => c.toUpperCase())), figure), h("div", { class: "row" }, slider.root, stop));
+      return h(
+        "div",
+        { class: "thruster" },
+        h(
+          "div",
+          { class: "card-head" },
+          h(
+            "h3",
+            {},
+            `${thruster.name} thr.`.replace(/^./, (c) => c.toUpperCase()),
+          ),
+          figure,
+        ),
+        h("div", { class: "row" }, slider.root, stop),
+      );
     });
     return h("section", { class: "card thrusters", "aria-label": "Thrusters" }, ...rows);
   }
@@ -235,30 +336,60 @@ export class Helm implements Group {
     let asked = { degrees: 0, until_ms: 0 };
     const stepRudder = (degrees: number) => () => {
       const stop = Math.round(toDegrees(this.info.rudder_stop_rad ?? 0));
-      const from = performance.now() < asked.until_ms ? asked.degrees : Math.round(toDegrees(this.now?.rudder.order_rad ?? 0) / degrees) * degrees;
-      asked = { degrees: Math.min(stop, Math.max(-stop, from + degrees)), until_ms: performance.now() + KEY_HELD_MS };
-      this.page.drag("rudder", { do: "rudder", vessel: this.info.name, angle_rad: toRadians(asked.degrees) });
+      const from =
+        performance.now() < asked.until_ms
+          ? asked.degrees
+          : Math.round(toDegrees(this.now?.rudder.order_rad ?? 0) / degrees) * degrees;
+      asked = {
+        degrees: Math.min(stop, Math.max(-stop, from + degrees)),
+        until_ms: performance.now() + KEY_HELD_MS,
+      };
+      this.page.drag("rudder", {
+        do: "rudder",
+        vessel: this.info.name,
+        angle_rad: toRadians(asked.degrees),
+      });
       this.page.did("rudder");
     };
     const detent = (by: 1 | -1) => () => {
       const order = this.now?.shaft.order ?? 0;
-      const next = by > 0 ? DETENTS.find((d) => d > order + 0.01) : DETENTS.findLast((d) => d < order - 0.01);
+      const next =
+        by > 0 ? DETENTS.find((d) => d > order + 0.01) : DETENTS.findLast((d) => d < order - 0.01);
       if (next !== undefined) this.setEngine(next);
     };
     const keys: KeyAction[] = [];
     if (this.info.rudder_stop_rad !== null) {
-      keys.push({ key: "ArrowLeft", text: "Rudder 5° to port", repeats: true, run: stepRudder(-5) }, { key: "ArrowRight", text: "Rudder 5° to starboard", repeats: true, run: stepRudder(5) }, { key: "m", text: "Midships", run: () => this.setRudder(0) });
+      keys.push(
+        { key: "ArrowLeft", text: "Rudder 5° to port", repeats: true, run: stepRudder(-5) },
+        { key: "ArrowRight", text: "Rudder 5° to starboard", repeats: true, run: stepRudder(5) },
+        { key: "m", text: "Midships", run: () => this.setRudder(0) },
+      );
     }
     if (this.info.full_rps !== null) {
-      keys.push({ key: "ArrowUp", text: "Engine one step ahead", run: detent(1) }, { key: "ArrowDown", text: "Engine one step astern", run: detent(-1) }, { key: "s", text: "Stop engine", run: () => this.setEngine(0) });
+      keys.push(
+        { key: "ArrowUp", text: "Engine one step ahead", run: detent(1) },
+        { key: "ArrowDown", text: "Engine one step astern", run: detent(-1) },
+        { key: "s", text: "Stop engine", run: () => this.setEngine(0) },
+      );
     }
     const bow = this.info.thrusters[0];
     if (bow) {
       const by = (share: number) => () => {
         const order = this.now?.thrusters[0]?.order ?? 0;
-        this.order({ do: "thruster", vessel: this.info.name, thruster: bow.name, share: Math.min(1, Math.max(-1, order + share)) }, "thruster");
+        this.order(
+          {
+            do: "thruster",
+            vessel: this.info.name,
+            thruster: bow.name,
+            share: Math.min(1, Math.max(-1, order + share)),
+          },
+          "thruster",
+        );
       };
-      keys.push({ key: "[", text: `${bow.name} thruster to port`, run: by(-0.25) }, { key: "]", text: `${bow.name} thruster to starboard`, run: by(0.25) });
+      keys.push(
+        { key: "[", text: `${bow.name} thruster to port`, run: by(-0.25) },
+        { key: "]", text: `${bow.name} thruster to starboard`, run: by(0.25) },
+      );
     }
     return keys;
   }

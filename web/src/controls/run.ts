@@ -11,12 +11,24 @@ export class Run implements Group {
   readonly name = "Time";
   readonly root: HTMLElement;
   readonly keys: KeyAction[];
-  private readonly pauseButton = button("Pause", () => this.pause(), { name: "Pause (K)", class: "wide-button" });
+  private readonly pauseButton = button("Pause", () => this.pause(), {
+    name: "Pause (K)",
+    class: "wide-button",
+  });
   private readonly pace;
-  private readonly timeline = h("input", { type: "range", min: 0, max: 1, step: 1, value: 0, "aria-label": "Timeline" });
+  private readonly timeline = h("input", {
+    type: "range",
+    min: 0,
+    max: 1,
+    step: 1,
+    value: 0,
+    "aria-label": "Timeline",
+  });
   private readonly now = h("output", { class: "big", "aria-label": "Simulated time" });
   private readonly end = h("span", { class: "ordered" });
-  private readonly branchButton = button("Go on from here", () => this.branch(), { name: "Go on from here as a new branch" });
+  private readonly branchButton = button("Go on from here", () => this.branch(), {
+    name: "Go on from here as a new branch",
+  });
   private readonly lanes = h("div", { class: "lanes", role: "group", "aria-label": "Branches" });
   private readonly late = h("p", { class: "note" });
   private run: RunState | null = null;
@@ -26,14 +38,24 @@ export class Run implements Group {
   private dragging = false;
 
   constructor(private readonly page: Page) {
-    this.pace = choices("Pace", PACES.map((p) => ({ value: p, label: `${{ 0.25: "¼", 0.5: "½" }[p] ?? p}×`, name: `Pace ${p}` })), (pace) => void page.order({ do: "pace", pace }));
-    const jump = (seconds: number) => () => this.rewind(this.tickNow + Math.round(seconds / this.step_s));
+    this.pace = choices(
+      "Pace",
+      PACES.map((p) => ({
+        value: p,
+        label: `${{ 0.25: "¼", 0.5: "½" }[p] ?? p}×`,
+        name: `Pace ${p}`,
+      })),
+      (pace) => void page.order({ do: "pace", pace }),
+    );
+    const jump = (seconds: number) => () =>
+      this.rewind(this.tickNow + Math.round(seconds / this.step_s));
     this.timeline.addEventListener("input", () => {
       this.page.drag("timeline", { do: "rewind", tick: Number(this.timeline.value) });
       this.page.did("rewind");
     });
     this.timeline.addEventListener("pointerdown", () => (this.dragging = true));
-    for (const end of ["pointerup", "pointercancel", "blur"]) this.timeline.addEventListener(end, () => (this.dragging = false));
+    for (const end of ["pointerup", "pointercancel", "blur"])
+      this.timeline.addEventListener(end, () => (this.dragging = false));
     this.root = h(
       "div",
       { class: "group run", role: "group", "aria-label": "Time" },
@@ -41,7 +63,12 @@ export class Run implements Group {
         "section",
         { class: "card", "aria-label": "Run" },
         h("div", { class: "card-head" }, h("h3", {}, "Run"), this.now, this.end),
-        h("div", { class: "row" }, this.pauseButton, button("Step", () => void page.order({ do: "single_step" }), { name: "Single step (.)" })),
+        h(
+          "div",
+          { class: "row" },
+          this.pauseButton,
+          button("Step", () => void page.order({ do: "single_step" }), { name: "Single step (.)" }),
+        ),
         this.pace.root,
         this.late,
       ),
@@ -50,12 +77,16 @@ export class Run implements Group {
         { class: "card timeline", "aria-label": "Timeline and branches" },
         h("div", { class: "card-head" }, h("h3", {}, "Timeline")),
         this.timeline,
-        h("div", { class: "row" },
+        h(
+          "div",
+          { class: "row" },
           button("|◀ Start", () => this.rewind(0), { name: "Rewind to the start" }),
           button("−1 min", jump(-60), { name: "Back one minute" }),
           button("−10 s", jump(-10), { name: "Back ten seconds" }),
           button("+10 s", jump(10), { name: "On ten seconds" }),
-          button("End ▶|", () => this.rewind(this.run?.last_tick ?? 0), { name: "To the end of the branch" }),
+          button("End ▶|", () => this.rewind(this.run?.last_tick ?? 0), {
+            name: "To the end of the branch",
+          }),
           this.branchButton,
         ),
         this.lanes,
@@ -73,7 +104,10 @@ export class Run implements Group {
 
   private rewind(tick: number): void {
     this.page.did("rewind");
-    void this.page.order({ do: "rewind", tick: Math.min(this.run?.last_tick ?? 0, Math.max(0, tick)) });
+    void this.page.order({
+      do: "rewind",
+      tick: Math.min(this.run?.last_tick ?? 0, Math.max(0, tick)),
+    });
   }
 
   private branch(): void {
@@ -92,8 +126,12 @@ export class Run implements Group {
     this.pace.show(run.pace);
     setText(this.now, clock(frame.t_s));
     setText(this.end, `of ${clock(run.last_tick * hello.step_s)}${rewound ? " · rewound" : ""}`);
-    setText(this.late, `${run.clients} connected · ${run.late_ticks} late ticks${run.late_ticks > 0 ? `, latest ${run.latest_ms.toFixed(0)} ms` : ""}`);
-    if (Number(this.timeline.max) !== run.last_tick) this.timeline.max = String(Math.max(1, run.last_tick));
+    setText(
+      this.late,
+      `${run.clients} connected · ${run.late_ticks} late ticks${run.late_ticks > 0 ? `, latest ${run.latest_ms.toFixed(0)} ms` : ""}`,
+    );
+    if (Number(this.timeline.max) !== run.last_tick)
+      this.timeline.max = String(Math.max(1, run.last_tick));
     if (!this.dragging) this.timeline.value = String(frame.tick);
     setAttribute(this.timeline, "aria-valuetext", clock(frame.t_s));
     this.branchButton.disabled = !rewound;
@@ -103,7 +141,10 @@ export class Run implements Group {
   private showLanes(run: RunState, step_s: number): void {
     const end = Math.max(1, ...run.branches.map((b) => b.ends_tick));
     // While it runs the end moves with every tick: once a second is enough for the picture.
-    const key = JSON.stringify([run.branch, run.branches.map((b) => [b.id, b.from_tick, Math.floor(b.ends_tick * step_s)])]);
+    const key = JSON.stringify([
+      run.branch,
+      run.branches.map((b) => [b.id, b.from_tick, Math.floor(b.ends_tick * step_s)]),
+    ]);
     if (key === this.shownLanes) return;
     this.shownLanes = key;
     this.lanes.replaceChildren(
@@ -116,8 +157,15 @@ export class Run implements Group {
           "aria-pressed": String(branch.id === run.branch),
         });
         lane.append(
-          h("span", { class: "lane-name" }, `${text} · ${clock(branch.from_tick * step_s)}–${clock(branch.ends_tick * step_s)}`),
-          h("span", { class: "lane-bar", style: `left:${from}%;width:${Math.max(0.5, till - from)}%` }),
+          h(
+            "span",
+            { class: "lane-name" },
+            `${text} · ${clock(branch.from_tick * step_s)}–${clock(branch.ends_tick * step_s)}`,
+          ),
+          h("span", {
+            class: "lane-bar",
+            style: `left:${from}%;width:${Math.max(0.5, till - from)}%`,
+          }),
         );
         return lane;
       }),

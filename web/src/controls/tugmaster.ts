@@ -28,16 +28,31 @@ export class VectorHelm implements Group {
   private order: TugNow["order"] = "stand_by";
   private now: TugNow | null = null;
 
-  constructor(private readonly page: Page, private readonly info: TugInfo, private readonly index: number, private readonly beam_m: number) {
+  constructor(
+    private readonly page: Page,
+    private readonly info: TugInfo,
+    private readonly index: number,
+    private readonly beam_m: number,
+  ) {
     this.claim = new ClaimBar(page, { tug: info.name }, spoken(info.name));
     this.held = this.claim.held;
-    this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "ship", () => this.send(true));
+    this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "ship", () =>
+      this.send(true),
+    );
     this.orders = choices<TugNow["order"]>(
       "Order",
-      [{ value: "push", label: "Push" }, { value: "stand_by", label: "Stop" }, { value: "pull", label: "Pull" }],
+      [
+        { value: "push", label: "Push" },
+        { value: "stand_by", label: "Stop" },
+        { value: "pull", label: "Pull" },
+      ],
       (order) => this.choose(order),
     );
-    this.powers = choices("Power", POWERS.map((p) => ({ value: p, label: `${p} %` })), (p) => this.setPower(p));
+    this.powers = choices(
+      "Power",
+      POWERS.map((p) => ({ value: p, label: `${p} %` })),
+      (p) => this.setPower(p),
+    );
     this.power = new Slider({
       label: "Power order",
       least: 0,
@@ -54,7 +69,12 @@ export class VectorHelm implements Group {
       "div",
       { class: "group tugmaster", role: "group", "aria-label": `Helm of ${info.name}` },
       this.claim.root,
-      h("section", { class: "card", "aria-label": "Direction" }, h("div", { class: "card-head" }, h("h3", {}, "Direction of the force"), this.ordered), this.ring.root),
+      h(
+        "section",
+        { class: "card", "aria-label": "Direction" },
+        h("div", { class: "card-head" }, h("h3", {}, "Direction of the force"), this.ordered),
+        this.ring.root,
+      ),
       h(
         "section",
         { class: "card power", "aria-label": "Power" },
@@ -62,14 +82,33 @@ export class VectorHelm implements Group {
         h("div", { class: "row wide" }, this.orders.root),
         this.power.root,
         h("div", { class: "row wide" }, this.powers.root),
-        h("p", { class: "note" }, "The ring is about the ship, her bow up: the arrow is the force on her."),
+        h(
+          "p",
+          { class: "note" },
+          "The ring is about the ship, her bow up: the arrow is the force on her.",
+        ),
       ),
     );
     this.keys = [
       { key: "ArrowLeft", text: "Force 5° to port", repeats: true, run: () => this.ring.nudge(-1) },
-      { key: "ArrowRight", text: "Force 5° to starboard", repeats: true, run: () => this.ring.nudge(1) },
-      { key: "ArrowUp", text: "Power up 5 %", repeats: true, run: () => this.setPower(this.percent + 5, true) },
-      { key: "ArrowDown", text: "Power down 5 %", repeats: true, run: () => this.setPower(this.percent - 5, true) },
+      {
+        key: "ArrowRight",
+        text: "Force 5° to starboard",
+        repeats: true,
+        run: () => this.ring.nudge(1),
+      },
+      {
+        key: "ArrowUp",
+        text: "Power up 5 %",
+        repeats: true,
+        run: () => this.setPower(this.percent + 5, true),
+      },
+      {
+        key: "ArrowDown",
+        text: "Power down 5 %",
+        repeats: true,
+        run: () => this.setPower(this.percent - 5, true),
+      },
       { key: "p", text: "Push", run: () => this.choose("push") },
       { key: "l", text: "Pull", run: () => this.choose("pull") },
       { key: "o", text: "Stop", run: () => this.choose("stand_by") },
@@ -78,7 +117,15 @@ export class VectorHelm implements Group {
 
   private choose(order: TugNow["order"]): void {
     // Push and pull start square to the side; the ring turns them from there.
-    if (order !== "stand_by" && order !== this.order) this.ring.follow(tugDirection(order === "push" ? this.info.push_at_m : this.info.pull_at_m, order, 0, this.beam_m));
+    if (order !== "stand_by" && order !== this.order)
+      this.ring.follow(
+        tugDirection(
+          order === "push" ? this.info.push_at_m : this.info.pull_at_m,
+          order,
+          0,
+          this.beam_m,
+        ),
+      );
     this.order = order;
     this.send(false);
   }
@@ -90,9 +137,16 @@ export class VectorHelm implements Group {
 
   private send(dragged: boolean): void {
     const tug = this.info.name;
-    const action = this.order === "stand_by"
-      ? ({ do: "tug", tug, order: "stand_by" } as const)
-      : ({ do: "tug", tug, order: this.order, force_n: (this.info.bollard_pull_n * this.percent) / 100, direction_rad: this.ring.value } as const);
+    const action =
+      this.order === "stand_by"
+        ? ({ do: "tug", tug, order: "stand_by" } as const)
+        : ({
+            do: "tug",
+            tug,
+            order: this.order,
+            force_n: (this.info.bollard_pull_n * this.percent) / 100,
+            direction_rad: this.ring.value,
+          } as const);
     if (dragged) {
       if (this.order !== "stand_by") this.page.drag("tug", action);
     } else void this.page.order(action);
@@ -102,7 +156,10 @@ export class VectorHelm implements Group {
   tick(frame: Frame): void {
     const now = frame.tugs[this.index];
     if (!now) return;
-    const changed = this.now?.order !== now.order || this.now.order_n !== now.order_n || this.now.order_direction_rad !== now.order_direction_rad;
+    const changed =
+      this.now?.order !== now.order ||
+      this.now.order_n !== now.order_n ||
+      this.now.order_direction_rad !== now.order_direction_rad;
     this.now = now;
     // What is ordered may come from the pilot or from a rewind.
     if (changed) {
@@ -116,7 +173,12 @@ export class VectorHelm implements Group {
     this.powers.show(this.percent);
     this.power.show(this.percent, (now.force_n / this.info.bollard_pull_n) * 100);
     setText(this.state, tonnes(now.force_n));
-    setText(this.ordered, now.order === "stand_by" ? "stands by" : `${now.order} ${tonnes(now.order_n)} at ${sided(now.order_direction_rad)}${now.limited ? ", all she has" : ""}`);
+    setText(
+      this.ordered,
+      now.order === "stand_by"
+        ? "stands by"
+        : `${now.order} ${tonnes(now.order_n)} at ${sided(now.order_direction_rad)}${now.limited ? ", all she has" : ""}`,
+    );
   }
 
   claims(): void {
@@ -128,7 +190,10 @@ export class VectorHelm implements Group {
   }
 
   draw(): void {
-    this.ring.draw(this.now?.direction_rad ?? 0, (this.now?.force_n ?? 0) / this.info.bollard_pull_n);
+    this.ring.draw(
+      this.now?.direction_rad ?? 0,
+      (this.now?.force_n ?? 0) / this.info.bollard_pull_n,
+    );
   }
 }
 
@@ -147,15 +212,30 @@ export class AzimuthHelm implements Group {
   private work: VesselTug | null = null;
   private now: VesselNow | null = null;
 
-  constructor(private readonly page: Page, private readonly info: VesselInfo, private readonly index: number, hello: Hello) {
+  constructor(
+    private readonly page: Page,
+    private readonly info: VesselInfo,
+    private readonly index: number,
+    hello: Hello,
+  ) {
     this.claim = new ClaimBar(page, { vessel: info.name }, spoken(info.name));
     this.held = this.claim.held;
-    this.togetherButton = button("Both together", () => {
-      this.together = !this.together;
-      setAttribute(this.togetherButton, "aria-pressed", String(this.together));
-    }, { "aria-pressed": "true" });
-    this.stop = button("Stop", () => this.all((i) => this.send(i, 0, null, false)), { name: "Stop both units (O)" });
-    this.powers = choices("Power of both", POWERS.slice(1).map((p) => ({ value: p, label: `${p} %`, name: `Both units ${p} %` })), (p) => this.all((i) => this.send(i, p / 100, null, false)));
+    this.togetherButton = button(
+      "Both together",
+      () => {
+        this.together = !this.together;
+        setAttribute(this.togetherButton, "aria-pressed", String(this.together));
+      },
+      { "aria-pressed": "true" },
+    );
+    this.stop = button("Stop", () => this.all((i) => this.send(i, 0, null, false)), {
+      name: "Stop both units (O)",
+    });
+    this.powers = choices(
+      "Power of both",
+      POWERS.slice(1).map((p) => ({ value: p, label: `${p} %`, name: `Both units ${p} %` })),
+      (p) => this.all((i) => this.send(i, p / 100, null, false)),
+    );
     this.units = info.azimuths.map((unit, i) => ({
       ring: new Ring(`Direction of the ${unit.name} unit's thrust`, "tug", (rad) => {
         this.each(i, (unit) => {
@@ -182,21 +262,54 @@ export class AzimuthHelm implements Group {
       { class: "group tugmaster", role: "group", "aria-label": `Helm of ${info.title}` },
       this.claim.root,
       ...this.units.map(({ ring, power, figure }, i) =>
-        h("section", { class: "card unit", "aria-label": `${info.azimuths[i]?.name ?? ""} unit` }, h("div", { class: "card-head" }, h("h3", {}, `${info.azimuths[i]?.name ?? ""} unit`.replace(/^./, (c) => c.toUpperCase())), figure), ring.root, power.root),
+        h(
+          "section",
+          { class: "card unit", "aria-label": `${info.azimuths[i]?.name ?? ""} unit` },
+          h(
+            "div",
+            { class: "card-head" },
+            h(
+              "h3",
+              {},
+              `${info.azimuths[i]?.name ?? ""} unit`.replace(/^./, (c) => c.toUpperCase()),
+            ),
+            figure,
+          ),
+          ring.root,
+          power.root,
+        ),
       ),
       h(
         "div",
         { class: "stack" },
         this.work?.root,
-        h("section", { class: "card both", "aria-label": "Both units" }, h("h3", {}, "Units"), this.togetherButton, this.powers.root, this.stop, h("p", { class: "note" }, "Rings: the tug, her bow up; the knob is where the thrust goes.")),
+        h(
+          "section",
+          { class: "card both", "aria-label": "Both units" },
+          h("h3", {}, "Units"),
+          this.togetherButton,
+          this.powers.root,
+          this.stop,
+          h(
+            "p",
+            { class: "note" },
+            "Rings: the tug, her bow up; the knob is where the thrust goes.",
+          ),
+        ),
       ),
     );
     const turn = (by: number) => () => this.units[0]?.ring.nudge(by);
     // A key that is held repeats faster than ticks come: it counts on from what it last asked for.
     let asked = { powers: [] as number[], until_ms: 0 };
     const power = (by: number) => () => {
-      const from = performance.now() < asked.until_ms ? asked.powers : (this.now?.azimuths.map((unit) => unit.power_order) ?? []);
-      asked = { powers: from.map((share) => Math.min(1, Math.max(0, share + by))), until_ms: performance.now() + 500 };
+      const from =
+        performance.now() < asked.until_ms
+          ? asked.powers
+          : (this.now?.azimuths.map((unit) => unit.power_order) ?? []);
+      asked = {
+        powers: from.map((share) => Math.min(1, Math.max(0, share + by))),
+        until_ms: performance.now() + 500,
+      };
       asked.powers.forEach((share, i) => this.send(i, share, null, true));
     };
     this.keys = [
@@ -204,7 +317,11 @@ export class AzimuthHelm implements Group {
       { key: "ArrowRight", text: "Thrust 5° to starboard", repeats: true, run: turn(1) },
       { key: "ArrowUp", text: "Power up 5 %", repeats: true, run: power(0.05) },
       { key: "ArrowDown", text: "Power down 5 %", repeats: true, run: power(-0.05) },
-      { key: "o", text: "Stop both units", run: () => this.all((i) => this.send(i, 0, null, false)) },
+      {
+        key: "o",
+        text: "Stop both units",
+        run: () => this.all((i) => this.send(i, 0, null, false)),
+      },
     ];
   }
 
@@ -217,11 +334,23 @@ export class AzimuthHelm implements Group {
     else run(from);
   }
 
-  private send(unit: number, power: number | null, direction_rad: number | null, dragged: boolean): void {
+  private send(
+    unit: number,
+    power: number | null,
+    direction_rad: number | null,
+    dragged: boolean,
+  ): void {
     const name = this.info.azimuths[unit]?.name;
     if (name === undefined) return;
-    const action = { do: "azimuth", vessel: this.info.name, unit: name, power, direction_rad } as const;
-    if (dragged) this.page.drag(`azimuth ${unit} ${power === null ? "direction" : "power"}`, action);
+    const action = {
+      do: "azimuth",
+      vessel: this.info.name,
+      unit: name,
+      power,
+      direction_rad,
+    } as const;
+    if (dragged)
+      this.page.drag(`azimuth ${unit} ${power === null ? "direction" : "power"}`, action);
     else void this.page.order(action);
     this.page.did("tug");
   }
@@ -236,12 +365,20 @@ export class AzimuthHelm implements Group {
       const unit = this.units[i];
       const info = this.info.azimuths[i];
       if (!unit || !info) return;
-      if (before?.azimuths[i]?.direction_order_rad !== state.direction_order_rad) unit.ring.follow(state.direction_order_rad);
+      if (before?.azimuths[i]?.direction_order_rad !== state.direction_order_rad)
+        unit.ring.follow(state.direction_order_rad);
       unit.power.show(state.power_order * 100, state.power * 100);
-      setText(unit.figure, `${fixed((state.power * info.bollard_n) / TONNE_N, 0)} t · ${percent(state.power)} at ${sided(state.direction_rad)}`);
+      setText(
+        unit.figure,
+        `${fixed((state.power * info.bollard_n) / TONNE_N, 0)} t · ${percent(state.power)} at ${sided(state.direction_rad)}`,
+      );
     });
     const first = now.azimuths[0]?.power_order ?? 0;
-    this.powers.show(now.azimuths.every((a) => Math.abs(a.power_order - first) < 0.005) ? Math.round(first * 100) : null);
+    this.powers.show(
+      now.azimuths.every((a) => Math.abs(a.power_order - first) < 0.005)
+        ? Math.round(first * 100)
+        : null,
+    );
   }
 
   claims(): void {
@@ -252,7 +389,8 @@ export class AzimuthHelm implements Group {
       unit.ring.enable(mine);
       unit.power.enable(mine);
     }
-    for (const each of [this.togetherButton, this.stop, ...this.powers.buttons]) each.disabled = !mine;
+    for (const each of [this.togetherButton, this.stop, ...this.powers.buttons])
+      each.disabled = !mine;
   }
 
   draw(): void {

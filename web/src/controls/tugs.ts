@@ -32,7 +32,10 @@ class LeadButton {
   value: Lead = 0;
   readonly root: HTMLButtonElement;
 
-  constructor(private readonly tug: string, changed: () => void) {
+  constructor(
+    private readonly tug: string,
+    changed: () => void,
+  ) {
     this.root = button("⊥", () => {
       this.value = this.value === 0 ? 1 : this.value === 1 ? -1 : 0;
       this.show();
@@ -58,15 +61,40 @@ abstract class Base implements Card {
   private readonly powers;
   protected readonly orders;
 
-  constructor(protected readonly page: Page, title: string, third: "pull" | "off") {
-    this.powers = choices(`Power of ${title}`, POWERS.map((p) => ({ value: p, label: String(p), name: `${title} ${p} %` })), (p) => this.power(p));
+  constructor(
+    protected readonly page: Page,
+    title: string,
+    third: "pull" | "off",
+  ) {
+    this.powers = choices(
+      `Power of ${title}`,
+      POWERS.map((p) => ({ value: p, label: String(p), name: `${title} ${p} %` })),
+      (p) => this.power(p),
+    );
     this.powers.show(this.percent);
     this.orders = choices<Told>(
       `Order to ${title}`,
-      [{ value: "push", label: "Push", name: `${title} push` }, { value: "stop", label: "Stop", name: `${title} stop` }, third === "pull" ? { value: "pull", label: "Pull", name: `${title} pull` } : { value: "off", label: "Off", name: `${title} stand off` }],
+      [
+        { value: "push", label: "Push", name: `${title} push` },
+        { value: "stop", label: "Stop", name: `${title} stop` },
+        third === "pull"
+          ? { value: "pull", label: "Pull", name: `${title} pull` }
+          : { value: "off", label: "Off", name: `${title} stand off` },
+      ],
       (order) => (order === "push" ? this.push() : order === "stop" ? this.stop() : this.away()),
     );
-    this.root = h("section", { class: "card tug", "aria-label": `Tug ${title}` }, this.head, h("div", { class: "row" }, this.orders.root, this.powers.root, h("span", { class: "ordered" }, "%")));
+    this.root = h(
+      "section",
+      { class: "card tug", "aria-label": `Tug ${title}` },
+      this.head,
+      h(
+        "div",
+        { class: "row" },
+        this.orders.root,
+        this.powers.root,
+        h("span", { class: "ordered" }, "%"),
+      ),
+    );
     this.head.append(h("div", { class: "who" }, h("h3", {}, spoken(title)), this.state));
   }
 
@@ -97,7 +125,10 @@ abstract class Base implements Card {
   claims(): void {
     const may = this.commanded();
     setClass(this.root, "locked", !may);
-    for (const each of this.root.querySelectorAll<HTMLButtonElement | HTMLSelectElement>("button, select")) each.disabled = !may;
+    for (const each of this.root.querySelectorAll<HTMLButtonElement | HTMLSelectElement>(
+      "button, select",
+    ))
+      each.disabled = !may;
     const holder = may ? null : this.heldBy();
     for (const each of this.head.querySelectorAll("button, select")) setClass(each, "hidden", !may);
     this.root.title = holder ? `${holder} has her` : "";
@@ -111,7 +142,12 @@ class VectorTug extends Base {
   private readonly lead: LeadButton;
   private shownOrder = "";
 
-  constructor(page: Page, private readonly info: TugInfo, private readonly index: number, private readonly beam_m: number) {
+  constructor(
+    page: Page,
+    private readonly info: TugInfo,
+    private readonly index: number,
+    private readonly beam_m: number,
+  ) {
     super(page, info.name, "pull");
     this.name = info.name;
     this.lead = new LeadButton(info.name, () => this.again());
@@ -122,7 +158,13 @@ class VectorTug extends Base {
     this.ordered = order;
     const force_n = (this.info.bollard_pull_n * this.percent) / 100;
     const at = order === "push" ? this.info.push_at_m : this.info.pull_at_m;
-    this.send({ do: "tug", tug: this.info.name, order, force_n, direction_rad: tugDirection(at, order, this.lead.value, this.beam_m) });
+    this.send({
+      do: "tug",
+      tug: this.info.name,
+      order,
+      force_n,
+      direction_rad: tugDirection(at, order, this.lead.value, this.beam_m),
+    });
   }
 
   push(): void {
@@ -158,17 +200,33 @@ class VectorTug extends Base {
     const order = `${now.order} ${now.order_n}`;
     if (order !== this.shownOrder) {
       this.shownOrder = order;
-      if (now.order !== "stand_by") this.showPower(Math.round((now.order_n / this.info.bollard_pull_n) * 100));
+      if (now.order !== "stand_by")
+        this.showPower(Math.round((now.order_n / this.info.bollard_pull_n) * 100));
     }
     this.orders.show(now.order === "stand_by" ? "stop" : now.order);
     const holder = this.commanded() ? null : this.heldBy();
-    const work = now.order === "stand_by" ? (now.force_n > 1e3 ? `easing, ${tonnes(now.force_n)}` : "stands by") : `${now.order}es ${tonnes(now.force_n)} of ${tonnes(now.order_n)}`.replace("pulles", "pulls");
-    setText(this.state, `${work}${now.limited ? " (all she has)" : ""}${holder ? `, by ${holder}` : ""}`);
+    const work =
+      now.order === "stand_by"
+        ? now.force_n > 1e3
+          ? `easing, ${tonnes(now.force_n)}`
+          : "stands by"
+        : `${now.order}es ${tonnes(now.force_n)} of ${tonnes(now.order_n)}`.replace(
+            "pulles",
+            "pulls",
+          );
+    setText(
+      this.state,
+      `${work}${now.limited ? " (all she has)" : ""}${holder ? `, by ${holder}` : ""}`,
+    );
   }
 }
 
 /** The line between a tug and the ship, and where it is on the ship. */
-interface Towline { index: number; name: string; at_m: Pair }
+interface Towline {
+  index: number;
+  name: string;
+  at_m: Pair;
+}
 
 function towline(hello: Hello, tug: VesselInfo, ship: VesselInfo): Towline | null {
   for (const [index, { name, ship: own, fairlead_m, end }] of hello.lines.entries()) {
@@ -194,7 +252,13 @@ export class VesselTug extends Base {
   private readonly line: Towline | null;
   private readonly lead: LeadButton | null;
 
-  constructor(page: Page, private readonly info: VesselInfo, private readonly index: number, private readonly ship: VesselInfo, hello: Hello) {
+  constructor(
+    page: Page,
+    private readonly info: VesselInfo,
+    private readonly index: number,
+    private readonly ship: VesselInfo,
+    hello: Hello,
+  ) {
     const line = towline(hello, info, ship);
     super(page, info.name, line ? "pull" : "off");
     this.line = line;
@@ -202,7 +266,11 @@ export class VesselTug extends Base {
     this.name = info.name;
     this.bollard_n = info.azimuths.reduce((sum, unit) => sum + unit.bollard_n, 0);
     this.stations = stations(hello.bodies[ship.body]?.outline ?? [], ship.length_m);
-    this.place = h("select", { "aria-label": `Where ${info.name} works` }, ...this.stations.map((s, i) => h("option", { value: i }, s.name)));
+    this.place = h(
+      "select",
+      { "aria-label": `Where ${info.name} works` },
+      ...this.stations.map((s, i) => h("option", { value: i }, s.name)),
+    );
     this.place.addEventListener("change", () => {
       this.chosen = true;
       this.again();
@@ -243,14 +311,22 @@ export class VesselTug extends Base {
 
   private isAnswered(tick: number): boolean {
     const since = tick - this.sent.tick;
-    return since < 0 || (since > ANSWERED.ticks && performance.now() - this.sent.at_ms > ANSWERED.ms);
+    return (
+      since < 0 || (since > ANSWERED.ticks && performance.now() - this.sent.at_ms > ANSWERED.ms)
+    );
   }
 
   private press(ordered: Told, force_n: number): void {
     const station = this.station();
     if (!station) return;
     this.say(ordered);
-    this.send({ do: "push_ship", vessel: this.info.name, ship: this.ship.name, at_m: station.at_m, force_n });
+    this.send({
+      do: "push_ship",
+      vessel: this.info.name,
+      ship: this.ship.name,
+      at_m: station.at_m,
+      force_n,
+    });
   }
 
   away(): void {
@@ -258,14 +334,26 @@ export class VesselTug extends Base {
       this.say("pull");
       const force_n = (this.bollard_n * this.percent) / 100;
       const direction_rad = tugDirection(this.line.at_m, "pull", this.lead.value, this.ship.beam_m);
-      this.send({ do: "pull_ship", vessel: this.info.name, line: this.line.name, direction_rad, force_n });
+      this.send({
+        do: "pull_ship",
+        vessel: this.info.name,
+        line: this.line.name,
+        direction_rad,
+        force_n,
+      });
       return;
     }
     const station = this.station();
     if (!station) return;
     this.say("off");
     const off = STAND_OFF_M + this.info.beam_m / 2;
-    this.send({ do: "follow_ship", vessel: this.info.name, ship: this.ship.name, at_m: [station.at_m[0], station.at_m[1] + station.side * off], heading_rad: 0 });
+    this.send({
+      do: "follow_ship",
+      vessel: this.info.name,
+      ship: this.ship.name,
+      at_m: [station.at_m[0], station.at_m[1] + station.side * off],
+      heading_rad: 0,
+    });
   }
 
   protected again(): void {
@@ -289,9 +377,18 @@ export class VesselTug extends Base {
     this.chooseNearest(frame);
     // What she was told may come from elsewhere: her master, another page, the scenario, a rewind.
     const { assist } = now;
-    if (this.isAnswered(frame.tick)) this.ordered = assist === null ? null : assist.job === "follow" ? "off" : assist.job === "push" && assist.force_n === 0 ? "stop" : assist.job;
+    if (this.isAnswered(frame.tick))
+      this.ordered =
+        assist === null
+          ? null
+          : assist.job === "follow"
+            ? "off"
+            : assist.job === "push" && assist.force_n === 0
+              ? "stop"
+              : assist.job;
     this.orders.show(this.ordered);
-    if (assist && assist.force_n > 0 && this.isAnswered(frame.tick)) this.showPower(Math.round((assist.force_n / this.bollard_n) * 100));
+    if (assist && assist.force_n > 0 && this.isAnswered(frame.tick))
+      this.showPower(Math.round((assist.force_n / this.bollard_n) * 100));
     const holder = this.commanded() ? null : this.heldBy();
     setText(this.state, `${this.work(frame)}${holder ? `, by ${holder}` : ""}`);
   }
@@ -299,12 +396,15 @@ export class VesselTug extends Base {
   /** What becomes of it at the ship: not her thrust, which may only move herself. */
   private work(frame: Frame): string {
     const [own, ship] = [this.info.body, this.ship.body];
-    const between = frame.contacts.filter(({ bodies: [a, b] }) => (a === own && b === ship) || (a === ship && b === own));
+    const between = frame.contacts.filter(
+      ({ bodies: [a, b] }) => (a === own && b === ship) || (a === ship && b === own),
+    );
     const pushes = between.reduce((sum, { force_n }) => sum + length(force_n), 0);
     const line = frame.lines[this.line?.index ?? -1];
     if (this.ordered === null) return "by hand";
     if (this.ordered === "off") return "keeps off";
-    if (this.ordered === "pull") return line && line.tension_n > 1e3 ? `pulls ${tonnes(line.tension_n)}` : "takes up slack";
+    if (this.ordered === "pull")
+      return line && line.tension_n > 1e3 ? `pulls ${tonnes(line.tension_n)}` : "takes up slack";
     if (between.length === 0) return "comes alongside";
     return this.ordered === "stop" ? "alongside" : `pushes ${tonnes(pushes)}`;
   }
@@ -321,17 +421,42 @@ export class Tugs implements Group {
     const ship = page.live.ship();
     const own = hello.vessels[ship];
     this.cards = [
-      ...hello.tugs.map((info, i) => new VectorTug(page, info, i, hello.vessels[info.vessel]?.beam_m ?? 0)),
-      ...hello.vessels.flatMap((info, i) => (info.is_tug && own && info.azimuths.length > 0 ? [new VesselTug(page, info, i, own, hello)] : [])),
+      ...hello.tugs.map(
+        (info, i) => new VectorTug(page, info, i, hello.vessels[info.vessel]?.beam_m ?? 0),
+      ),
+      ...hello.vessels.flatMap((info, i) =>
+        info.is_tug && own && info.azimuths.length > 0
+          ? [new VesselTug(page, info, i, own, hello)]
+          : [],
+      ),
     ];
-    this.root = h("div", { class: "group tugs", role: "group", "aria-label": "Orders to tugs" }, ...this.cards.map((card) => card.root));
-    this.keys = this.cards.length === 0 ? [] : [
-      { key: "t", text: "Next tug", run: () => this.select((this.selected + 1) % this.cards.length) },
-      { key: "p", text: "The tug pushes", run: () => this.cards[this.selected]?.push() },
-      { key: "l", text: "The tug pulls, or stands off", run: () => this.cards[this.selected]?.away() },
-      { key: "o", text: "The tug stops", run: () => this.cards[this.selected]?.stop() },
-      ...POWERS.map((p, i) => ({ key: String(i + 1), text: `The tug's power ${p} %`, run: () => this.cards[this.selected]?.power(p) })),
-    ];
+    this.root = h(
+      "div",
+      { class: "group tugs", role: "group", "aria-label": "Orders to tugs" },
+      ...this.cards.map((card) => card.root),
+    );
+    this.keys =
+      this.cards.length === 0
+        ? []
+        : [
+            {
+              key: "t",
+              text: "Next tug",
+              run: () => this.select((this.selected + 1) % this.cards.length),
+            },
+            { key: "p", text: "The tug pushes", run: () => this.cards[this.selected]?.push() },
+            {
+              key: "l",
+              text: "The tug pulls, or stands off",
+              run: () => this.cards[this.selected]?.away(),
+            },
+            { key: "o", text: "The tug stops", run: () => this.cards[this.selected]?.stop() },
+            ...POWERS.map((p, i) => ({
+              key: String(i + 1),
+              text: `The tug's power ${p} %`,
+              run: () => this.cards[this.selected]?.power(p),
+            })),
+          ];
     this.select(0);
   }
 
@@ -341,7 +466,9 @@ export class Tugs implements Group {
 
   private select(index: number): void {
     this.selected = index;
-    this.cards.forEach((card, i) => setClass(card.root, "selected", i === index && this.cards.length > 1));
+    this.cards.forEach((card, i) =>
+      setClass(card.root, "selected", i === index && this.cards.length > 1),
+    );
   }
 
   tick(frame: Frame): void {
@@ -352,4 +479,3 @@ export class Tugs implements Group {
     for (const card of this.cards) card.claims();
   }
 }
-

@@ -9,7 +9,14 @@ export function polygon(to: CanvasRenderingContext2D, points: Pair[]): void {
   to.closePath();
 }
 
-export function stroke(to: CanvasRenderingContext2D, from: Pair, end: Pair, colour: string, width: number, dash: number[] = []): void {
+export function stroke(
+  to: CanvasRenderingContext2D,
+  from: Pair,
+  end: Pair,
+  colour: string,
+  width: number,
+  dash: number[] = [],
+): void {
   to.strokeStyle = colour;
   to.lineWidth = width;
   to.setLineDash(dash);
@@ -21,7 +28,13 @@ export function stroke(to: CanvasRenderingContext2D, from: Pair, end: Pair, colo
 }
 
 /** An arrow with a filled head; nothing where it is shorter than a pixel. */
-export function arrow(to: CanvasRenderingContext2D, from: Pair, end: Pair, colour: string, width = 3): void {
+export function arrow(
+  to: CanvasRenderingContext2D,
+  from: Pair,
+  end: Pair,
+  colour: string,
+  width = 3,
+): void {
   const [dx, dy] = [end[0] - from[0], end[1] - from[1]];
   const long = Math.hypot(dx, dy);
   if (long < 1) return;
@@ -31,7 +44,11 @@ export function arrow(to: CanvasRenderingContext2D, from: Pair, end: Pair, colou
   const half = head * 0.55;
   stroke(to, from, [neck[0] + ux, neck[1] + uy], colour, width);
   to.fillStyle = colour;
-  polygon(to, [end, [neck[0] - uy * half, neck[1] + ux * half], [neck[0] + uy * half, neck[1] - ux * half]]);
+  polygon(to, [
+    end,
+    [neck[0] - uy * half, neck[1] + ux * half],
+    [neck[0] + uy * half, neck[1] - ux * half],
+  ]);
   to.fill();
 }
 
@@ -47,8 +64,21 @@ export interface LabelStyle {
 }
 
 /** A text on its own ground, so that it reads over anything. `within`: kept on the canvas while its place is about there. */
-export function label(to: CanvasRenderingContext2D, text: string, at: Pair, style: LabelStyle, within?: { width: number; height: number }): void {
-  if (within && (at[0] < -EDGE_PX || at[1] < -EDGE_PX || at[0] > within.width + EDGE_PX || at[1] > within.height + EDGE_PX)) return;
+export function label(
+  to: CanvasRenderingContext2D,
+  text: string,
+  at: Pair,
+  style: LabelStyle,
+  within?: { width: number; height: number },
+): void {
+  if (
+    within &&
+    (at[0] < -EDGE_PX ||
+      at[1] < -EDGE_PX ||
+      at[0] > within.width + EDGE_PX ||
+      at[1] > within.height + EDGE_PX)
+  )
+    return;
   const size = style.size ?? 14;
   to.font = `${style.bold ? 600 : 400} ${size}px ${FONT}`;
   const width = to.measureText(text).width + 8;

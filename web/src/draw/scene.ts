@@ -1,5 +1,15 @@
 /** Everything on the plan that belongs to the scene: earth, hulls, fenders, lines, tugs, forces, the way ahead. */
-import { type Camera, add, dot, length, minus, onEarth, times, toScreen, turned } from "../geometry";
+import {
+  type Camera,
+  add,
+  dot,
+  length,
+  minus,
+  onEarth,
+  times,
+  toScreen,
+  turned,
+} from "../geometry";
 import type { Live } from "../live";
 import { type Palette, loadColour } from "../palette";
 import type { BodyNow, Frame, Hello, Pair } from "../protocol";
@@ -26,15 +36,20 @@ const clamp = (x: number, low: number, high: number) => Math.min(high, Math.max(
 export function drawGrid({ to, camera, colours }: Scene): void {
   to.fillStyle = colours.water;
   to.fillRect(0, 0, camera.width, camera.height);
-  const pitch = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000].find((m) => m * camera.pixels_per_m >= 70) ?? 10_000;
+  const pitch =
+    [10, 20, 50, 100, 200, 500, 1000, 2000, 5000].find((m) => m * camera.pixels_per_m >= 70) ??
+    10_000;
   const reach = Math.hypot(camera.width, camera.height) / 2 / camera.pixels_per_m;
   to.lineWidth = 1;
   for (const axis of [0, 1] as const) {
     const from = Math.ceil((camera.centre[axis] - reach) / pitch) * pitch;
     for (let at = from; at <= camera.centre[axis] + reach; at += pitch) {
       const other = camera.centre[axis === 0 ? 1 : 0];
-      const ends: Pair[] = [other - reach, other + reach].map((o) => (axis === 0 ? [at, o] : [o, at]));
-      if (ends[0] && ends[1]) stroke(to, toScreen(camera, ends[0]), toScreen(camera, ends[1]), colours.grid, 1);
+      const ends: Pair[] = [other - reach, other + reach].map((o) =>
+        axis === 0 ? [at, o] : [o, at],
+      );
+      if (ends[0] && ends[1])
+        stroke(to, toScreen(camera, ends[0]), toScreen(camera, ends[1]), colours.grid, 1);
     }
   }
 }
@@ -60,7 +75,10 @@ export function drawLand(scene: Scene): void {
 type PathPoint = [t_s: number, north: number, east: number, heading: number];
 
 /** What is still ahead of the way that was predicted, and the hull that goes it. */
-function way({ hello, live }: Scene): { path: PathPoint[]; outline: Pair[]; from_s: number } | null {
+function way({
+  hello,
+  live,
+}: Scene): { path: PathPoint[]; outline: Pair[]; from_s: number } | null {
   const { prediction, frame } = live;
   const outline = hello.bodies[hello.vessels[prediction?.vessel ?? -1]?.body ?? -1]?.outline;
   if (!prediction || !frame || !outline) return null;
@@ -83,11 +101,12 @@ export function drawPrediction(scene: Scene): void {
   const ahead = way(scene);
   if (!ahead) return;
   const { path, outline, from_s } = ahead;
-  const trace = ([, n, e, heading]: PathPoint) => outline.forEach((at, i) => {
-    const place = toScreen(camera, add([n, e], turned(heading, at)));
-    if (i === 0) to.moveTo(...place);
-    else to.lineTo(...place);
-  });
+  const trace = ([, n, e, heading]: PathPoint) =>
+    outline.forEach((at, i) => {
+      const place = toScreen(camera, add([n, e], turned(heading, at)));
+      if (i === 0) to.moveTo(...place);
+      else to.lineTo(...place);
+    });
   to.save();
   // All hulls are one shape of one winding: their union is filled, and evenly.
   to.beginPath();
@@ -119,7 +138,9 @@ export function drawMinutes(scene: Scene): void {
   to.strokeStyle = colours.path;
   to.lineWidth = 2;
   to.beginPath();
-  ahead.path.forEach(([, n, e], i) => (i === 0 ? to.moveTo(...toScreen(camera, [n, e])) : to.lineTo(...toScreen(camera, [n, e]))));
+  ahead.path.forEach(([, n, e], i) =>
+    i === 0 ? to.moveTo(...toScreen(camera, [n, e])) : to.lineTo(...toScreen(camera, [n, e])),
+  );
   to.stroke();
   let last: Pair | null = null;
   for (const { minute, point } of minutes(ahead.path, ahead.from_s)) {
@@ -131,7 +152,11 @@ export function drawMinutes(scene: Scene): void {
     // Figures that would lie on one another say nothing.
     if (last && length(minus(at, last)) < 22) continue;
     last = at;
-    label(to, `${minute} min`, [at[0] + 28, at[1]], { colour: colours.path, ground: colours.label, size: 12 });
+    label(to, `${minute} min`, [at[0] + 28, at[1]], {
+      colour: colours.path,
+      ground: colours.label,
+      size: 12,
+    });
   }
 }
 
@@ -154,8 +179,19 @@ export function drawHulls(scene: Scene): void {
     if (!vessel) return;
     // Her centre line, on beyond the bow by a third of her length: where she points.
     const half = vessel.length_m / 2;
-    stroke(to, toScreen(camera, onEarth(now, [half, 0])), toScreen(camera, onEarth(now, [half * (tug ? 1.3 : 1.5), 0])), tug ? colours.tug_edge : colours.own_edge, 1.5);
-    if (tug) label(to, spoken(vessel.name), toScreen(camera, onEarth(now, [-half - 6, 0])), { colour: colours.text, ground: colours.label, size: 13 });
+    stroke(
+      to,
+      toScreen(camera, onEarth(now, [half, 0])),
+      toScreen(camera, onEarth(now, [half * (tug ? 1.3 : 1.5), 0])),
+      tug ? colours.tug_edge : colours.own_edge,
+      1.5,
+    );
+    if (tug)
+      label(to, spoken(vessel.name), toScreen(camera, onEarth(now, [-half - 6, 0])), {
+        colour: colours.text,
+        ground: colours.label,
+        size: 13,
+      });
   });
 }
 
@@ -169,8 +205,17 @@ export function drawFenders({ to, camera, colours, hello, frame, bodies }: Scene
     const corner = (across: number, ahead: number) =>
       toScreen(camera, onEarth(body, add(info.at_m, turned(info.facing_rad, [ahead, across]))));
     const load = Math.max(now.of_energy, now.of_reaction);
-    polygon(to, [corner(-half, 0), corner(half, 0), corner(half * 1.1, deep), corner(-half * 1.1, deep)]);
-    to.fillStyle = now.failed ? colours.alarm : now.reaction_n > 0 ? loadColour(load, colours) : colours.land_edge;
+    polygon(to, [
+      corner(-half, 0),
+      corner(half, 0),
+      corner(half * 1.1, deep),
+      corner(-half * 1.1, deep),
+    ]);
+    to.fillStyle = now.failed
+      ? colours.alarm
+      : now.reaction_n > 0
+        ? loadColour(load, colours)
+        : colours.land_edge;
     to.fill();
     to.strokeStyle = colours.text;
     to.lineWidth = 1;
@@ -181,13 +226,26 @@ export function drawFenders({ to, camera, colours, hello, frame, bodies }: Scene
     }
     if (now.reaction_n <= 0 || camera.pixels_per_m < 0.6) return;
     if (info.rated_reaction_n === null && info.rated_energy_j === null) {
-      label(to, force(now.reaction_n), corner(0, -16 / camera.pixels_per_m), { colour: colours.text, ground: colours.label, size: 12 });
+      label(to, force(now.reaction_n), corner(0, -16 / camera.pixels_per_m), {
+        colour: colours.text,
+        ground: colours.label,
+        size: 12,
+      });
       return;
     }
     const text = camera.pixels_per_m > 1.8 ? `${fixed(load * 100, 0)} %` : fixed(load * 100, 0);
-    label(to, text, corner(0, -16 / camera.pixels_per_m), { colour: loadColour(load, colours), ground: colours.label, size: 13, bold: true });
+    label(to, text, corner(0, -16 / camera.pixels_per_m), {
+      colour: loadColour(load, colours),
+      ground: colours.label,
+      size: 13,
+      bold: true,
+    });
     if (camera.pixels_per_m > 3.2) {
-      label(to, force(now.reaction_n), corner(0, -35 / camera.pixels_per_m), { colour: colours.text, ground: colours.label, size: 12 });
+      label(to, force(now.reaction_n), corner(0, -35 / camera.pixels_per_m), {
+        colour: colours.text,
+        ground: colours.label,
+        size: 12,
+      });
     }
   });
 }
@@ -199,7 +257,16 @@ export function drawContacts({ to, camera, colours, frame }: Scene): void {
     if (size < 1e3) continue;
     const from = toScreen(camera, contact.at_m);
     const long = clamp((size / 1e6) * PX_PER_MN, 10, 140);
-    arrow(to, from, toScreen(camera, add(contact.at_m, times(contact.force_n, long / size / camera.pixels_per_m))), colours.force, 3);
+    arrow(
+      to,
+      from,
+      toScreen(
+        camera,
+        add(contact.at_m, times(contact.force_n, long / size / camera.pixels_per_m)),
+      ),
+      colours.force,
+      3,
+    );
     to.beginPath();
     to.arc(from[0], from[1], 4.5, 0, 2 * Math.PI);
     to.strokeStyle = colours.force;
@@ -207,7 +274,8 @@ export function drawContacts({ to, camera, colours, frame }: Scene): void {
     to.fillStyle = contact.slips ? colours.panel : colours.force;
     to.fill();
     to.stroke();
-    if (contact.slips) stroke(to, [from[0] - 7, from[1] + 3], [from[0] + 7, from[1] - 3], colours.force, 1.5);
+    if (contact.slips)
+      stroke(to, [from[0] - 7, from[1] + 3], [from[0] + 7, from[1] - 3], colours.force, 1.5);
   }
 }
 
@@ -215,7 +283,10 @@ export function drawLines({ to, camera, colours, hello, frame, bodies }: Scene):
   hello.lines.forEach((info, i) => {
     const [now, ship] = [frame.lines[i], bodies[info.ship]];
     if (!now || !ship || now.state === "gone") return;
-    const end = "place_m" in info.end ? info.end.place_m : bodies[info.end.body] && onEarth(bodies[info.end.body] as BodyNow, info.end.at_m);
+    const end =
+      "place_m" in info.end
+        ? info.end.place_m
+        : bodies[info.end.body] && onEarth(bodies[info.end.body] as BodyNow, info.end.at_m);
     if (!end) return;
     const [from, till] = [toScreen(camera, onEarth(ship, info.fairlead_m)), toScreen(camera, end)];
     to.beginPath();
@@ -224,12 +295,26 @@ export function drawLines({ to, camera, colours, hello, frame, bodies }: Scene):
     to.fill();
     if (now.state === "ashore") return;
     const share = now.tension_n / Math.max(1, info.working_n);
-    const colour = now.state === "parted" ? colours.alarm : share > 0.1 ? loadColour(share * 0.95, colours) : colours.line;
+    const colour =
+      now.state === "parted"
+        ? colours.alarm
+        : share > 0.1
+          ? loadColour(share * 0.95, colours)
+          : colours.line;
     stroke(to, from, till, colour, share > 0.1 ? 3 : 1.8, now.state === "parted" ? [4, 8] : []);
     if (now.state === "parted") {
-      label(to, "PARTED", [(from[0] + till[0]) / 2, (from[1] + till[1]) / 2], { colour: colours.alarm, ground: colours.label, size: 12, bold: true });
+      label(to, "PARTED", [(from[0] + till[0]) / 2, (from[1] + till[1]) / 2], {
+        colour: colours.alarm,
+        ground: colours.label,
+        size: 12,
+        bold: true,
+      });
     } else if (share > 0.1 && camera.pixels_per_m > 1.2) {
-      label(to, tonnes(now.tension_n), [(from[0] + till[0]) / 2, (from[1] + till[1]) / 2], { colour, ground: colours.label, size: 13 });
+      label(to, tonnes(now.tension_n), [(from[0] + till[0]) / 2, (from[1] + till[1]) / 2], {
+        colour,
+        ground: colours.label,
+        size: 13,
+      });
     }
   });
 }
@@ -251,8 +336,23 @@ export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Sc
     const centre = add(at, turned(toward, [off, 0]));
     const heading = ship[2] + toward;
     const place = onEarth(ship, centre);
-    const hull: Pair[] = [[-1, -0.75], [-0.8, -1], [0.35, -1], [0.8, -0.62], [1, 0], [0.8, 0.62], [0.35, 1], [-0.8, 1], [-1, 0.75]];
-    polygon(to, hull.map(([x, y]) => toScreen(camera, add(place, turned(heading, [x * half, (y * info.beam_m) / 2])))));
+    const hull: Pair[] = [
+      [-1, -0.75],
+      [-0.8, -1],
+      [0.35, -1],
+      [0.8, -0.62],
+      [1, 0],
+      [0.8, 0.62],
+      [0.35, 1],
+      [-0.8, 1],
+      [-1, 0.75],
+    ];
+    polygon(
+      to,
+      hull.map(([x, y]) =>
+        toScreen(camera, add(place, turned(heading, [x * half, (y * info.beam_m) / 2]))),
+      ),
+    );
     to.fillStyle = colours.tug;
     to.globalAlpha = works ? 0.9 : 0.45;
     to.fill();
@@ -260,14 +360,41 @@ export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Sc
     to.strokeStyle = colours.tug_edge;
     to.lineWidth = 1.5;
     to.stroke();
-    if (pulls) stroke(to, toScreen(camera, onEarth(ship, at)), toScreen(camera, onEarth(ship, add(at, turned(toward, [45, 0])))), colours.line, 2);
+    if (pulls)
+      stroke(
+        to,
+        toScreen(camera, onEarth(ship, at)),
+        toScreen(camera, onEarth(ship, add(at, turned(toward, [45, 0])))),
+        colours.line,
+        2,
+      );
     const working = onEarth(ship, at);
     if (now.force_n > 1e3) {
       const long = clamp((now.force_n / 1e6) * PX_PER_MN, 14, 120) / camera.pixels_per_m;
-      arrow(to, toScreen(camera, working), toScreen(camera, add(working, turned(heading, [long, 0]))), colours.force, 4);
+      arrow(
+        to,
+        toScreen(camera, working),
+        toScreen(camera, add(working, turned(heading, [long, 0]))),
+        colours.force,
+        4,
+      );
     }
-    const text = now.force_n > 1e3 ? `${spoken(info.name)} ${tonnes(now.force_n)}${now.limited ? " max" : ""}` : spoken(info.name);
-    label(to, text, toScreen(camera, onEarth(ship, add(at, turned(toward, [off - (pulls ? -1 : 1) * (half + 9 / camera.pixels_per_m), 0])))), { colour: colours.text, ground: colours.label, size: 13 });
+    const text =
+      now.force_n > 1e3
+        ? `${spoken(info.name)} ${tonnes(now.force_n)}${now.limited ? " max" : ""}`
+        : spoken(info.name);
+    label(
+      to,
+      text,
+      toScreen(
+        camera,
+        onEarth(
+          ship,
+          add(at, turned(toward, [off - (pulls ? -1 : 1) * (half + 9 / camera.pixels_per_m), 0])),
+        ),
+      ),
+      { colour: colours.text, ground: colours.label, size: 13 },
+    );
   });
 }
 
@@ -293,17 +420,33 @@ export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, liv
     if (long > 2) arrow(to, toScreen(camera, place), toScreen(camera, tip), colours.path, 5);
     const text = `${fixed(Math.abs(speed), 2)} m/s`;
     const textAt = add(place, turned(body[2], [end * (34 / camera.pixels_per_m), 0]));
-    label(to, text, toScreen(camera, textAt), { colour: colours.path, ground: colours.label, size: 16, bold: true }, camera);
+    label(
+      to,
+      text,
+      toScreen(camera, textAt),
+      { colour: colours.path, ground: colours.label, size: 16, bold: true },
+      camera,
+    );
     if (!towardShore || berthDistance === undefined || berthDistance > 400) continue;
     const nearest = outline
       .filter(([along]) => along * end > half * 0.25)
       .map((at) => onEarth(body, at))
-      .reduce<Pair | null>((best, at) => (best === null || dot(at, towardShore) > dot(best, towardShore) + 1e-6 ? at : best), null);
+      .reduce<Pair | null>(
+        (best, at) =>
+          best === null || dot(at, towardShore) > dot(best, towardShore) + 1e-6 ? at : best,
+        null,
+      );
     if (!nearest) continue;
     const shore = add(nearest, times(towardShore, Math.max(0, berthDistance)));
     stroke(to, toScreen(camera, nearest), toScreen(camera, shore), colours.text, 1.5, [5, 4]);
     const inland = add(shore, times(towardShore, 62 / camera.pixels_per_m));
-    label(to, `${fixed(berthDistance, 1)} m`, toScreen(camera, inland), { colour: colours.text, ground: colours.label, size: 17, bold: true }, camera);
+    label(
+      to,
+      `${fixed(berthDistance, 1)} m`,
+      toScreen(camera, inland),
+      { colour: colours.text, ground: colours.label, size: 17, bold: true },
+      camera,
+    );
   }
 }
 
@@ -311,11 +454,22 @@ export function drawBowAndStern({ to, camera, colours, hello, frame, bodies, liv
 export function drawBerth({ to, camera, colours, hello, bodies }: Scene): void {
   const on = hello.berth && bodies[hello.berth.body];
   if (!hello.berth || !on) return;
-  stroke(to, toScreen(camera, onEarth(on, hello.berth.from)), toScreen(camera, onEarth(on, hello.berth.to)), colours.land_edge, 4);
+  stroke(
+    to,
+    toScreen(camera, onEarth(on, hello.berth.from)),
+    toScreen(camera, onEarth(on, hello.berth.to)),
+    colours.land_edge,
+    4,
+  );
 }
 
 /** Earth places that a first look shows: the ship, the fenders that she is near, her tugs and where her lines go. */
-export function firstLook(hello: Hello, bodies: BodyNow[], ship: number, frame: Frame | null): Pair[] {
+export function firstLook(
+  hello: Hello,
+  bodies: BodyNow[],
+  ship: number,
+  frame: Frame | null,
+): Pair[] {
   const info = hello.vessels[ship];
   const now = bodies[info?.body ?? -1];
   const outline = hello.bodies[info?.body ?? -1]?.outline ?? [];
@@ -327,12 +481,17 @@ export function firstLook(hello: Hello, bodies: BodyNow[], ship: number, frame: 
     .filter((v) => v.is_tug)
     .flatMap(({ body }): Pair[] => {
       const tug = bodies[body];
-      if (!tug || length(minus([tug[0], tug[1]], [now[0], now[1]])) > info.length_m * 0.75) return [];
+      if (!tug || length(minus([tug[0], tug[1]], [now[0], now[1]])) > info.length_m * 0.75)
+        return [];
       return hello.bodies[body]?.outline.map((at) => onEarth(tug, at)) ?? [];
     });
   // Tugs that are forces lie about a length of theirs off the side that they work at.
-  const alongside = hello.tugs.map((t) => onEarth(now, add(t.push_at_m, [0, Math.sign(t.push_at_m[1]) * (t.length_m + 14)])));
-  const moored = hello.lines.flatMap((l, i): Pair[] => ("place_m" in l.end && frame?.lines[i]?.state === "fast" ? [l.end.place_m] : []));
+  const alongside = hello.tugs.map((t) =>
+    onEarth(now, add(t.push_at_m, [0, Math.sign(t.push_at_m[1]) * (t.length_m + 14)])),
+  );
+  const moored = hello.lines.flatMap((l, i): Pair[] =>
+    "place_m" in l.end && frame?.lines[i]?.state === "fast" ? [l.end.place_m] : [],
+  );
   // Another ship that she comes alongside of is looked at whole.
   const other = hello.berth && !hello.bodies[hello.berth.body]?.fixed ? hello.berth.body : -1;
   const mother = bodies[other];

@@ -1,7 +1,12 @@
 /** Elements in one expression. */
 
-type Listeners = { [K in keyof HTMLElementEventMap as `on${K}`]?: (event: HTMLElementEventMap[K]) => void };
-type Attributes = Record<string, string | number | boolean | null | undefined | ((event: never) => void)>;
+type Listeners = {
+  [K in keyof HTMLElementEventMap as `on${K}`]?: (event: HTMLElementEventMap[K]) => void;
+};
+type Attributes = Record<
+  string,
+  string | number | boolean | null | undefined | ((event: never) => void)
+>;
 type Child = Node | string | null | undefined | false;
 
 /** An element with its attributes (`true` sets an empty one, `false`, `null` none), listeners (`onclick`) and children. */
@@ -14,11 +19,15 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   for (const [name, value] of Object.entries(attributes)) {
     // By its property, which a content security policy allows where it forbids the attribute.
     if (name === "style") element.style.cssText = String(value);
-    else if (typeof value === "function") element.addEventListener(name.slice(2), value as EventListener);
+    else if (typeof value === "function")
+      element.addEventListener(name.slice(2), value as EventListener);
     else if (value === true) element.setAttribute(name, "");
-    else if (value !== false && value !== null && value !== undefined) element.setAttribute(name, String(value));
+    else if (value !== false && value !== null && value !== undefined)
+      element.setAttribute(name, String(value));
   }
-  element.append(...children.filter((child) => child !== null && child !== undefined && child !== false));
+  element.append(
+    ...children.filter((child) => child !== null && child !== undefined && child !== false),
+  );
   return element;
 }
 
@@ -40,31 +49,48 @@ export function setStyle(element: HTMLElement, name: string, value: string): voi
 }
 
 /** A button to be touched with a gloved finger. `name`: what a screen reader says where the label is a sign. */
-export function button(label: string, press: () => void, more: Attributes & { name?: string } = {}): HTMLButtonElement {
+export function button(
+  label: string,
+  press: () => void,
+  more: Attributes & { name?: string } = {},
+): HTMLButtonElement {
   const { name, ...rest } = more;
-  return h("button", { type: "button", "aria-label": name, title: name, ...rest, onclick: press }, label);
+  return h(
+    "button",
+    { type: "button", "aria-label": name, title: name, ...rest, onclick: press },
+    label,
+  );
 }
 
 /** For so long a button that asks once more waits for its answer. */
 const SURE_MS = 6000;
 
 /** A button whose press cannot be taken back: it asks once more before it does anything. */
-export function sureButton(label: string, question: string, press: () => void, more: Attributes & { name?: string } = {}): HTMLButtonElement {
+export function sureButton(
+  label: string,
+  question: string,
+  press: () => void,
+  more: Attributes & { name?: string } = {},
+): HTMLButtonElement {
   let timer = 0;
   const calm = () => {
     clearTimeout(timer);
     timer = 0;
     setText(own, label);
   };
-  const own = button(label, () => {
-    if (timer !== 0) {
-      calm();
-      press();
-      return;
-    }
-    setText(own, question);
-    timer = window.setTimeout(calm, SURE_MS);
-  }, more);
+  const own = button(
+    label,
+    () => {
+      if (timer !== 0) {
+        calm();
+        press();
+        return;
+      }
+      setText(own, question);
+      timer = window.setTimeout(calm, SURE_MS);
+    },
+    more,
+  );
   return own;
 }
 
@@ -74,20 +100,29 @@ export function choices<T extends string | number>(
   items: { value: T; label: string; name?: string }[],
   choose: (value: T) => void,
 ): { root: HTMLElement; show(value: T | null): void; buttons: HTMLButtonElement[] } {
-  const buttons = items.map((item) => button(item.label, () => choose(item.value), { ...(item.name && { name: item.name }), "aria-pressed": "false" }));
+  const buttons = items.map((item) =>
+    button(item.label, () => choose(item.value), {
+      ...(item.name && { name: item.name }),
+      "aria-pressed": "false",
+    }),
+  );
   const root = h("div", { class: "choices", role: "group", "aria-label": label }, ...buttons);
   return {
     root,
     buttons,
-    show: (value) => items.forEach((item, i) => {
-      const own = buttons[i];
-      if (own) setAttribute(own, "aria-pressed", String(item.value === value));
-    }),
+    show: (value) =>
+      items.forEach((item, i) => {
+        const own = buttons[i];
+        if (own) setAttribute(own, "aria-pressed", String(item.value === value));
+      }),
   };
 }
 
 /** A canvas that keeps its pixels as sharp as the screen; `paint` draws in CSS pixels. */
-export function canvas(label: string): { root: HTMLCanvasElement; begin(): { to: CanvasRenderingContext2D; width: number; height: number } | null } {
+export function canvas(label: string): {
+  root: HTMLCanvasElement;
+  begin(): { to: CanvasRenderingContext2D; width: number; height: number } | null;
+} {
   const root = h("canvas", { role: "img", "aria-label": label });
   const to = root.getContext("2d");
   return {

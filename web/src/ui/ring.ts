@@ -14,16 +14,28 @@ export class Ring {
   private enabled = true;
 
   /** `about`: what is in its middle, and so what 0 is: the bow of the ship served, of the tug herself, or north. */
-  constructor(label: string, private readonly about: "ship" | "tug" | "north", private readonly turn: (rad: number) => void) {
+  constructor(
+    label: string,
+    private readonly about: "ship" | "tug" | "north",
+    private readonly turn: (rad: number) => void,
+  ) {
     this.surface = canvas(label);
     this.root = this.surface.root;
     this.root.classList.add("ring");
-    for (const [name, value] of [["role", "slider"], ["tabindex", "0"], ["aria-valuemin", "-180"], ["aria-valuemax", "180"]] as const) {
+    for (const [name, value] of [
+      ["role", "slider"],
+      ["tabindex", "0"],
+      ["aria-valuemin", "-180"],
+      ["aria-valuemax", "180"],
+    ] as const) {
       this.root.setAttribute(name, value);
     }
     const point = (event: PointerEvent) => {
       const box = this.root.getBoundingClientRect();
-      const raw = Math.atan2(event.clientX - box.left - box.width / 2, box.top + box.height / 2 - event.clientY);
+      const raw = Math.atan2(
+        event.clientX - box.left - box.width / 2,
+        box.top + box.height / 2 - event.clientY,
+      );
       this.set(toRadians(Math.round(toDegrees(raw) / STEP_DEG) * STEP_DEG));
     };
     this.root.addEventListener("pointerdown", (event) => {
@@ -72,12 +84,19 @@ export class Ring {
   draw(actual_rad: number, share: number): void {
     const begun = this.surface.begin();
     setAttribute(this.root, "aria-valuenow", String(Math.round(toDegrees(this.order_rad))));
-    setAttribute(this.root, "aria-valuetext", `${Math.abs(Math.round(toDegrees(this.order_rad)))} degrees ${this.order_rad < 0 ? "port" : "starboard"}`);
+    setAttribute(
+      this.root,
+      "aria-valuetext",
+      `${Math.abs(Math.round(toDegrees(this.order_rad)))} degrees ${this.order_rad < 0 ? "port" : "starboard"}`,
+    );
     if (!begun) return;
     const { to, width, height } = begun;
     const colours = palette();
     const [x, y, r] = [width / 2, height / 2, Math.min(width, height) / 2 - 12];
-    const on = (angle: number, far: number): Pair => [x + Math.sin(angle) * far, y - Math.cos(angle) * far];
+    const on = (angle: number, far: number): Pair => [
+      x + Math.sin(angle) * far,
+      y - Math.cos(angle) * far,
+    ];
     to.clearRect(0, 0, width, height);
     to.beginPath();
     to.arc(x, y, r, 0, 2 * Math.PI);
@@ -98,7 +117,13 @@ export class Ring {
       to.fillText("N", x, y - r + 20);
     } else {
       const [long, half] = this.about === "ship" ? [r * 0.5, r * 0.13] : [r * 0.34, r * 0.15];
-      polygon(to, [[x, y - long], [x + half, y - long * 0.6], [x + half, y + long], [x - half, y + long], [x - half, y - long * 0.6]]);
+      polygon(to, [
+        [x, y - long],
+        [x + half, y - long * 0.6],
+        [x + half, y + long],
+        [x - half, y + long],
+        [x - half, y - long * 0.6],
+      ]);
       to.fillStyle = this.about === "ship" ? colours.own : colours.tug;
       to.globalAlpha = 0.5;
       to.fill();

@@ -22,15 +22,30 @@ export class Slider {
 
   constructor(private readonly options: SliderOptions) {
     const { label, least, most, step, marks } = options;
-    this.input = h("input", { type: "range", min: least, max: most, step, "aria-label": label, value: 0 });
+    this.input = h("input", {
+      type: "range",
+      min: least,
+      max: most,
+      step,
+      "aria-label": label,
+      value: 0,
+    });
     const scale = h(
       "div",
       { class: "scale", "aria-hidden": "true" },
-      ...marks.map(({ at, text, side }) => h("span", { style: `left:${this.place(at)}%`, class: side }, text)),
+      ...marks.map(({ at, text, side }) =>
+        h("span", { style: `left:${this.place(at)}%`, class: side }, text),
+      ),
     );
-    this.root = h("div", { class: "slider" }, h("div", { class: "track" }, h("div", { class: "rail" }, this.actual), this.input), scale);
+    this.root = h(
+      "div",
+      { class: "slider" },
+      h("div", { class: "track" }, h("div", { class: "rail" }, this.actual), this.input),
+      scale,
+    );
     this.input.addEventListener("pointerdown", () => (this.dragged = true));
-    for (const end of ["pointerup", "pointercancel", "blur"]) this.input.addEventListener(end, () => (this.dragged = false));
+    for (const end of ["pointerup", "pointercancel", "blur"])
+      this.input.addEventListener(end, () => (this.dragged = false));
     this.input.addEventListener("input", () => {
       const value = Number(this.input.value);
       this.options.order(value);

@@ -35,7 +35,15 @@ export class Alarms implements View {
     private readonly changed: (open: number, worst: Alarm["level"] | null) => void,
   ) {
     this.soundButton = button("Sound off", () => this.toggleSound(), { "aria-pressed": "false" });
-    this.root = h("div", { class: "alarms" }, h("div", { class: "alarm-tools" }, this.ackAll, this.soundButton), this.none, this.list, h("h3", {}, "Events and past alarms"), this.log);
+    this.root = h(
+      "div",
+      { class: "alarms" },
+      h("div", { class: "alarm-tools" }, this.ackAll, this.soundButton),
+      this.none,
+      this.list,
+      h("h3", {}, "Events and past alarms"),
+      this.log,
+    );
   }
 
   tick(frame: Frame, hello: Hello): void {
@@ -51,7 +59,11 @@ export class Alarms implements View {
     setClass(this.none, "hidden", this.standing.size > 0);
     const open = frame.alarms.filter((alarm) => !alarm.acknowledged);
     this.ackAll.disabled = !open.some((alarm) => this.mayAcknowledge(alarm));
-    const worst = open.some((alarm) => alarm.level === "alarm") ? "alarm" : open.length > 0 ? "caution" : null;
+    const worst = open.some((alarm) => alarm.level === "alarm")
+      ? "alarm"
+      : open.length > 0
+        ? "caution"
+        : null;
     this.changed(open.length, worst);
     this.beep(worst);
   }
@@ -72,14 +84,20 @@ export class Alarms implements View {
     if (!there) {
       const text = h("span", { class: "alarm-text" });
       const ack = button("Ack", () => this.acknowledge(alarm.key));
-      there = { row: h("li", {}, h("time", {}, clock(alarm.since_s)), text, ack), text, ack, alarm };
+      there = {
+        row: h("li", {}, h("time", {}, clock(alarm.since_s)), text, ack),
+        text,
+        ack,
+        alarm,
+      };
       this.standing.set(alarm.key, there);
       this.list.prepend(there.row);
       this.noteAlarm(alarm);
     } else if (there.alarm.level === "caution" && alarm.level === "alarm") this.noteAlarm(alarm);
     there.alarm = alarm;
     setText(there.text, alarm.stands ? alarm.text : `${alarm.text} (over; not acknowledged)`);
-    for (const level of ["alarm", "caution"] as const) setClass(there.row, level, alarm.level === level);
+    for (const level of ["alarm", "caution"] as const)
+      setClass(there.row, level, alarm.level === level);
     setClass(there.row, "open", !alarm.acknowledged);
     setClass(there.row, "over", !alarm.stands);
     there.ack.disabled = alarm.acknowledged || !this.mayAcknowledge(alarm);
@@ -88,7 +106,11 @@ export class Alarms implements View {
   }
 
   private noteAlarm(alarm: Alarm): void {
-    this.note(alarm.since_s, `${alarm.level === "alarm" ? "ALARM" : "Caution"}: ${alarm.text}`, alarm.level);
+    this.note(
+      alarm.since_s,
+      `${alarm.level === "alarm" ? "ALARM" : "Caution"}: ${alarm.text}`,
+      alarm.level,
+    );
   }
 
   /** Says to the server that one was seen, or all of them. */

@@ -22,8 +22,18 @@ class Flow {
   private touched = false;
   readonly root: HTMLElement;
 
-  constructor(private readonly name: "Wind" | "Current", private readonly verb: string, private readonly step_kn: number, most_kn: number, apply: (mps: number, rad: number) => Promise<boolean>) {
-    const show = () => setText(this.speed, `${fixed(this.kn, step_kn < 1 ? 1 : 0)} kn ${verb} ${heading(this.ring.value, 0)}`);
+  constructor(
+    private readonly name: "Wind" | "Current",
+    private readonly verb: string,
+    private readonly step_kn: number,
+    most_kn: number,
+    apply: (mps: number, rad: number) => Promise<boolean>,
+  ) {
+    const show = () =>
+      setText(
+        this.speed,
+        `${fixed(this.kn, step_kn < 1 ? 1 : 0)} kn ${verb} ${heading(this.ring.value, 0)}`,
+      );
     this.ring = new Ring(`${name} ${verb}`, "north", () => {
       this.touched = true;
       show();
@@ -39,7 +49,20 @@ class Flow {
       h("h3", {}, name),
       this.ring.root,
       this.speed,
-      h("div", { class: "row" }, button("−", change(-step_kn), { name: `Less ${name.toLowerCase()}` }), button("+", change(step_kn), { name: `More ${name.toLowerCase()}` }), button("Set", () => void apply(this.kn * KNOT_MPS, this.ring.value).then((done) => done && (this.touched = false)), { name: `Set the ${name.toLowerCase()}`, class: "take" })),
+      h(
+        "div",
+        { class: "row" },
+        button("−", change(-step_kn), { name: `Less ${name.toLowerCase()}` }),
+        button("+", change(step_kn), { name: `More ${name.toLowerCase()}` }),
+        button(
+          "Set",
+          () =>
+            void apply(this.kn * KNOT_MPS, this.ring.value).then(
+              (done) => done && (this.touched = false),
+            ),
+          { name: `Set the ${name.toLowerCase()}`, class: "take" },
+        ),
+      ),
       this.now,
     );
   }
@@ -49,7 +72,10 @@ class Flow {
     if (this.touched) return;
     this.kn = Math.round(toKnots(mps) / this.step_kn) * this.step_kn;
     this.ring.follow(rad);
-    setText(this.speed, `${fixed(this.kn, this.name === "Wind" ? 0 : 1)} kn ${this.verb} ${heading(rad, 0)}`);
+    setText(
+      this.speed,
+      `${fixed(this.kn, this.name === "Wind" ? 0 : 1)} kn ${this.verb} ${heading(rad, 0)}`,
+    );
   }
 
   draw(mps: number, rad: number, full_mps: number): void {
@@ -61,23 +87,58 @@ class Flow {
 export class Conditions implements View {
   private readonly wind: Flow;
   private readonly current: Flow;
-  private readonly faults: { vessel: number; fault: Fault; root: HTMLButtonElement; on: boolean }[] = [];
+  private readonly faults: {
+    vessel: number;
+    fault: Fault;
+    root: HTMLButtonElement;
+    on: boolean;
+  }[] = [];
   private frame: Frame | null = null;
   readonly root: HTMLElement;
 
   constructor(page: Page, hello: Hello) {
-    this.wind = new Flow("Wind", "from", 1, 80, (speed_mps, from_rad) => page.order({ do: "wind", speed_mps, from_rad }));
-    this.current = new Flow("Current", "to", 0.1, 6, (speed_mps, to_rad) => page.order({ do: "current", speed_mps, to_rad }));
+    this.wind = new Flow("Wind", "from", 1, 80, (speed_mps, from_rad) =>
+      page.order({ do: "wind", speed_mps, from_rad }),
+    );
+    this.current = new Flow("Current", "to", 0.1, 6, (speed_mps, to_rad) =>
+      page.order({ do: "current", speed_mps, to_rad }),
+    );
     const faults = hello.vessels.map((vessel, index) => {
-      const fits = FAULTS.filter(({ fault }) => (fault !== "rudder_stuck" || vessel.rudder_stop_rad !== null) && (fault !== "engine_lost" || vessel.full_rps !== null) && (fault !== "thrusters_lost" || vessel.thrusters.length + vessel.azimuths.length > 0));
+      const fits = FAULTS.filter(
+        ({ fault }) =>
+          (fault !== "rudder_stuck" || vessel.rudder_stop_rad !== null) &&
+          (fault !== "engine_lost" || vessel.full_rps !== null) &&
+          (fault !== "thrusters_lost" || vessel.thrusters.length + vessel.azimuths.length > 0),
+      );
       const buttons = fits.map(({ fault, text }) => {
-        const entry = { vessel: index, fault, on: false, root: button(text, () => void page.order({ do: "fault", vessel: vessel.name, fault, on: !entry.on }), { name: `${vessel.name}: ${text}`, "aria-pressed": "false", class: "fault" }) };
+        const entry = {
+          vessel: index,
+          fault,
+          on: false,
+          root: button(
+            text,
+            () => void page.order({ do: "fault", vessel: vessel.name, fault, on: !entry.on }),
+            { name: `${vessel.name}: ${text}`, "aria-pressed": "false", class: "fault" },
+          ),
+        };
         this.faults.push(entry);
         return entry.root;
       });
-      return h("div", { class: "fault-row" }, h("b", {}, vessel.title), h("div", { class: "row" }, ...buttons));
+      return h(
+        "div",
+        { class: "fault-row" },
+        h("b", {}, vessel.title),
+        h("div", { class: "row" }, ...buttons),
+      );
     });
-    this.root = h("div", { class: "conditions" }, h("div", { class: "flows" }, this.wind.root, this.current.root), h("p", { class: "note" }, "Rings are north up."), h("h3", {}, "Faults"), ...faults);
+    this.root = h(
+      "div",
+      { class: "conditions" },
+      h("div", { class: "flows" }, this.wind.root, this.current.root),
+      h("p", { class: "note" }, "Rings are north up."),
+      h("h3", {}, "Faults"),
+      ...faults,
+    );
   }
 
   tick(frame: Frame): void {

@@ -46,7 +46,10 @@ class End {
     const shown = LIGHTS.indexOf(speed) > LIGHTS.indexOf(place) ? speed : place;
     setText(this.distance, fixed(off_m, Math.abs(off_m) < 100 ? 1 : 0));
     setText(this.speed, fixed(Math.abs(closing_mps), 2));
-    setText(this.way, closing_mps > STILL_MPS ? "▲ closing" : closing_mps < -STILL_MPS ? "▼ opening" : "■ still");
+    setText(
+      this.way,
+      closing_mps > STILL_MPS ? "▲ closing" : closing_mps < -STILL_MPS ? "▼ opening" : "■ still",
+    );
     setText(this.lamp, shown === place ? word : WORDS[shown]);
     for (const name of LIGHTS) setClass(this.root, name, shown === name);
     setAttribute(this.distance, "aria-label", `${this.name} distance`);
@@ -62,11 +65,22 @@ export class Docking implements View {
   private readonly bow = new End("Bow");
   private readonly stern = new End("Stern");
   private readonly ends = h("div", { class: "ends" }, this.bow.root, this.stern.root);
-  private readonly angle = h("output", { class: "digits", "aria-label": "Angle to the berth" }, "–");
+  private readonly angle = h(
+    "output",
+    { class: "digits", "aria-label": "Angle to the berth" },
+    "–",
+  );
   private readonly angleWay = h("span", { class: "way" });
-  private readonly along = h("output", { class: "digits", "aria-label": "Speed along the berth" }, "–");
+  private readonly along = h(
+    "output",
+    { class: "digits", "aria-label": "Speed along the berth" },
+    "–",
+  );
   private readonly alongWay = h("span", { class: "way" });
-  private readonly limit = h("output", { class: "limit", "aria-label": "Speed limit at the fenders" });
+  private readonly limit = h("output", {
+    class: "limit",
+    "aria-label": "Speed limit at the fenders",
+  });
   private readonly none = h("p", { class: "nothing" }, "No berth in this scenario.");
   readonly root: HTMLElement;
   private limit_mps: number;
@@ -83,15 +97,36 @@ export class Docking implements View {
       "div",
       { class: "docking" },
       this.none,
-      h("div", { class: "board" },
-      this.ends,
       h(
         "div",
-        { class: "under" },
-        h("section", {}, h("h3", {}, "Angle"), h("div", { class: "figure" }, this.angle, h("span", { class: "unit" }, "°")), this.angleWay),
-        h("section", {}, h("h3", {}, "Along"), h("div", { class: "figure" }, this.along, h("span", { class: "unit" }, "m/s")), this.alongWay),
+        { class: "board" },
+        this.ends,
+        h(
+          "div",
+          { class: "under" },
+          h(
+            "section",
+            {},
+            h("h3", {}, "Angle"),
+            h("div", { class: "figure" }, this.angle, h("span", { class: "unit" }, "°")),
+            this.angleWay,
+          ),
+          h(
+            "section",
+            {},
+            h("h3", {}, "Along"),
+            h("div", { class: "figure" }, this.along, h("span", { class: "unit" }, "m/s")),
+            this.alongWay,
+          ),
+        ),
+        h(
+          "div",
+          { class: "limits" },
+          button("−", change(-0.01), { name: "Lower speed limit" }),
+          this.limit,
+          button("+", change(0.01), { name: "Higher speed limit" }),
+        ),
       ),
-      h("div", { class: "limits" }, button("−", change(-0.01), { name: "Lower speed limit" }), this.limit, button("+", change(0.01), { name: "Higher speed limit" }))),
     );
     this.showLimit(0);
   }
@@ -120,6 +155,9 @@ export class Docking implements View {
     const open = berth.bow_m - berth.stern_m;
     setText(this.angleWay, degrees < 0.05 ? "parallel" : open > 0 ? "bow out" : "bow in");
     setText(this.along, fixed(Math.abs(berth.along_mps), 2));
-    setText(this.alongWay, berth.along_mps > STILL_MPS ? "ahead" : berth.along_mps < -STILL_MPS ? "astern" : "still");
+    setText(
+      this.alongWay,
+      berth.along_mps > STILL_MPS ? "ahead" : berth.along_mps < -STILL_MPS ? "astern" : "still",
+    );
   }
 }

@@ -14,7 +14,13 @@ class Bar {
   readonly root: HTMLElement;
 
   constructor(private readonly name: string) {
-    this.root = h("div", { class: "bar", role: "meter", "aria-label": name, "aria-valuemin": 0, "aria-valuemax": 1 }, this.fill, this.peak, h("div", { class: "full", title: "rated" }));
+    this.root = h(
+      "div",
+      { class: "bar", role: "meter", "aria-label": name, "aria-valuemin": 0, "aria-valuemax": 1 },
+      this.fill,
+      this.peak,
+      h("div", { class: "full", title: "rated" }),
+    );
   }
 
   show(share: number, peak: number, colours: Palette): void {
@@ -23,7 +29,11 @@ class Bar {
     setStyle(this.peak, "left", `${Math.min(99, (peak / BAR_SHARE) * 100).toFixed(1)}%`);
     setStyle(this.peak, "background", loadColour(peak, colours));
     setAttribute(this.root, "aria-valuenow", share.toFixed(2));
-    setAttribute(this.root, "aria-valuetext", `${this.name} ${percent(share)}, peak ${percent(peak)}`);
+    setAttribute(
+      this.root,
+      "aria-valuetext",
+      `${this.name} ${percent(share)}, peak ${percent(peak)}`,
+    );
   }
 }
 
@@ -41,7 +51,14 @@ class Row {
       h("div", { class: "row-head" }, h("b", {}, spoken(info.name)), this.state, this.figures),
       info.rated_reaction_n === null && info.rated_energy_j === null
         ? h("p", { class: "note" }, "Nobody said what it is rated for.")
-        : h("div", { class: "bars" }, h("span", {}, "R"), this.reaction.root, h("span", {}, "E"), this.energy.root),
+        : h(
+            "div",
+            { class: "bars" },
+            h("span", {}, "R"),
+            this.reaction.root,
+            h("span", {}, "E"),
+            this.energy.root,
+          ),
     );
   }
 
@@ -49,10 +66,15 @@ class Row {
     this.reaction.show(now.of_reaction, now.peak_of_reaction, colours);
     this.energy.show(now.of_energy, now.peak_of_energy, colours);
     const rated = this.info.rated_deflection_m;
-    const deep = rated ? `${fixed((now.deflection_m / rated) * 100, 0)} % of ${fixed(rated, 2)} m` : `${fixed(now.deflection_m, 2)} m`;
+    const deep = rated
+      ? `${fixed((now.deflection_m / rated) * 100, 0)} % of ${fixed(rated, 2)} m`
+      : `${fixed(now.deflection_m, 2)} m`;
     setText(this.figures, `${force(now.reaction_n)} · ${energy(now.energy_j)} · ${deep}`);
     const over = Math.max(now.peak_of_energy, now.peak_of_reaction) > 1;
-    setText(this.state, now.failed ? "FAILED" : over ? "WAS OVER RATED" : now.reaction_n > 0 ? "in contact" : "");
+    setText(
+      this.state,
+      now.failed ? "FAILED" : over ? "WAS OVER RATED" : now.reaction_n > 0 ? "in contact" : "",
+    );
     setClass(this.root, "alarm", now.failed);
     setClass(this.root, "caution", over && !now.failed);
   }
@@ -69,8 +91,14 @@ export class Fenders implements View {
       "div",
       { class: "fenders" },
       this.worst,
-      hello.fenders.length === 0 ? h("p", { class: "nothing" }, "No fenders in this scenario.") : h("ul", { class: "rows" }, ...this.rows.map((row) => row.root)),
-      h("p", { class: "note" }, "R reaction, E energy; the stroke is what the fender is rated for, the thin mark the peak so far."),
+      hello.fenders.length === 0
+        ? h("p", { class: "nothing" }, "No fenders in this scenario.")
+        : h("ul", { class: "rows" }, ...this.rows.map((row) => row.root)),
+      h(
+        "p",
+        { class: "note" },
+        "R reaction, E energy; the stroke is what the fender is rated for, the thin mark the peak so far.",
+      ),
     );
   }
 
@@ -84,6 +112,11 @@ export class Fenders implements View {
     });
     const touched = frame.fenders.filter((f) => f.touched).length;
     const highest = most > 0 ? ` · highest so far ${percent(most)} of rated, ${name}` : "";
-    setText(this.worst, touched > 0 ? `${touched} of ${frame.fenders.length} touched so far${highest}` : `${frame.fenders.length} fenders, none touched yet`);
+    setText(
+      this.worst,
+      touched > 0
+        ? `${touched} of ${frame.fenders.length} touched so far${highest}`
+        : `${frame.fenders.length} fenders, none touched yet`,
+    );
   }
 }

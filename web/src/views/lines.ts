@@ -8,7 +8,12 @@ import type { View } from "./view";
 
 /** How fast a winch hauls or veers when told by hand: a usual speed for warping under load. */
 const WINCH_MPS = 0.15;
-const STATES: Record<LineNow["state"], string> = { ashore: "not yet fast", fast: "fast", parted: "PARTED", gone: "let go" };
+const STATES: Record<LineNow["state"], string> = {
+  ashore: "not yet fast",
+  fast: "fast",
+  parted: "PARTED",
+  gone: "let go",
+};
 
 type Winch = LineNow["winch"];
 
@@ -21,9 +26,23 @@ class Row {
   private readonly letGo: HTMLButtonElement;
   readonly root: HTMLElement;
 
-  constructor(private readonly info: LineInfo, page: Page) {
+  constructor(
+    private readonly info: LineInfo,
+    page: Page,
+  ) {
     const worked = (info.working_n / info.breaking_n) * 100;
-    this.bar = h("div", { class: "bar", role: "meter", "aria-label": `Tension of ${info.name}`, "aria-valuemin": 0, "aria-valuemax": 1 }, this.fill, h("div", { class: "full", title: "working load", style: `left:${worked}%` }));
+    this.bar = h(
+      "div",
+      {
+        class: "bar",
+        role: "meter",
+        "aria-label": `Tension of ${info.name}`,
+        "aria-valuemin": 0,
+        "aria-valuemax": 1,
+      },
+      this.fill,
+      h("div", { class: "full", title: "working load", style: `left:${worked}%` }),
+    );
     this.winch = choices<Winch>(
       `Winch of ${info.name}`,
       [
@@ -31,9 +50,20 @@ class Row {
         { value: "hold", label: "Hold", name: `Hold ${info.name}` },
         { value: "pay_out", label: "Pay out", name: `Pay out ${info.name}` },
       ],
-      (order) => void page.order({ do: "winch", line: info.name, order, rate_mps: order === "hold" ? 0 : WINCH_MPS }),
+      (order) =>
+        void page.order({
+          do: "winch",
+          line: info.name,
+          order,
+          rate_mps: order === "hold" ? 0 : WINCH_MPS,
+        }),
     );
-    this.letGo = sureButton("Let go", "Sure?", () => void page.order({ do: "let_go", line: info.name }), { name: `Let go ${info.name}` });
+    this.letGo = sureButton(
+      "Let go",
+      "Sure?",
+      () => void page.order({ do: "let_go", line: info.name }),
+      { name: `Let go ${info.name}` },
+    );
     this.root = h(
       "li",
       {},
@@ -50,13 +80,22 @@ class Row {
     setStyle(this.fill, "width", `${Math.min(100, share * 100).toFixed(1)}%`);
     setStyle(this.fill, "background", loadColour(worked, colours));
     setAttribute(this.bar, "aria-valuenow", share.toFixed(2));
-    setText(this.figures, now.state === "fast" ? `${tonnes(now.tension_n)} · ${percent(share)} of ${fixed(this.info.breaking_n / 9806.65, 0)} t` : "");
-    setText(this.state, worked > 1 && now.state === "fast" ? "OVER WORKING LOAD" : STATES[now.state]);
+    setText(
+      this.figures,
+      now.state === "fast"
+        ? `${tonnes(now.tension_n)} · ${percent(share)} of ${fixed(this.info.breaking_n / 9806.65, 0)} t`
+        : "",
+    );
+    setText(
+      this.state,
+      worked > 1 && now.state === "fast" ? "OVER WORKING LOAD" : STATES[now.state],
+    );
     setClass(this.root, "alarm", now.state === "parted");
     setClass(this.root, "caution", now.state === "fast" && worked > 1);
     setClass(this.root, "idle", now.state !== "fast");
     this.winch.show(now.state === "fast" ? now.winch : null);
-    for (const each of [...this.winch.buttons, this.letGo]) each.disabled = !mayWinch || now.state !== "fast";
+    for (const each of [...this.winch.buttons, this.letGo])
+      each.disabled = !mayWinch || now.state !== "fast";
   }
 }
 
@@ -64,7 +103,9 @@ class Row {
 function mayWork(info: LineInfo, { role, vessels }: Hello): boolean {
   if (role.name !== "tugmaster") return role.name !== "observer";
   const body = vessels.find((v) => v.name === role.tug)?.body;
-  return body !== undefined && (info.ship === body || ("body" in info.end && info.end.body === body));
+  return (
+    body !== undefined && (info.ship === body || ("body" in info.end && info.end.body === body))
+  );
 }
 
 export class Lines implements View {
@@ -74,12 +115,26 @@ export class Lines implements View {
 
   constructor(page: Page, hello: Hello) {
     this.rows = hello.lines.map((info) => new Row(info, page));
-    this.root = h("div", { class: "lines" }, hello.lines.length === 0 ? h("p", { class: "nothing" }, "No lines in this scenario.") : h("ul", { class: "rows" }, ...this.rows.map((row) => row.root)), this.why);
+    this.root = h(
+      "div",
+      { class: "lines" },
+      hello.lines.length === 0
+        ? h("p", { class: "nothing" }, "No lines in this scenario.")
+        : h("ul", { class: "rows" }, ...this.rows.map((row) => row.root)),
+      this.why,
+    );
   }
 
   tick(frame: Frame, hello: Hello): void {
     const may = hello.lines.map((info) => mayWork(info, hello));
     frame.lines.forEach((now, i) => this.rows[i]?.show(now, may[i] ?? false));
-    setText(this.why, may.length > 0 && !may.some(Boolean) ? hello.role.name === "tugmaster" ? "A tugmaster works the lines of her own tug." : "An observer works no line." : "The stroke is the working load; the bar's end is the breaking load.");
+    setText(
+      this.why,
+      may.length > 0 && !may.some(Boolean)
+        ? hello.role.name === "tugmaster"
+          ? "A tugmaster works the lines of her own tug."
+          : "An observer works no line."
+        : "The stroke is the working load; the bar's end is the breaking load.",
+    );
   }
 }

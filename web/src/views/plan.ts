@@ -24,10 +24,18 @@ export class Plan implements View {
   private up: Up = "north";
   private readonly pointers = new Map<number, Pair>();
   private readonly readout = new Readout();
-  private readonly followButton = button("Follow", () => this.follow(), { name: "Follow the ship (F)", "aria-pressed": "true" });
-  private readonly upButton = button("North up", () => this.turnUp(), { name: "Which way is up (U)" });
+  private readonly followButton = button("Follow", () => this.follow(), {
+    name: "Follow the ship (F)",
+    "aria-pressed": "true",
+  });
+  private readonly upButton = button("North up", () => this.turnUp(), {
+    name: "Which way is up (U)",
+  });
   private prediction = true;
-  private readonly pathButton = button("Path", () => this.togglePath(), { name: "Predicted path (V)", "aria-pressed": "true" });
+  private readonly pathButton = button("Path", () => this.togglePath(), {
+    name: "Predicted path (V)",
+    "aria-pressed": "true",
+  });
 
   constructor(private readonly live: Live) {
     const tools = h(
@@ -40,7 +48,12 @@ export class Plan implements View {
       this.upButton,
       this.pathButton,
     );
-    this.root = h("section", { class: "plan", "aria-label": "Plan view" }, this.readout.root, h("div", { class: "plan-surface" }, this.surface.root, tools));
+    this.root = h(
+      "section",
+      { class: "plan", "aria-label": "Plan view" },
+      this.readout.root,
+      h("div", { class: "plan-surface" }, this.surface.root, tools),
+    );
     this.listen();
   }
 
@@ -101,8 +114,7 @@ export class Plan implements View {
     else if (this.up === "berth" && hello?.berth) {
       const heading = this.live.bodies(now_ms)[hello.berth.body]?.[2] ?? 0;
       this.camera.up_rad = heading + Math.atan2(-hello.berth.facing[1], -hello.berth.facing[0]);
-    }
-    else this.camera.up_rad = this.shipNow(now_ms)?.[2] ?? 0;
+    } else this.camera.up_rad = this.shipNow(now_ms)?.[2] ?? 0;
   }
 
   draw(now_ms: number): void {
@@ -117,7 +129,15 @@ export class Plan implements View {
     this.turn(now_ms);
     this.followShip(now_ms);
     const colours = palette();
-    const all: scene.Scene = { to, camera: this.camera, colours, hello, frame, bodies, live: this.live };
+    const all: scene.Scene = {
+      to,
+      camera: this.camera,
+      colours,
+      hello,
+      frame,
+      bodies,
+      live: this.live,
+    };
     scene.drawGrid(all);
     scene.drawLand(all);
     scene.drawBerth(all);
@@ -132,7 +152,11 @@ export class Plan implements View {
     drawScale(to, this.camera, colours);
     // Read by tests: what is drawn on a canvas cannot be.
     const { centre, pixels_per_m } = this.camera;
-    setAttribute(this.surface.root, "data-view", [...centre, pixels_per_m].map((n) => n.toFixed(3)).join(" "));
+    setAttribute(
+      this.surface.root,
+      "data-view",
+      [...centre, pixels_per_m].map((n) => n.toFixed(3)).join(" "),
+    );
     drawRose(to, this.camera, colours, frame);
   }
 
@@ -142,7 +166,13 @@ export class Plan implements View {
     const first = !this.looked && this.lastShip === null && this.camera.pixels_per_m === 1;
     this.looked = true;
     const places = scene.firstLook(hello, bodies, this.live.ship(), this.live.frame);
-    if (first && hello.berth && hello.fenders.length > 0 && this.camera.width > this.camera.height * 1.2) this.setUp("berth");
+    if (
+      first &&
+      hello.berth &&
+      hello.fenders.length > 0 &&
+      this.camera.width > this.camera.height * 1.2
+    )
+      this.setUp("berth");
     this.turn();
     this.camera = fitted(this.camera, places, [58, 64, 74]);
     // Followed, she keeps her place on the screen rather than its middle, so that berth and ship both stay in view.
@@ -176,10 +206,14 @@ export class Plan implements View {
       this.pointers.set(event.pointerId, now);
       if (other) {
         const [was, is] = [before, now].map((p) => Math.hypot(p[0] - other[0], p[1] - other[1]));
-        if (was && is && was > 10) this.zoom(is / was, [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2]);
+        if (was && is && was > 10)
+          this.zoom(is / was, [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2]);
         return;
       }
-      this.camera.centre = add(this.camera.centre, minus(toEarth(this.camera, before), toEarth(this.camera, now)));
+      this.camera.centre = add(
+        this.camera.centre,
+        minus(toEarth(this.camera, before), toEarth(this.camera, now)),
+      );
       // She runs out of sight only when she is dragged there: following goes on with the new offset.
     });
     for (const end of ["pointerup", "pointercancel"] as const) {
@@ -202,7 +236,15 @@ class Readout {
   readonly root = h("dl", { class: "readout", "aria-label": "Motion of the ship" });
 
   constructor() {
-    for (const [key, name] of [["HDG", "Heading"], ["ROT", "Rate of turn"], ["SOG", "Speed over ground"], ["COG", "Course over ground"], ["UKC", "Under-keel clearance"], ["WIND", "Wind, from"], ["CURR", "Current, towards"]] as const) {
+    for (const [key, name] of [
+      ["HDG", "Heading"],
+      ["ROT", "Rate of turn"],
+      ["SOG", "Speed over ground"],
+      ["COG", "Course over ground"],
+      ["UKC", "Under-keel clearance"],
+      ["WIND", "Wind, from"],
+      ["CURR", "Current, towards"],
+    ] as const) {
       const cell = h("dd", {}, "–");
       this.cells.set(key, cell);
       this.root.append(h("div", {}, h("dt", { title: name }, key), cell));
@@ -223,12 +265,21 @@ class Readout {
     const speed = Math.hypot(north, east);
     const turn = rateOfTurn(rate);
     this.set("HDG", heading(head));
-    this.set("ROT", `${Math.abs(turn) < 0.05 ? "" : turn < 0 ? "◀ " : "▶ "}${fixed(Math.abs(turn), 1)}°/min`);
+    this.set(
+      "ROT",
+      `${Math.abs(turn) < 0.05 ? "" : turn < 0 ? "◀ " : "▶ "}${fixed(Math.abs(turn), 1)}°/min`,
+    );
     this.set("SOG", knots(speed, 2));
     this.set("COG", speed < 0.02 ? "–" : heading(Math.atan2(east, north)));
     this.set("UKC", now.under_keel_m === null ? "–" : `${fixed(now.under_keel_m, 1)} m`);
-    this.set("WIND", `${fixed(toKnots(frame.wind.speed_mps), 0)} kn ${heading(frame.wind.from_rad, 0)}`);
-    this.set("CURR", `${fixed(toKnots(frame.current.speed_mps), 1)} kn ${heading(frame.current.to_rad, 0)}`);
+    this.set(
+      "WIND",
+      `${fixed(toKnots(frame.wind.speed_mps), 0)} kn ${heading(frame.wind.from_rad, 0)}`,
+    );
+    this.set(
+      "CURR",
+      `${fixed(toKnots(frame.current.speed_mps), 1)} kn ${heading(frame.current.to_rad, 0)}`,
+    );
     const cell = this.cells.get("UKC");
     if (cell) setClass(cell, "alarm", now.aground || (now.under_keel_m ?? 9) < 0.5);
   }
@@ -239,12 +290,23 @@ function drawScale(to: CanvasRenderingContext2D, camera: Camera, colours: Palett
   const [left, top] = [14, camera.height - 16];
   const right = left + long * camera.pixels_per_m;
   stroke(to, [left, top], [right, top], colours.text, 3);
-  for (const x of [left, (left + right) / 2, right]) stroke(to, [x, top - 6], [x, top + 1.5], colours.text, 2);
-  label(to, long >= 1000 ? `${fixed(long / 1000, 0)} km` : `${long} m`, [right + 6, top - 2], { colour: colours.text, ground: "transparent", size: 13, align: "left" });
+  for (const x of [left, (left + right) / 2, right])
+    stroke(to, [x, top - 6], [x, top + 1.5], colours.text, 2);
+  label(to, long >= 1000 ? `${fixed(long / 1000, 0)} km` : `${long} m`, [right + 6, top - 2], {
+    colour: colours.text,
+    ground: "transparent",
+    size: 13,
+    align: "left",
+  });
 }
 
 /** North, wind and current about one small rose, in the corner where the quay seldom is. */
-function drawRose(to: CanvasRenderingContext2D, camera: Camera, colours: Palette, frame: Frame): void {
+function drawRose(
+  to: CanvasRenderingContext2D,
+  camera: Camera,
+  colours: Palette,
+  frame: Frame,
+): void {
   const radius = 34;
   const centre: Pair = [radius + 24, camera.height - radius - 52];
   const on = (bearing: number, far: number): Pair => {
@@ -265,6 +327,14 @@ function drawRose(to: CanvasRenderingContext2D, camera: Camera, colours: Palette
   to.textBaseline = "middle";
   to.fillText("N", ...on(0, radius + 9));
   const { wind, current } = frame;
-  if (wind.speed_mps > 0.1) arrow(to, on(wind.from_rad, radius), on(wind.from_rad, -radius * 0.25), colours.wind, 3.5);
-  if (current.speed_mps > 0.01) arrow(to, on(current.to_rad, -radius * 0.6), on(current.to_rad, radius * 0.7), colours.current, 3.5);
+  if (wind.speed_mps > 0.1)
+    arrow(to, on(wind.from_rad, radius), on(wind.from_rad, -radius * 0.25), colours.wind, 3.5);
+  if (current.speed_mps > 0.01)
+    arrow(
+      to,
+      on(current.to_rad, -radius * 0.6),
+      on(current.to_rad, radius * 0.7),
+      colours.current,
+      3.5,
+    );
 }

@@ -5,8 +5,12 @@ import { button, h, setClass, setText, sureButton } from "../ui/dom";
 import { spoken } from "../units";
 import type { View } from "./view";
 
-const nameOf = (control: Control): string => ("vessel" in control ? control.vessel : "tug" in control ? control.tug : "session");
-const roleOf = (role: Role): string => (role.name === "tugmaster" ? `Tugmaster of ${spoken(role.tug)}` : role.name.replace(/^./, (c) => c.toUpperCase()));
+const nameOf = (control: Control): string =>
+  "vessel" in control ? control.vessel : "tug" in control ? control.tug : "session";
+const roleOf = (role: Role): string =>
+  role.name === "tugmaster"
+    ? `Tugmaster of ${spoken(role.tug)}`
+    : role.name.replace(/^./, (c) => c.toUpperCase());
 
 export class Session implements View {
   private readonly claimRows = h("ul", { class: "rows claims", "aria-label": "Who holds what" });
@@ -15,14 +19,27 @@ export class Session implements View {
   private readonly openingRow: HTMLElement;
   readonly root: HTMLElement;
 
-  constructor(private readonly page: Page, hello: Hello) {
-    const name = h("input", { type: "text", "aria-label": "Name to save under", placeholder: "name", maxlength: 60 });
+  constructor(
+    private readonly page: Page,
+    hello: Hello,
+  ) {
+    const name = h("input", {
+      type: "text",
+      "aria-label": "Name to save under",
+      placeholder: "name",
+      maxlength: 60,
+    });
     const save = button("Save session", () => {
       const text = name.value.trim();
       if (text === "") page.say("Give the session a name to save it under.", "refusal");
       else void page.order({ do: "save", name: text });
     });
-    this.openingRow = h("div", { class: "row opening hidden" }, this.opening, button("Stop opening", () => void page.order({ do: "stop_opening" })));
+    this.openingRow = h(
+      "div",
+      { class: "row opening hidden" },
+      this.opening,
+      button("Stop opening", () => void page.order({ do: "stop_opening" })),
+    );
     this.root = h(
       "div",
       { class: "session" },
@@ -33,18 +50,36 @@ export class Session implements View {
       h("h3", {}, "Links to hand out"),
       this.links(hello),
       h("h3", {}, "Scenarios"),
-      h("ul", { class: "rows gallery" }, ...hello.gallery.map((entry) => this.scenario(entry, entry.file === hello.file))),
+      h(
+        "ul",
+        { class: "rows gallery" },
+        ...hello.gallery.map((entry) => this.scenario(entry, entry.file === hello.file)),
+      ),
       h("h3", {}, "Keep this session"),
       h("form", { class: "row", onsubmit: (event) => event.preventDefault() }, name, save),
     );
   }
 
   private links(hello: Hello): HTMLElement {
-    if (!hello.links || hello.links.length === 0) return h("p", { class: "note" }, "The server has printed the links of each role where it was started.");
-    return h("ul", { class: "rows" }, ...hello.links.map(({ role, path }) => {
-      const url = new URL(path, location.href).href;
-      return h("li", { class: "link" }, h("a", { href: url, target: "_blank", rel: "noopener" }, roleOf(role)), button("Copy", () => void this.copy(url), { name: `Copy the link of ${roleOf(role)}` }));
-    }));
+    if (!hello.links || hello.links.length === 0)
+      return h(
+        "p",
+        { class: "note" },
+        "The server has printed the links of each role where it was started.",
+      );
+    return h(
+      "ul",
+      { class: "rows" },
+      ...hello.links.map(({ role, path }) => {
+        const url = new URL(path, location.href).href;
+        return h(
+          "li",
+          { class: "link" },
+          h("a", { href: url, target: "_blank", rel: "noopener" }, roleOf(role)),
+          button("Copy", () => void this.copy(url), { name: `Copy the link of ${roleOf(role)}` }),
+        );
+      }),
+    );
   }
 
   private async copy(url: string): Promise<void> {
@@ -59,22 +94,49 @@ export class Session implements View {
 
   private scenario(entry: Hello["gallery"][number], open: boolean): HTMLElement {
     const label = open ? "Start anew" : "Open";
-    const load = sureButton(label, "End this run?", () => void this.page.order({ do: "load", file: entry.file }), { name: `Open ${entry.title}` });
-    return h("li", { class: open ? "chosen" : "" }, h("div", {}, h("b", {}, entry.title), h("p", { class: "note" }, entry.text)), load);
+    const load = sureButton(
+      label,
+      "End this run?",
+      () => void this.page.order({ do: "load", file: entry.file }),
+      { name: `Open ${entry.title}` },
+    );
+    return h(
+      "li",
+      { class: open ? "chosen" : "" },
+      h("div", {}, h("b", {}, entry.title), h("p", { class: "note" }, entry.text)),
+      load,
+    );
   }
 
   tick(frame: Frame): void {
     setText(this.count, `${frame.run.clients} connected`);
     const { opening } = frame.run;
     setClass(this.openingRow, "hidden", opening === null);
-    if (opening) setText(this.opening, `Opening ${opening.file}: ${opening.at === "reads" ? "read" : "played again"} ${Math.floor(100 * opening.share)} %`);
+    if (opening)
+      setText(
+        this.opening,
+        `Opening ${opening.file}: ${opening.at === "reads" ? "read" : "played again"} ${Math.floor(100 * opening.share)} %`,
+      );
   }
 
   claims(hello: Hello): void {
-    this.claimRows.replaceChildren(...hello.claims.map(({ control, holder, connected }) => {
-      const row = h("li", {}, h("b", {}, spoken(nameOf(control))), h("span", {}, holder === null ? "nobody" : `${holder}${connected ? "" : " — gone, controls stay as they were"}`));
-      setClass(row, "caution", holder !== null && !connected);
-      return row;
-    }));
+    this.claimRows.replaceChildren(
+      ...hello.claims.map(({ control, holder, connected }) => {
+        const row = h(
+          "li",
+          {},
+          h("b", {}, spoken(nameOf(control))),
+          h(
+            "span",
+            {},
+            holder === null
+              ? "nobody"
+              : `${holder}${connected ? "" : " — gone, controls stay as they were"}`,
+          ),
+        );
+        setClass(row, "caution", holder !== null && !connected);
+        return row;
+      }),
+    );
   }
 }

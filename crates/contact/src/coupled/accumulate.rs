@@ -9,11 +9,13 @@ use crate::memory::PatchMemory;
 use crate::model::{BodyId, Model};
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
-use crate::report::{Contact, ContactWork, ForceParts, Friction, Wrench};
+use crate::report::{
+    Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction, Wrench,
+};
 use crate::touch::{Scene, Touch, arms_m};
 use crate::vec2::Vec2;
 
-/// A memory with more energy than this could not be restored [J].
+/// A memory with more energy than this could not be restored (J).
 const MOST_TAKEN_J: f64 = 1e29;
 
 /// The totals of a step.
@@ -132,10 +134,10 @@ impl Reports<'_> {
 
 /// How a contact's bodies moved at the contact while its forces acted, and its shear spring afterwards.
 pub(crate) struct Slip {
-    /// By the mean speeds of the sub-step, over κ [m].
+    /// By the mean speeds of the sub-step, over κ (m).
     closing_m: f64,
     slip_m: f64,
-    /// Δs [m].
+    /// Δs (m).
     shear_m: f64,
     shear_stored_j: f64,
 }
@@ -213,8 +215,10 @@ impl Entry<'_> {
             shear_m: slip.shear_m,
             normal_force_n: normal_n * share,
             tangential_force_n: tangential_n * share,
-            normal_impulse_ns: normal_n * constraint.kick_s,
-            tangential_impulse_ns: tangential_n * constraint.kick_s,
+            impulse: ContactImpulse {
+                normal_ns: normal_n * constraint.kick_s,
+                tangential_ns: tangential_n * constraint.kick_s,
+            },
             friction,
             limited: parts.limiter_n > 0.0,
             peak_normal_force_n: normal_n,
@@ -226,11 +230,13 @@ impl Entry<'_> {
             },
             work: self.work(),
             factor: *factor,
-            stored_j: diagnostics.stored_j,
-            peak_loaded_j: diagnostics.loaded_j,
-            hysteresis_j: diagnostics.hysteresis_j,
-            hysteresis_at_start_j: diagnostics.hysteresis_j,
-            shear_stored_j: slip.shear_stored_j,
+            energy: EnergyParts {
+                stored_j: diagnostics.stored_j,
+                peak_absorbed_j: diagnostics.absorbed_j,
+                hysteresis_j: diagnostics.hysteresis_j,
+                hysteresis_at_start_j: diagnostics.hysteresis_j,
+                shear_stored_j: slip.shear_stored_j,
+            },
             ..touch.contact(scene, patch, ids, arms_m)
         }
     }
@@ -242,18 +248,19 @@ impl Entry<'_> {
         let (parts, work) = (self.parts(), self.work());
         contact.normal_force_n += normal_n * share;
         contact.tangential_force_n += tangential_n * share;
-        contact.normal_impulse_ns += normal_n * constraint.kick_s;
-        contact.tangential_impulse_ns += tangential_n * constraint.kick_s;
+        contact.impulse.normal_ns += normal_n * constraint.kick_s;
+        contact.impulse.tangential_ns += tangential_n * constraint.kick_s;
         contact.peak_normal_force_n = greater(contact.peak_normal_force_n, normal_n);
         contact.peak_depth_m = greater(contact.peak_depth_m, diagnostics.depth_m);
-        contact.peak_loaded_j = greater(contact.peak_loaded_j, diagnostics.loaded_j);
-        contact.hysteresis_j += diagnostics.hysteresis_j;
+        contact.energy.peak_absorbed_j =
+            greater(contact.energy.peak_absorbed_j, diagnostics.absorbed_j);
+        contact.energy.hysteresis_j += diagnostics.hysteresis_j;
         contact.work.normal_j += work.normal_j;
         contact.work.tangential_j += work.tangential_j;
         contact.work.damper_j += work.damper_j;
         contact.work.limiter_j += work.limiter_j;
         contact.parts.add(&parts, share);
-        contact.shear_stored_j = slip.shear_stored_j;
+        contact.energy.shear_stored_j = slip.shear_stored_j;
         contact.shear_m = slip.shear_m;
         contact.limited |= parts.limiter_n > 0.0;
         if friction == Friction::Slip {

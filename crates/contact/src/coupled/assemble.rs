@@ -30,11 +30,11 @@ pub(crate) struct Diagnostics {
     pub(crate) tilt_rad: f64,
     /// The parts of f.
     pub(crate) parts: ForceParts,
-    /// Energy stored in a fender's spring and stop, with its factor [J]; with an unloading law the recoverable part.
+    /// Energy stored in a fender's spring and stop, with its factor (J); with an unloading law the recoverable part.
     pub(crate) stored_j: f64,
-    /// Energy that loads them to their deflection, with its factor [J].
-    pub(crate) loaded_j: f64,
-    /// Heat by a fender's unloading law since the last (sub-)step, with its factor [J].
+    /// Energy that loads them to their deflection, of the loading curve, with its factor (J).
+    pub(crate) absorbed_j: f64,
+    /// Heat by a fender's unloading law since the last (sub-)step, with its factor (J).
     pub(crate) hysteresis_j: f64,
 }
 
@@ -45,7 +45,7 @@ pub(crate) struct Start<'w> {
     pub(crate) moves: &'w [bool],
     pub(crate) inverses: &'w [InverseMatrix],
     pub(crate) velocity_lags_s: &'w [f64],
-    /// Length of the sub-step [s].
+    /// Length of the sub-step (s).
     pub(crate) h: f64,
 }
 
@@ -121,7 +121,7 @@ pub(crate) fn assemble(
     // Kinematics (eq. 9–10) and effective masses (eq. 13–19).
     let movers = Movers::of([a, b].map(|rank| start.moves[rank as usize]));
     let mut touch = touch(&start.scene, aside.clip, patch, face, old, movers);
-    let loaded_j = touch.stored_j;
+    let absorbed_j = touch.stored_j;
     let unloaded = match face {
         Some(face) if face.unloads => apply_unloading(model, face, &mut touch, old),
         _ => None,
@@ -196,7 +196,7 @@ pub(crate) fn assemble(
         | (u32::from(approaching) * PatchMemory::APPROACHING)
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
     if pressed_out && displaced {
-        note(model, aside.events, a, b, EventKind::PutInto);
+        note(model, aside.events, a, b, EventKind::PlacedInOverlap);
     }
     if let Some(diagnostics) = diagnostics {
         let Touch { depth_m, tilt_rad, stored_j, .. } = touch;
@@ -206,7 +206,7 @@ pub(crate) fn assemble(
             tilt_rad,
             parts,
             stored_j: stored_j * factor,
-            loaded_j: loaded_j * factor,
+            absorbed_j: absorbed_j * factor,
             hysteresis_j,
         };
     }
@@ -237,10 +237,10 @@ fn answered(old: Option<&PatchMemory>, displaced: bool, lag_s: f64) -> Answered 
     }
 }
 
-/// γ v_ref of a fender with an unloading law: its reaction falls by that law alone, never because of a speed [m/s].
+/// γ v_ref of a fender with an unloading law: its reaction falls by that law alone, never because of a speed (m/s).
 const UNBOUNDED_MPS: f64 = 1e12;
 
-/// The state of a fender's unloading law: the tops of its plays, and its loss [J].
+/// The state of a fender's unloading law: the tops of its plays, and its loss (J).
 #[derive(Clone, Copy)]
 struct Unloaded {
     tops_j: [f64; PLAYS],
@@ -264,7 +264,7 @@ fn apply_unloading(
     Some(Unloaded { tops_j: unloaded.tops_j, lost_j: unloaded.lost_j })
 }
 
-/// The energy that a contact stores beyond what its last force balances [J]. Between outlines at least a third of f δ: a
+/// The energy that a contact stores beyond what its last force balances (J). Between outlines at least a third of f δ: a
 /// flat side stores half of it, a wedge a third.
 fn unbalanced_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory>) -> f64 {
     let Some(memory) = old else { return 0.0 };
@@ -279,7 +279,7 @@ fn unbalanced_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory
     stored_j * share * share
 }
 
-/// The most energy that a contact may give the bodies: what it has taken from them [J].
+/// The most energy that a contact may give the bodies: what it has taken from them (J).
 ///
 /// A spring whose force is that of the sub-step's start returns a little more than it took, by up to ωh/2. If it gives
 /// nearly all of it back (γ near 1), or the first touch fell deep into a sub-step, bodies would leave faster than they

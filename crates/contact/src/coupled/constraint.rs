@@ -26,32 +26,32 @@ pub(crate) struct Constraint {
     a_floats: bool,
     b_floats: bool,
     pub(crate) movers: Movers,
-    /// n, and the levers of n and t about each body's centre of gravity [m].
+    /// n, and the levers of n and t about each body's centre of gravity (m).
     pub(crate) normal: Vec2,
     levers_a: Levers,
     levers_b: Levers,
-    /// n·K n, t·K n and t·K t: the inverse of the effective mass [1/kg].
+    /// n·K n, t·K n and t·K t: the inverse of the effective mass (1/kg).
     pub(crate) inverse_mass: Seen,
-    /// κ: how long its forces act on the velocities in this sub-step [s].
+    /// κ: how long its forces act on the velocities in this sub-step (s).
     pub(crate) kick_s: f64,
-    /// V_n at the start of the sub-step [m/s].
+    /// V_n at the start of the sub-step (m/s).
     pub(crate) normal_before_mps: f64,
-    /// f, the normal law's force: the upper bound of N [N].
+    /// f, the normal law's force: the upper bound of N (N).
     pub(crate) law_n: f64,
-    /// γ v_ref: V_n⁺ may not fall below its negative [m/s].
+    /// γ v_ref: V_n⁺ may not fall below its negative (m/s).
     pub(crate) rebound_mps: f64,
-    /// The most energy that N may give the bodies in this sub-step [J].
+    /// The most energy that N may give the bodies in this sub-step (J).
     pub(crate) available_j: f64,
-    /// Stored energy that no load balances: see [`super::release`] [J].
+    /// Stored energy that no load balances: see [`super::release`] (J).
     pub(crate) unbalanced_j: f64,
     pub(crate) shear: ShearSpring,
     /// The forces that sweeps begin with; after the solve its result.
     pub(crate) forces: Forces,
-    /// V_n⁺ and V_t⁺ after the solve [m/s].
+    /// V_n⁺ and V_t⁺ after the solve (m/s).
     pub(crate) after: Speeds,
 }
 
-/// N and T of a contact [N], and whether it slips.
+/// N and T of a contact (N), and whether it slips.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Forces {
     pub(crate) normal_n: f64,
@@ -75,7 +75,7 @@ impl Forces {
     }
 }
 
-/// A change of N and T [N].
+/// A change of N and T (N).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Change {
     pub(crate) normal_n: f64,
@@ -86,7 +86,7 @@ impl Change {
     pub(crate) const NONE: Change = Change { normal_n: 0.0, tangential_n: 0.0 };
 }
 
-/// V_n and V_t of a contact [m/s].
+/// V_n and V_t of a contact (m/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Speeds {
     pub(crate) normal_mps: f64,
@@ -97,17 +97,17 @@ pub(crate) struct Speeds {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Laws<'m> {
     pub(crate) material: &'m Material,
-    /// f [N].
+    /// f (N).
     pub(crate) law_n: f64,
-    /// γ v_ref [m/s].
+    /// γ v_ref (m/s).
     pub(crate) rebound_mps: f64,
-    /// The most energy that N, and T, may give the bodies in this sub-step [J].
+    /// The most energy that N, and T, may give the bodies in this sub-step (J).
     pub(crate) available_j: f64,
     pub(crate) shear_available_j: f64,
-    /// Stored energy that no load balances [J].
+    /// Stored energy that no load balances (J).
     pub(crate) unbalanced_j: f64,
     pub(crate) slide: Slide,
-    /// Length of the sub-step, and κ [s].
+    /// Length of the sub-step, and κ (s).
     pub(crate) h: f64,
     pub(crate) kick_s: f64,
 }
@@ -327,7 +327,7 @@ impl Constraint {
         now_n + (normal_n - now_n) * (k.normal / (k.normal + follows))
     }
 
-    /// 1/(h n·K n) [kg/s].
+    /// 1/(h n·K n) (kg/s).
     #[inline]
     pub(crate) fn force_per_speed(&self, h: f64) -> f64 {
         1.0 / (h * self.inverse_mass.normal)
@@ -420,7 +420,7 @@ impl Constraint {
         }
     }
 
-    /// The largest change of its own speeds by a change of its forces [m/s].
+    /// The largest change of its own speeds by a change of its forces (m/s).
     #[inline]
     pub(crate) fn change_mps(&self, more: Change, h: f64) -> f64 {
         let k = &self.inverse_mass;

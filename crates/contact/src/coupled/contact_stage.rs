@@ -29,7 +29,7 @@ pub(crate) struct Constraints {
 pub(crate) struct SolverBuffers {
     /// For Newton acceleration: one a contact of the island.
     trials: Vec<Trial>,
-    /// For release: unbalanced stored energy of each body's contacts with fixed ones, by rank [J].
+    /// For release: unbalanced stored energy of each body's contacts with fixed ones, by rank (J).
     unbalanced_j: Vec<f64>,
 }
 

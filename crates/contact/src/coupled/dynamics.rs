@@ -19,7 +19,7 @@ use crate::neighbours::NeighbourList;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::ranked::Rest;
-use crate::report::{Motion, Wrench};
+use crate::report::{Displacement, Wrench};
 use crate::results::Results;
 use crate::state::{BodyState, Velocity};
 use crate::vec2::{Pose, Rotation};
@@ -49,22 +49,22 @@ pub(crate) struct Dynamics {
     // Velocity dependent.
     /// All forces but contact, of bodies whose mass differs between directions.
     loads: Vec<Wrench>,
-    /// M⁻¹ W [m/s², rad/s²].
+    /// M⁻¹ W (m/s², rad/s²).
     accelerations: Vec<Velocity>,
     /// States at the start of the sub-step. Valid for the bodies of the present group.
     pub(crate) states: Vec<BodyState>,
     /// Before the solve of a sub-step v_free, without contact; after it v⁺.
     pub(crate) velocities: Vec<Velocity>,
-    /// How long before its position each body's velocity belongs to [s]. Negative if the host gave the velocity: then it is
+    /// How long before its position each body's velocity belongs to (s). Negative if the host gave the velocity: then it is
     /// taken to lag by half of this step.
     pub(crate) velocity_lags_s: Vec<f64>,
     /// How far each body has moved in this step. Valid for the bodies of the present group.
-    motions: Vec<Motion>,
+    displacements: Vec<Displacement>,
 
     // Bounds on the motion within this step.
-    /// The largest speed of any point of a body [m/s].
+    /// The largest speed of any point of a body (m/s).
     pub(crate) fastest_mps: Vec<f64>,
-    /// The part of it by acceleration and rotation [m/s].
+    /// The part of it by acceleration and rotation (m/s).
     pub(crate) room_mps: Vec<f64>,
 }
 
@@ -142,7 +142,7 @@ impl Dynamics {
         self.inverses.extend((0..count).map(|rank| model.ranked.rest(rank).inverse));
         self.room_mps.resize(count, 0.0);
         self.fastest_mps.resize(count, 0.0);
-        self.motions.resize(count, Motion::default());
+        self.displacements.resize(count, Displacement::default());
     }
 
     /// Places the bodies that are not settled, lists them as active, and finds the displaced ones. Returns false if a state
@@ -342,15 +342,17 @@ impl Dynamics {
         let count = model.ranked.len();
         let h = sub_step.h;
         let (states, velocities) = (&mut self.states[..count], &self.velocities[..count]);
-        let (motions, lags_s) = (&mut self.motions[..count], &mut self.velocity_lags_s[..count]);
+        let (displacements, lags_s) =
+            (&mut self.displacements[..count], &mut self.velocity_lags_s[..count]);
         let (poses, headings_rad) = (&mut bodies.poses[..count], &mut bodies.headings_rad[..count]);
         for &rank in &group.bodies {
             let rank = rank as usize;
-            let (state, motion, pose) = (&mut states[rank], &mut motions[rank], &mut poses[rank]);
-            let so_far = if sub_step.is_first() { Motion::default() } else { *motion };
+            let (state, displacement, pose) =
+                (&mut states[rank], &mut displacements[rank], &mut poses[rank]);
+            let so_far = if sub_step.is_first() { Displacement::default() } else { *displacement };
             let kick_s = kick_s(lags_s[rank], h);
             lags_s[rank] = 0.5 * h;
-            *motion = moved(so_far, state.velocity(), velocities[rank], kick_s);
+            *displacement = moved(so_far, state.velocity(), velocities[rank], kick_s);
             move_body(state, velocities[rank], h);
             if !model.ranked[rank].is_alike {
                 pose.position_m = state.position_m;
@@ -370,7 +372,7 @@ impl Dynamics {
         for &rank in &group.bodies {
             let id = model.id_of[rank as usize].0 as usize;
             results.states_after[id] = self.states[rank as usize];
-            results.motions[id] = self.motions[rank as usize];
+            results.displacements[id] = self.displacements[rank as usize];
         }
         if self.moving_fixed.is_empty() {
             return;
@@ -419,20 +421,20 @@ impl Dynamics {
             }
             let id = model.id_of[rank].0 as usize;
             let (mut state, body) = (bodies.input[rank], model.ranked.rest(rank));
-            results.motions[id] = if !self.moves[rank] {
-                Motion::default()
+            results.displacements[id] = if !self.moves[rank] {
+                Displacement::default()
             } else if model.ranked[rank].is_fixed() {
                 let velocity = state.velocity();
                 move_body(&mut state, velocity, step_s);
-                moved(Motion::default(), velocity, velocity, step_s)
+                moved(Displacement::default(), velocity, velocity, step_s)
             } else {
                 let kick_s = kick_s(self.velocity_lags_s[rank], step_s);
                 self.velocity_lags_s[rank] = 0.5 * step_s;
                 let (way, turn) = self.accelerations[rank];
                 let (dv, dr) = (way * kick_s, turn * kick_s);
-                let motion = Motion {
-                    way_m: (state.velocity_mps + dv * 0.5) * kick_s,
-                    turn_rad: (state.yaw_rate_radps + 0.5 * dr) * kick_s,
+                let displacement = Displacement {
+                    translation_m: (state.velocity_mps + dv * 0.5) * kick_s,
+                    rotation_rad: (state.yaw_rate_radps + 0.5 * dr) * kick_s,
                 };
                 let velocity = (state.velocity_mps + dv, state.yaw_rate_radps + dr);
                 move_body(&mut state, velocity, step_s);
@@ -440,7 +442,7 @@ impl Dynamics {
                     let after = Rotation::from_angle(state.heading_rad);
                     kirchhoff.turn(&mut state, bodies.poses[rank].rotation, after, step_s);
                 }
-                motion
+                displacement
             };
             results.states_after[id] = state;
         }
@@ -461,11 +463,11 @@ fn free_velocity(state: &BodyState, (way, turn): Velocity, kick_s: f64) -> Veloc
 
 /// The motion after another sub-step, by the mean of the velocities before and after it.
 #[inline(always)]
-fn moved(so_far: Motion, before: Velocity, after: Velocity, kick_s: f64) -> Motion {
+fn moved(so_far: Displacement, before: Velocity, after: Velocity, kick_s: f64) -> Displacement {
     let ((from_mps, from_radps), (to_mps, to_radps)) = (before, after);
-    Motion {
-        way_m: so_far.way_m + (from_mps + to_mps) * (0.5 * kick_s),
-        turn_rad: so_far.turn_rad + (from_radps + to_radps) * (0.5 * kick_s),
+    Displacement {
+        translation_m: so_far.translation_m + (from_mps + to_mps) * (0.5 * kick_s),
+        rotation_rad: so_far.rotation_rad + (from_radps + to_radps) * (0.5 * kick_s),
     }
 }
 

@@ -42,7 +42,7 @@ use crate::events::note;
 use crate::memory::Memory;
 use crate::model::Model;
 use crate::pause::pause;
-use crate::report::{Contact, EventKind, Motion, Wrench};
+use crate::report::{Contact, Displacement, EventKind, Wrench};
 use crate::results::Results;
 use crate::state::BodyState;
 use crate::workspace::Workspace;
@@ -53,9 +53,9 @@ use crate::workspace::Workspace;
 /// the host has them.
 ///
 /// Results are in `work`. [`Workspace::wrenches`] has the *mean* contact wrench over the step, which a host that
-/// integrates by itself adds to its forces; [`Workspace::tell_peaks`] the greatest within it; [`Workspace::states_after`]
+/// integrates by itself adds to its forces; [`Workspace::peak_wrenches_into`] the greatest within it; [`Workspace::states_after`]
 /// the states at the end of the step; [`Workspace::contacts`] mean forces and true peaks. Hosts that let the engine move
-/// their bodies call [`advance_on`] or [`advance_in_place`], which know to which time the velocities belong.
+/// their bodies call [`advance_from_engine_states`] or [`advance_in_place`], which know to which time the velocities belong.
 ///
 /// A step of 0 s, of a host that is paused, does not change `memory`. The states after it are the input states; wrenches
 /// and contacts are those of the last step, without work and events.
@@ -85,7 +85,7 @@ pub fn advance(
 ///
 /// # Errors
 /// As [`advance`].
-pub fn advance_on(
+pub fn advance_from_engine_states(
     model: &Model,
     memory: &mut Memory,
     work: &mut Workspace,
@@ -97,7 +97,7 @@ pub fn advance_on(
     advance_copy(model, memory, work, &input)
 }
 
-/// As [`advance_on`], and `states` become those at the end of the step. This saves a copy of all states.
+/// As [`advance_from_engine_states`], and `states` become those at the end of the step. This saves a copy of all states.
 /// [`Workspace::states_after`] is empty afterwards.
 ///
 /// ```
@@ -183,7 +183,7 @@ fn begin(
         dynamics.begin(model, memory, input, bodies, displaced, &candidates.neighbours)?;
     if !continues {
         results.states_after.clear();
-        results.motions.resize(model.bodies().len(), Motion::default());
+        results.displacements.resize(model.bodies().len(), Displacement::default());
         constraints.solver.resize(model.ranked.len());
     }
     results.begin_events(model, &displaced.teleported);

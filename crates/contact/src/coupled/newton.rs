@@ -60,7 +60,7 @@ enum NormalBound {
     Open,
 }
 
-/// Forces as lines: their change from now, and their slopes with the speeds, against which they act [N·s/m].
+/// Forces as lines: their change from now, and their slopes with the speeds, against which they act (N·s/m).
 #[derive(Clone, Copy, Debug)]
 struct Line {
     change: Change,

@@ -19,16 +19,16 @@
 use crate::memory::PatchMemory;
 use crate::number::{greater, lesser};
 
-/// V_out: the largest speed at which a contact presses apart bodies that were placed into one another [m/s].
-pub const PRESSED_OUT_MPS: f64 = 0.08;
+/// V_out: the largest speed at which a contact presses apart bodies that were placed into one another (m/s).
+pub const MAX_PUSH_OUT_MPS: f64 = 0.08;
 
 /// a: the acceleration to V_out [m/s²]: a five-hundredth of gravity.
 const ACCELERATION_MPS2: f64 = 0.02;
 
-/// T: the time in which closing bodies are stopped [s].
+/// T: the time in which closing bodies are stopped (s).
 const STOPPING_S: f64 = 2.0;
 
-/// Bodies are pressed out if the stored energy could bring them to this speed [m/s].
+/// Bodies are pressed out if the stored energy could bring them to this speed (m/s).
 const THROWN_OUT_MPS: f64 = 0.5;
 
 /// The fraction of the law's force above which a contact counts as acting by its law. The law's force changes from one
@@ -42,13 +42,13 @@ pub(crate) struct Placement<'m> {
     /// all stored as much as it does.
     pub(crate) contacts: u32,
     pub(crate) old: Option<&'m PatchMemory>,
-    /// The most energy that the contact may give them [J].
+    /// The most energy that the contact may give them (J).
     pub(crate) available_j: f64,
-    /// f [N].
+    /// f (N).
     pub(crate) law_n: f64,
-    /// n·K n without rotation [1/kg].
+    /// n·K n without rotation (1/kg).
     pub(crate) inverse_mass: f64,
-    /// V_n [m/s].
+    /// V_n (m/s).
     pub(crate) v_normal_mps: f64,
     /// γ; `None` for a fender with an unloading law, whose available energy is already reduced by its loss.
     pub(crate) restitution: Option<f64>,
@@ -72,7 +72,7 @@ impl Placement<'_> {
     /// If the law's force is the smaller: pressing out lasts until the bodies close again.
     #[cold]
     fn has_not_closed(&self) -> bool {
-        let hit_mps = if self.restitution.is_none() { PRESSED_OUT_MPS } else { 0.0 };
+        let hit_mps = if self.restitution.is_none() { MAX_PUSH_OUT_MPS } else { 0.0 };
         self.v_normal_mps <= hit_mps
     }
 
@@ -85,25 +85,25 @@ impl Placement<'_> {
         };
         // Small earned energy is ignored: it may come from many small displacements.
         let earned_j = self.old.map_or(0.0, |old| old.taken_j);
-        let created_j = if fastest_mps(earned_j) > PRESSED_OUT_MPS {
+        let created_j = if fastest_mps(earned_j) > MAX_PUSH_OUT_MPS {
             self.available_j - earned_j
         } else {
             self.available_j
         };
         match (fastest_mps(created_j), self.restitution) {
-            (thrown_mps, None) => thrown_mps > PRESSED_OUT_MPS,
+            (thrown_mps, None) => thrown_mps > MAX_PUSH_OUT_MPS,
             (thrown_mps, Some(restitution)) => {
-                thrown_mps > THROWN_OUT_MPS || restitution * thrown_mps > PRESSED_OUT_MPS
+                thrown_mps > THROWN_OUT_MPS || restitution * thrown_mps > MAX_PUSH_OUT_MPS
             }
         }
     }
 }
 
-/// The lower bound on V_n⁺ with its sign changed, in place of γ v_ref [m/s].
+/// The lower bound on V_n⁺ with its sign changed, in place of γ v_ref (m/s).
 pub(crate) fn opening_mps(v_normal_mps: f64, h: f64) -> f64 {
     let slower_mps = h * (ACCELERATION_MPS2 + greater(v_normal_mps, 0.0) / STOPPING_S);
     // A sub-step that is long compared with T stops them.
     let opening_mps =
         lesser(slower_mps, greater(v_normal_mps, 0.0) + h * ACCELERATION_MPS2) - v_normal_mps;
-    lesser(opening_mps, PRESSED_OUT_MPS)
+    lesser(opening_mps, MAX_PUSH_OUT_MPS)
 }

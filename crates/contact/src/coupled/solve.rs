@@ -30,13 +30,13 @@ const SWEEPS: u32 = 400;
 /// Sweeps before each acceleration, and most accelerations.
 const SWEEPS_PER_ACCELERATION: u32 = 6;
 const ACCELERATIONS: u32 = 8;
-/// A sweep that changes no velocity at a contact by more than this has settled [m/s].
+/// A sweep that changes no velocity at a contact by more than this has settled (m/s).
 const SETTLED_MPS: f64 = 1e-13;
-/// A larger change in the last sweep is reported to the user [m/s].
+/// A larger change in the last sweep is reported to the user (m/s).
 pub(crate) const REPORTED_MPS: f64 = 1e-6;
 
 /// Computes the new velocities of an island's `bodies`, from those without contact, and the forces in its `constraints`.
-/// `memories` have the forces that sweeps begin with. Returns the last sweep's largest change of velocity [m/s].
+/// `memories` have the forces that sweeps begin with. Returns the last sweep's largest change of velocity (m/s).
 #[inline]
 pub(crate) fn solve_island(
     bodies: &mut [Velocity],
@@ -63,7 +63,7 @@ pub(crate) fn solve_island(
     change_mps
 }
 
-/// Sweeps over all contacts until they have settled. Returns the last sweep's largest change of velocity [m/s].
+/// Sweeps over all contacts until they have settled. Returns the last sweep's largest change of velocity (m/s).
 fn sweep_until_settled(
     bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
@@ -99,7 +99,7 @@ fn warm_start(
     }
 }
 
-/// Solves each contact in turn, given the forces of all others. Returns the largest change of velocity [m/s].
+/// Solves each contact in turn, given the forces of all others. Returns the largest change of velocity (m/s).
 fn sweep(
     bodies: &mut [Velocity],
     inverses: &[InverseMatrix],

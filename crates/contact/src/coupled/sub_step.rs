@@ -7,7 +7,7 @@ pub(crate) struct SubStep {
     number: u32,
     /// Sub-steps of the step.
     count: u32,
-    /// Its length [s].
+    /// Its length (s).
     pub(crate) h: f64,
     /// Its share of the step.
     pub(crate) share: f64,

@@ -34,7 +34,7 @@ pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 /// What the candidates of an island demand.
 #[derive(Clone, Copy, Default)]
 struct Demand {
-    /// Sum of ω² of their springs and dampers [1/s²].
+    /// Sum of ω² of their springs and dampers (1/s²).
     rate_squared: f64,
     /// The distance that they may close in the step, in sub-steps of the largest travel.
     travel: f64,
@@ -151,7 +151,7 @@ impl Bounded<'_> {
         self.closing_mps(candidate) * self.step_s / (TRAVEL_PER_SUB_STEP * bounds.half_width_m)
     }
 
-    /// A bound on ω² of a fender in contact in one patch [1/s²]. `None` if that exceeds `share`, if the fender may reach its
+    /// A bound on ω² of a fender in contact in one patch (1/s²). `None` if that exceeds `share`, if the fender may reach its
     /// stop in this step, or if more may be closed than in one sub-step.
     #[inline(always)]
     fn slow_rate_squared(
@@ -240,7 +240,7 @@ impl Bounded<'_> {
         })
     }
 
-    /// A bound on the speed at which any two points of the candidate approach each other in this step [m/s].
+    /// A bound on the speed at which any two points of the candidate approach each other in this step (m/s).
     fn closing_mps(&self, candidate: &Candidate) -> f64 {
         let (a, b) = (candidate.a as usize, candidate.b as usize);
         let apart =
@@ -249,7 +249,7 @@ impl Bounded<'_> {
     }
 }
 
-/// A bound on ω² of an existing contact of two outlines in one patch [1/s²]. `share` is what needs no further sub-step.
+/// A bound on ω² of an existing contact of two outlines in one patch (1/s²). `share` is what needs no further sub-step.
 #[inline(always)]
 fn existing_rate_squared(bounds: &Bounds, only: &Patch, share: f64) -> f64 {
     let most = EXISTING * bounds.spring_rate_squared + bounds.damping_rate_squared;
@@ -278,7 +278,7 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
     own
 }
 
-/// A bound on the inverse effective mass of a contact [1/kg].
+/// A bound on the inverse effective mass of a contact (1/kg).
 ///
 /// Twice the value without rotation allows for a contact off the centre. The lever may show that rotation adds less: the
 /// patch lies on the chord, so it moves by half of that at most, and within the smaller body, so it comes no further from

@@ -81,9 +81,9 @@ impl Coulomb {
 /// The paper's shear spring after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shear {
-    /// Δs [m].
+    /// Δs (m).
     pub(crate) shear_m: f64,
-    /// T on body 1 along t [N].
+    /// T on body 1 along t (N).
     pub(crate) force_n: f64,
     pub(crate) friction: Friction,
 }
@@ -110,17 +110,17 @@ pub(crate) fn friction(material: &Material, shear_m: f64, normal_force_n: f64) -
 pub(crate) struct ShearSpring {
     pub(crate) coulomb: Coulomb,
     slide: Slide,
-    /// k_s [N/m].
+    /// k_s (N/m).
     pub(crate) stiffness_npm: f64,
     /// ϑ: see [`implicit_share`].
     implicit: f64,
-    /// T at V_t⁺ = 0 [N].
+    /// T at V_t⁺ = 0 (N).
     pub(crate) force_at_rest_n: f64,
-    /// −dT/dV_t⁺: c = ϑ² k_s h [N·s/m].
+    /// −dT/dV_t⁺: c = ϑ² k_s h (N·s/m).
     pub(crate) slope: f64,
-    /// V_t at the start of the sub-step [m/s].
+    /// V_t at the start of the sub-step (m/s).
     pub(crate) before_mps: f64,
-    /// The most energy that T may give the bodies in this sub-step: what the spring stores [J].
+    /// The most energy that T may give the bodies in this sub-step: what the spring stores (J).
     pub(crate) available_j: f64,
 }
 
@@ -139,16 +139,16 @@ pub(crate) enum Slide {
 /// What a shear spring starts a sub-step with.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShearStart {
-    /// Δs [m].
+    /// Δs (m).
     pub(crate) shear_m: f64,
-    /// V_t [m/s].
+    /// V_t (m/s).
     pub(crate) speed_mps: f64,
-    /// t·K t [1/kg].
+    /// t·K t (1/kg).
     pub(crate) inverse_mass: f64,
-    /// Length of the sub-step [s].
+    /// Length of the sub-step (s).
     pub(crate) h: f64,
     pub(crate) slide: Slide,
-    /// Energy that the spring has taken from the bodies and still stores [J].
+    /// Energy that the spring has taken from the bodies and still stores (J).
     pub(crate) stored_j: f64,
 }
 
@@ -173,13 +173,13 @@ impl ShearSpring {
         }
     }
 
-    /// The spring's force at a V_t⁺, without Coulomb's limit [N].
+    /// The spring's force at a V_t⁺, without Coulomb's limit (N).
     #[inline]
     pub(crate) fn force_n(&self, after_mps: f64) -> f64 {
         self.force_at_rest_n - self.slope * after_mps
     }
 
-    /// The spring's force if V_t⁺ would be `without_mps` at T = 0 [N].
+    /// The spring's force if V_t⁺ would be `without_mps` at T = 0 (N).
     #[inline]
     pub(crate) fn implicit_force_n(&self, without_mps: f64, h: f64, inverse_mass: f64) -> f64 {
         self.force_n(without_mps) / (1.0 + self.slope * h * inverse_mass)
@@ -268,14 +268,14 @@ impl ShearSpring {
         }
     }
 
-    /// ½ k_s Δs² [J].
+    /// ½ k_s Δs² (J).
     #[inline]
     pub(crate) fn stored_j(&self, shear_m: f64) -> f64 {
         0.5 * self.stiffness_npm * shear_m * shear_m
     }
 }
 
-/// ϑ of the shear spring, from k_s t·K t [1/s²].
+/// ϑ of the shear spring, from k_s t·K t (1/s²).
 ///
 /// ½, the midpoint rule, keeps the spring's energy exactly. Backward Euler (1) would damp it by ωh/2 a radian: at the
 /// sub-steps that the normal law needs, a tug that rolls along a ship's side would leave with a yaw rate wrong by a

@@ -12,7 +12,7 @@ use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 const FENDER_CAUTION: f64 = 0.8;
 /// A line at this part of its working load is a caution; at all of it an alarm.
 const LINE_CAUTION: f64 = 0.8;
-/// The fastest closing speed that is no alarm [m/s], at a distance from the fenders [m], as on the pages' docking board
+/// The fastest closing speed that is no alarm (m/s), at a distance from the fenders (m), as on the pages' docking board
 /// (`web/src/views/limits.ts`):
 /// √(v₀² + 2ad), what a ship has that loses 0.002 m/s² and touches with 0.15 m/s. Our choice, no port's rule and no
 /// standard's; 0.15 m/s is about what design tables give a large ship in a sheltered berth (recalled, not read).
@@ -20,7 +20,7 @@ const TOUCH_MPS: f64 = 0.15;
 const SLOWING_MPS2: f64 = 0.002;
 /// A caution is told from this part of it on, as on the pages' docking board.
 const APPROACH_CAUTION: f64 = 2.0 / 3.0;
-/// Approach speeds are told from here on [m].
+/// Approach speeds are told from here on (m).
 const NEAR_M: f64 = 100.0;
 /// Less water under the keel than this part of the draught is a caution; our choice.
 const UNDER_KEEL_SHARE: f64 = 0.1;
@@ -70,7 +70,7 @@ fn alarm_if(is_alarm: bool) -> Level {
     if is_alarm { Level::Alarm } else { Level::Caution }
 }
 
-/// Closing speed that is no alarm at a distance [m/s].
+/// Closing speed that is no alarm at a distance (m/s).
 fn allowed_mps(off_m: f64) -> f64 {
     libm::sqrt(TOUCH_MPS * TOUCH_MPS + 2.0 * SLOWING_MPS2 * greater(off_m, 0.0))
 }

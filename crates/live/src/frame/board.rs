@@ -9,7 +9,7 @@ use crate::message::{BerthEnd, ContactNow, FenderNow, Pair, VesselNow};
 
 use super::Context;
 
-/// At the fenders is who is nearer than this and carried by one [m]: what a docking laser resolves.
+/// At the fenders is who is nearer than this and carried by one (m): what a docking laser resolves.
 const AT_FENDERS_M: f64 = 0.02;
 
 /// Bow and stern of a vessel.

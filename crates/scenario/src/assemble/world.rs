@@ -8,7 +8,7 @@ use fenderline_contact::Vec2;
 use fenderline_sim::environment::Tide;
 use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::mooring::{
-    Fitting, Holding, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch, WinchOrder,
+    InboardEnd, InitialLength, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch, WinchOrder,
 };
 use fenderline_sim::tug::{TugEnvelope, TugOrder, VectorTug};
 use fenderline_sim::{
@@ -138,9 +138,9 @@ impl Assembly<'_, '_> {
                 LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
                 LinePoint::Named(item) => self.bitts(table, item, decks[body])?,
             };
-        let fitting = match (table.item("length"), table.item("pretension")) {
-            (Some(length), None) => Fitting::Length(*length.number()),
-            (None, Some(tension)) => Fitting::Pretension(*tension.number()),
+        let initial_length = match (table.item("length"), table.item("pretension")) {
+            (Some(length), None) => InitialLength::Outboard(*length.number()),
+            (None, Some(tension)) => InitialLength::FromPretension(*tension.number()),
             (given, _) => {
                 let path = table.path_of("pretension");
                 let both = given.is_some();
@@ -163,11 +163,11 @@ impl Assembly<'_, '_> {
             line: LineSetup {
                 name: name.to_owned(),
                 kind: LineKind::Light { main: rope(table), tail },
-                holding: match table.given("winch").flag() {
-                    true => Holding::Winch(winch),
-                    false => Holding::Bitts,
+                inboard_end: match table.given("winch").flag() {
+                    true => InboardEnd::Winch(winch),
+                    false => InboardEnd::Bitts,
                 },
-                fitting,
+                initial_length,
             },
             ship,
             fairlead_m,
@@ -308,7 +308,7 @@ impl Assembly<'_, '_> {
         Ok(match what.name {
             "rudder" => Action::Rudder(*what.number()),
             "engine" => Action::Engine(*what.number()),
-            "telegraph" => Action::Engine(Telegraph::ALL[*what.choice()].revolutions_ratio()),
+            "telegraph" => Action::Engine(what.choice::<Telegraph>().revolutions_ratio()),
             "thruster" => {
                 let of = what.table();
                 let name = of.given("name");
@@ -369,7 +369,7 @@ impl Assembly<'_, '_> {
 
 /// Where a line ends.
 enum LinePoint<'t> {
-    /// From the body's origin, and above the water [m].
+    /// From the body's origin, and above the water (m).
     At(Vec2, f64),
     /// A chock or bitts.
     Named(&'t Item),
@@ -426,11 +426,6 @@ fn to_line(index: usize, what: &Item) -> Action {
 }
 
 fn rope(table: &Table) -> Rope {
-    let curve = match table.given("rope").choice() {
-        0 => RopeCurve::wire(),
-        1 => RopeCurve::hmpe(),
-        2 => RopeCurve::polyester(),
-        _ => RopeCurve::nylon(),
-    };
-    Rope { break_load_n: *table.given("break_load").number(), curve }
+    let curve: fn() -> RopeCurve = table.given("rope").choice();
+    Rope { break_load_n: *table.given("break_load").number(), curve: curve() }
 }

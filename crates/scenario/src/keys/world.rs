@@ -1,10 +1,13 @@
 //! Keys of tugs, lines and orders.
 
+use fenderline_sim::hydro::actuator::Telegraph;
+use fenderline_sim::mooring::RopeCurve;
 use serde_json::json;
 
 use super::POSITION_M;
+use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 pub(crate) const LENGTH: Quantity = Quantity { measure: &unit::LENGTH, low: 0.01, high: 5000.0 };
@@ -206,15 +209,12 @@ static TAIL: TableSpec = TableSpec {
     rules: None,
 };
 
-/// In the order that [`crate::assemble`] relies on.
-static ROPES: Choices = Choices {
-    words: &[
-        ("wire", "steel wire with a steel core"),
-        ("hmpe", "high-modulus polyethylene"),
-        ("polyester", "polyester"),
-        ("nylon", "nylon, as tails are made of"),
-    ],
-};
+static ROPES: Choices<fn() -> RopeCurve> = Choices(&[
+    Choice { word: "wire", value: RopeCurve::wire, doc: "steel wire with a steel core" },
+    Choice { word: "hmpe", value: RopeCurve::hmpe, doc: "high-modulus polyethylene" },
+    Choice { word: "polyester", value: RopeCurve::polyester, doc: "polyester" },
+    Choice { word: "nylon", value: RopeCurve::nylon, doc: "nylon, as tails are made of" },
+]);
 
 pub(crate) static ORDER: TableSpec = TableSpec {
     what: "an order",
@@ -393,20 +393,22 @@ const FORCE0: Quantity = Quantity { measure: &unit::FORCE, low: 0.0, high: 1e8 }
 const RATE: Quantity = Quantity { measure: &unit::SPEED, low: 0.0, high: 20.0 };
 
 /// In the order of [`fenderline_sim::hydro::actuator::Telegraph::ALL`].
-static TELEGRAPH: Choices = Choices {
-    words: &[
-        ("full astern", "70 % of full revolutions astern"),
-        ("half astern", "55 % astern"),
-        ("slow astern", "40 % astern"),
-        ("dead slow astern", "30 % astern"),
-        ("stop", "stop"),
-        ("dead slow ahead", "30 % ahead"),
-        ("slow ahead", "40 % ahead"),
-        ("half ahead", "55 % ahead"),
-        ("full ahead", "70 % ahead: manoeuvring full"),
-        ("navigation full", "full revolutions"),
-    ],
-};
+static TELEGRAPH: Choices<Telegraph> = Choices(&[
+    Choice {
+        word: "full astern",
+        value: Telegraph::FullAstern,
+        doc: "70 % of full revolutions astern",
+    },
+    Choice { word: "half astern", value: Telegraph::HalfAstern, doc: "55 % astern" },
+    Choice { word: "slow astern", value: Telegraph::SlowAstern, doc: "40 % astern" },
+    Choice { word: "dead slow astern", value: Telegraph::DeadSlowAstern, doc: "30 % astern" },
+    Choice { word: "stop", value: Telegraph::Stop, doc: "stop" },
+    Choice { word: "dead slow ahead", value: Telegraph::DeadSlowAhead, doc: "30 % ahead" },
+    Choice { word: "slow ahead", value: Telegraph::SlowAhead, doc: "40 % ahead" },
+    Choice { word: "half ahead", value: Telegraph::HalfAhead, doc: "55 % ahead" },
+    Choice { word: "full ahead", value: Telegraph::FullAhead, doc: "70 % ahead: manoeuvring full" },
+    Choice { word: "navigation full", value: Telegraph::NavigationFull, doc: "full revolutions" },
+]);
 
 static THRUSTER_ORDER: TableSpec = TableSpec {
     what: "an order to a thruster",

@@ -9,7 +9,7 @@ use crate::tug::TugOrder;
 /// An order at a time of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Order {
-    /// When [s].
+    /// When (s).
     pub at_s: f64,
     /// Index into [`crate::WorldSetup::vessels`].
     pub vessel: usize,
@@ -20,7 +20,7 @@ pub struct Order {
 /// What an order asks for. A hand on a control takes it from the pilot that had it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Rudder angle, positive turns to starboard going ahead [rad].
+    /// Rudder angle, positive turns to starboard going ahead (rad).
     Rudder(f64),
     /// Revolutions over full ones, −1 to 1.
     Engine(f64),
@@ -32,13 +32,13 @@ pub enum Action {
         unit: usize,
         /// Thrust over that at rest and full power, 0 to 1.
         power: Option<f64>,
-        /// Direction of the thrust from the bow, positive to starboard [rad].
+        /// Direction of the thrust from the bow, positive to starboard (rad).
         direction_rad: Option<f64>,
     },
-    /// Keep a heading with the rudder, or with the azimuth units where there is none [rad].
+    /// Keep a heading with the rudder, or with the azimuth units where there is none (rad).
     Course(f64),
     /// Keep a speed ahead through the water with the engine, or with the azimuth units where there is
-    /// none [m/s].
+    /// none (m/s).
     Speed(f64),
     /// Go to a place and stay there with engine, thrusters and tugs.
     Station(Station),
@@ -57,10 +57,10 @@ pub enum Action {
 /// Where a ship shall go, and how fast at most.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
-    /// Place of the centre of gravity [m].
+    /// Place of the centre of gravity (m).
     pub position_m: Vec2,
-    /// Heading [rad].
+    /// Heading (rad).
     pub heading_rad: f64,
-    /// The fastest surge and sway [m/s].
+    /// The fastest surge and sway (m/s).
     pub fastest_mps: [f64; 2],
 }
