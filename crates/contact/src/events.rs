@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::fender::{FenderId, RankedFender};
-use crate::inherit::Inherited;
+use crate::inherited::Inherited;
 use crate::memory::{PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
 use crate::number::lesser;

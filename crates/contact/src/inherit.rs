@@ -8,6 +8,7 @@ use alloc::vec::Vec;
 
 use crate::candidates::Candidate;
 use crate::events::{note, tell_ends_and_splits};
+use crate::inherited::Inherited;
 use crate::memory::{Past, PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
 use crate::number::greater;
@@ -21,36 +22,6 @@ pub(crate) struct Inheritance {
     pub(crate) inherited: Vec<Inherited>,
     /// Memories made from parts of old ones.
     pub(crate) shares: Vec<PatchMemory>,
-}
-
-/// What a patch inherits from the last step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Inherited {
-    /// Nothing: a new contact.
-    Nothing,
-    /// One old patch, unchanged: its place in the last step's patches.
-    One(u32),
-    /// A share of one old patch that has split: its place in [`Inheritance::shares`].
-    Part(u32),
-    /// Several old patches that have merged: their mean shear, weighted by area (the shear is a displacement: it neither
-    /// adds up nor is lost), and the largest speed at first touch. Its place in [`Inheritance::shares`].
-    Merged(u32),
-}
-
-impl Inherited {
-    /// The memory itself; `old` are the last step's patches.
-    #[inline]
-    pub(crate) fn of<'m>(
-        self,
-        old: &'m [PatchMemory],
-        shares: &'m [PatchMemory],
-    ) -> Option<&'m PatchMemory> {
-        match self {
-            Inherited::Nothing => None,
-            Inherited::One(place) => Some(&old[place as usize]),
-            Inherited::Part(place) | Inherited::Merged(place) => Some(&shares[place as usize]),
-        }
-    }
 }
 
 impl Inheritance {
@@ -71,7 +42,17 @@ impl Inheritance {
         let last = past.patches;
         let mut old = &last[matched..];
         let mut patches = &patches[matched..];
-        while let Some(Patch { candidate, of, .. }) = patches.first().copied() {
+        loop {
+            // Most patches continue the old one in its place. Matching them first saves 12 % of the paper's method.
+            if past.displaced.teleported.is_empty() {
+                let count = (0..patches.len().min(old.len()))
+                    .take_while(|&index| continues_alone(patches, old, index))
+                    .count();
+                let place = (last.len() - old.len()) as u32;
+                self.inherited.extend((place..place + count as u32).map(Inherited::One));
+                (patches, old) = (&patches[count..], &old[count..]);
+            }
+            let Some(Patch { candidate, of, .. }) = patches.first().copied() else { break };
             let Candidate { a, b, .. } = candidate;
             let count = patches.iter().take_while(|patch| patch.of == of).count();
             let (of_pair, rest) = patches.split_at(count);

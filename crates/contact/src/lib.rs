@@ -154,6 +154,7 @@ mod fender;
 mod geometry;
 mod host;
 mod inherit;
+mod inherited;
 mod kirchhoff;
 mod law;
 mod limit;

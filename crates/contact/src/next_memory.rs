@@ -25,10 +25,12 @@ impl NextMemory {
         self.hints.sort_unstable_by_key(HintMemory::key);
     }
 
-    /// Exchanges its lists with those of the memory.
-    pub(crate) fn exchange(&mut self, memory: &mut Memory) {
+    /// Exchanges its lists with those of the memory; `keeps_hints` if the memory's hints stay as they are.
+    pub(crate) fn exchange(&mut self, memory: &mut Memory, keeps_hints: bool) {
         core::mem::swap(&mut memory.patches, &mut self.patches);
         core::mem::swap(&mut memory.places, &mut self.places);
-        core::mem::swap(&mut memory.hints, &mut self.hints);
+        if !keeps_hints {
+            core::mem::swap(&mut memory.hints, &mut self.hints);
+        }
     }
 }

@@ -7,7 +7,7 @@ use crate::error::StepError;
 use crate::events::tell_of_patch;
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
-use crate::inherit::Inherited;
+use crate::inherited::Inherited;
 use crate::law::friction;
 use crate::law::normal::{damper_n, factor, normal_force};
 use crate::limit::effective_mass::inverse_mass;
@@ -63,7 +63,8 @@ pub fn step(
     // 3. Narrow phase: S, C and n of each patch (§3.1), and its memory.
     let past = memory.past(displaced);
     let hints = Hints::new(past.hints, &mut next_memory.hints);
-    overlap::overlap(model, bodies, &candidates.pairings, 0, hints, clip, overlap);
+    let pairings = &candidates.pairings;
+    let keeps_hints = overlap::overlap(model, bodies, pairings, 0, hints, clip, overlap);
     let (patches, places) = (overlap.patches.as_slice(), overlap.places.as_slice());
     inheritance.find(model, past, patches, places, 0, &mut results.events);
     PlaceMemory::add_all(patches, places, &mut next_memory.places);
@@ -77,7 +78,7 @@ pub fn step(
     }
 
     // The step is done: its memory becomes that of the next.
-    next_memory.exchange(memory);
+    next_memory.exchange(memory, keeps_hints);
     core::mem::swap(&mut memory.last_states, &mut bodies.input);
     memory.last_step_s = step_s;
     memory.placed.clear();

@@ -95,6 +95,7 @@ impl Reports<'_> {
         let both = constraints.iter().zip(memories);
         let solved = patches.iter().zip(both.zip(diagnostics));
         let is_first = self.contacts.len() == self.first;
+        self.contacts.reserve(if is_first { patches.len() } else { 0 });
         for (index, (patch, ((constraint, memory), diagnostics))) in solved.enumerate() {
             let ids = scene.model.ids_of([constraint.a, constraint.b]);
             let slip = totals.add(ids, constraint, memory);

@@ -8,7 +8,7 @@ use crate::coupled::press_out::{Placement, opening_mps};
 use crate::events::{note, tell_of_patch};
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
-use crate::inherit::Inherited;
+use crate::inherited::Inherited;
 use crate::law::damper::{Answered, Growth, damper};
 use crate::law::friction::Slide;
 use crate::law::normal::{factor, normal_force};

@@ -39,7 +39,7 @@ pub(crate) struct Dynamics {
     pub(crate) moves: Vec<bool>,
     /// Fixed bodies with a velocity.
     pub(crate) moving_fixed: Vec<MovingFixed>,
-    /// Bodies in islands. Computed by `Group::enter`.
+    /// Bodies in islands. Set by `Group::enter`.
     pub(crate) in_island: Vec<bool>,
 
     // Position dependent.
@@ -264,12 +264,13 @@ impl Dynamics {
         list_holds
     }
 
-    /// Begins a sub-step of a group: states at its start, and v_free.
+    /// Begins a sub-step of a group: states at its start, and v_free. `islands` are those of the group, if they have more
+    /// than one floating body.
     pub(crate) fn begin_sub_step(
         &mut self,
         model: &Model,
         group: &Group,
-        islands: &[Island],
+        islands: Option<&[Island]>,
         patches: &[Patch],
         input: &[BodyState],
         sub_step: SubStep,
@@ -283,8 +284,8 @@ impl Dynamics {
                 }
             }
         }
-        let changed =
-            sub_step.is_first() && group.joined && self.agree(model, group, islands, patches);
+        let changed = sub_step.is_first()
+            && islands.is_some_and(|islands| self.agree(model, group, islands, patches));
         // `begin` has computed v_free for a sub-step that is the whole step.
         if changed || !sub_step.is_only() {
             self.free_velocities(group, sub_step.h);

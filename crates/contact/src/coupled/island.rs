@@ -4,9 +4,8 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use crate::bodies::{Bodies, Displaced, NONE_DISPLACED};
+use crate::bodies::{Displaced, NONE_DISPLACED};
 use crate::candidates::Pairing;
-use crate::coupled::dynamics::Dynamics;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::next_memory::NextMemory;
@@ -44,8 +43,6 @@ pub(crate) struct Group {
     pub(crate) patches: Range<usize>,
     /// Ranks of its moving bodies, ascending.
     pub(crate) bodies: Vec<u32>,
-    /// Some of its islands have more than one floating body.
-    pub(crate) joined: bool,
     /// Where its patches, places and hints begin in the next memory.
     pub(crate) first_patch: usize,
     pub(crate) first_place: usize,
@@ -169,29 +166,27 @@ pub(crate) fn set_patches(islands: &mut [Island], patches: &[Patch]) {
 }
 
 impl Group {
-    /// Sets the group to these islands, with its moving bodies; places fixed bodies that move at their input poses.
+    /// Sets the group to these islands, with their moving bodies, which are marked in `in_island`. `one_each`: each island
+    /// has one moving body.
     pub(crate) fn enter(
         &mut self,
         islands: &[Island],
-        joined: bool,
         candidates: &[Pairing],
-        bodies: &mut Bodies,
-        dynamics: &mut Dynamics,
+        one_each: bool,
+        moves: &[bool],
+        in_island: &mut [bool],
     ) {
         let ([first, ..], [.., last]) = (islands, islands) else { return };
         self.candidates = first.candidates().start..last.candidates().end;
         self.patches = first.patches.start as usize..last.patches.end as usize;
-        self.joined = joined;
-        let own = &candidates[self.candidates.clone()];
-        dynamics.reset_moving_fixed(bodies, own);
         self.bodies.clear();
-        if joined || !dynamics.moving_fixed.is_empty() {
-            return self.find_bodies(own, dynamics);
+        if !one_each {
+            return self.find_bodies(&candidates[self.candidates.clone()], moves, in_island);
         }
-        // Each island has one floating body, by whose rank it is known, and they are in the order of these.
+        // An island is known by the rank of that body, and they are in the order of these.
         for island in islands {
             let rank = candidates[island.candidates().start].island;
-            dynamics.in_island[rank as usize] = true;
+            in_island[rank as usize] = true;
             self.bodies.push(rank);
         }
     }
@@ -206,9 +201,7 @@ impl Group {
 
     /// Lists the moving bodies of these candidates.
     #[inline(never)]
-    fn find_bodies(&mut self, candidates: &[Pairing], dynamics: &mut Dynamics) {
-        let Dynamics { in_island, moves, .. } = dynamics;
-        let in_island = in_island.as_mut_slice();
+    fn find_bodies(&mut self, candidates: &[Pairing], moves: &[bool], in_island: &mut [bool]) {
         let moves = &moves[..in_island.len()];
         let (mut last, mut in_order) = (0, true);
         for Pairing { candidate, .. } in candidates {

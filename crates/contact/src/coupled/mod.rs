@@ -208,7 +208,7 @@ fn carry_out(
     islands.split(model, &mut candidates.pairings);
 
     // 3–6. Overlaps, laws, solve and motion, in sub-steps (see `SubSteps::sub_step`).
-    advance_islands(model, memory, work, step_s);
+    let keeps_hints = advance_islands(model, memory, work, step_s);
     let Workspace { bodies, dynamics, islands, next_memory, results, .. } = work;
     dynamics.drift(model, bodies, step_s, results);
     if !islands.in_order {
@@ -219,7 +219,7 @@ fn carry_out(
     results.layout = Some(model.layout);
 
     // The step is done: its memory becomes that of the next.
-    next_memory.exchange(memory);
+    next_memory.exchange(memory, keeps_hints);
     core::mem::swap(&mut memory.last_states, &mut bodies.input);
     memory.last_step_s = step_s;
     memory.placed.clear();
@@ -228,8 +228,9 @@ fn carry_out(
     Ok(())
 }
 
-/// Moves all islands through the step: together if they are in the order of the memory, else one by one.
-fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) {
+/// Moves all islands through the step: together if they are in the order of the memory, else one by one. Returns true if
+/// all hints of the memory stay as they are.
+fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s: f64) -> bool {
     let Workspace { displaced, islands, kept, gathered, overlap, candidates, .. } = work;
     if islands.list.is_empty() || !islands.in_order {
         end_contacts_of_teleported(model, memory, candidates, displaced, &mut work.results);
@@ -259,8 +260,11 @@ fn advance_islands(model: &Model, memory: &Memory, work: &mut Workspace, step_s:
         // Other islands have moved them.
         sub_steps.dynamics.reset_moving_fixed(sub_steps.bodies, own);
         let past = gathered.past(memory.last_step_s, displaced);
-        sub_steps.advance(past, core::slice::from_mut(island), overlap, kept, step_s);
+        if sub_steps.advance(past, core::slice::from_mut(island), overlap, kept, step_s) {
+            sub_steps.next_memory.hints.extend_from_slice(past.hints);
+        }
     }
+    false
 }
 
 /// Reports the end of contacts whose pairs are no candidates any more. [`crate::inherit`] does not see these; they exist

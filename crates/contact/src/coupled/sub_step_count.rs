@@ -79,6 +79,7 @@ impl Bounded<'_> {
     }
 
     /// The number of sub-steps of an island. Takes its patches off those that are left.
+    #[inline(always)]
     fn sub_steps(&self, island: &Island, left: &mut &[Patch]) -> u32 {
         let turn = self.step_s * (1.0 / TURN_PER_SUB_STEP);
         let pairings = &self.candidates.pairings[island.candidates()];

@@ -61,6 +61,7 @@ impl SubSteps<'_> {
     /// the start of the step.
     ///
     /// Neighbouring islands with the same number of sub-steps go through them together, each stage over all contacts.
+    /// Returns true if all hints in `past` stay as they are. They are not added to the next memory then.
     pub(crate) fn advance(
         &mut self,
         past: Past<'_>,
@@ -68,45 +69,60 @@ impl SubSteps<'_> {
         first: &mut Overlap,
         kept: &mut Kept,
         step_s: f64,
-    ) {
-        let ([head, ..], [.., last]) = (&*islands, &*islands) else { return };
+    ) -> bool {
+        let ([head, ..], [.., last]) = (&*islands, &*islands) else { return false };
         let (model, pairings) = (self.model, self.candidates.pairings.as_slice());
         let range = head.candidates().start..last.candidates().end;
         let Kept { first_hints, later } = kept;
         first_hints.clear();
         let hints = Hints::new(past.hints, first_hints);
         let own = &pairings[range.clone()];
-        overlap(model, self.bodies, own, range.start, hints, self.clip, first);
+        let keeps_hints = overlap(model, self.bodies, own, range.start, hints, self.clip, first);
+        let hints = if keeps_hints { past.hints } else { first_hints };
         let bounded = Bounded {
             model,
             bodies: self.bodies,
             dynamics: self.dynamics,
             candidates: self.candidates,
-            hints: first_hints,
+            hints,
             step_s,
         };
         bounded.set_sub_steps(&first.patches, islands);
 
-        let mut rest = Past { hints: first_hints, ..past };
+        let mut all_stay = false;
+        let mut rest = Past { hints, ..past };
         for group in islands.chunk_by_mut(|one, next| one.sub_steps == next.sub_steps) {
-            self.group.enter(group, self.joined, pairings, self.bodies, self.dynamics);
-            self.group.begin_lists(self.next_memory, self.results);
+            self.enter(group);
             let end = self.group.candidates.end;
             let next = (end < range.end).then(|| pairings[end].candidate.key());
             let past = rest.before(next);
-            if group[0].sub_steps == 1 {
-                self.whole_step(past, group, first, step_s);
-            } else {
+            if group[0].sub_steps > 1 {
                 self.several(past, group, first, later, step_s);
+            } else {
+                SubStep::all(1, step_s).for_each(|whole| self.sub_step(past, first, group, whole));
+                let is_all = self.group.candidates == range;
+                if keeps_hints && is_all {
+                    // A later step that copies them does not allocate then.
+                    self.next_memory.hints.reserve(past.hints.len());
+                    all_stay = true;
+                } else {
+                    self.next_memory.hints.extend_from_slice(past.hints);
+                }
             }
             self.dynamics.report(model, self.group, self.results);
         }
+        all_stay
     }
 
-    /// A group whose only sub-step is the whole step.
-    fn whole_step(&mut self, past: Past<'_>, islands: &[Island], overlap: &Overlap, step_s: f64) {
-        SubStep::all(1, step_s).for_each(|whole| self.sub_step(past, overlap, islands, whole));
-        self.next_memory.hints.extend_from_slice(past.hints);
+    /// Begins a group of islands.
+    fn enter(&mut self, islands: &[Island]) {
+        let pairings = self.candidates.pairings.as_slice();
+        let Dynamics { moves, in_island, moving_fixed, .. } = &mut *self.dynamics;
+        let one_each = !self.joined && moving_fixed.is_empty();
+        self.group.enter(islands, pairings, one_each, moves, in_island);
+        self.group.begin_lists(self.next_memory, self.results);
+        let own = &pairings[self.group.candidates.clone()];
+        self.dynamics.reset_moving_fixed(self.bodies, own);
     }
 
     /// A group that takes several sub-steps. `first` is the overlap of the first of them.
@@ -130,7 +146,10 @@ impl SubSteps<'_> {
                 let hints = Hints::new(&last.hints, &mut self.next_memory.hints);
                 let start = self.group.candidates.start;
                 let bodies = &*self.bodies;
-                overlap(self.model, bodies, pairings, start, hints, self.clip, later_overlap);
+                let (model, clip) = (self.model, &mut *self.clip);
+                if overlap(model, bodies, pairings, start, hints, clip, later_overlap) {
+                    self.next_memory.hints.extend_from_slice(&last.hints);
+                }
                 self.group.patches = 0..later_overlap.patches.len();
                 island::set_patches(islands, &later_overlap.patches);
                 self.sub_step(last.within_step(sub_step.h), later_overlap, islands, sub_step);
@@ -156,7 +175,8 @@ impl SubSteps<'_> {
         let patches = &overlap.patches[group.patches.clone()];
 
         // v_free = v + κ M⁻¹ W: velocities by the loads alone.
-        dynamics.begin_sub_step(model, group, islands, patches, &bodies.input, sub_step);
+        let joined = self.joined.then_some(islands);
+        dynamics.begin_sub_step(model, group, joined, patches, &bodies.input, sub_step);
 
         // 4. The laws of the contacts (eq. 2–10) as constraints, from what each inherits.
         let first_patch = next_memory.patches.len();
