@@ -3,7 +3,8 @@
 use alloc::vec::Vec;
 
 use crate::fender::RankedFender;
-use crate::model::{MaterialId, Model};
+use crate::material::MaterialId;
+use crate::model::Model;
 use crate::neighbours::NeighbourList;
 use crate::pair::Bounds;
 

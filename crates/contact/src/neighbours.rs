@@ -6,7 +6,8 @@
 
 use alloc::vec::Vec;
 
-use crate::model::{MaterialId, Model};
+use crate::material::MaterialId;
+use crate::model::Model;
 use crate::pair::{Bounds, RankedPair};
 use crate::vec2::{Pose, Vec2};
 

@@ -1,6 +1,7 @@
 //! Two bodies that may touch: constants of the pair.
 
-use crate::model::{MaterialId, Model};
+use crate::material::MaterialId;
+use crate::model::Model;
 use crate::number::lesser;
 use crate::ranked::RankedBody;
 

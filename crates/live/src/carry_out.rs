@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use fenderline_contact::{Vec2, vec2};
+use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::{MeanWind, Wind, WindProfile};
 use fenderline_sim::mooring::WinchOrder;
@@ -16,8 +17,8 @@ use crate::refusal::Refusal;
 
 /// A tug's fastest beside a ship that she pushes or pulls, and beside one that she follows (m/s): 2 and 4 knots, the
 /// defaults of the scenario's keys.
-const PUSH_MPS: f64 = 2.0 * 1852.0 / 3600.0;
-const FOLLOW_MPS: f64 = 4.0 * 1852.0 / 3600.0;
+const PUSH_MPS: f64 = 2.0 * KNOT_MPS;
+const FOLLOW_MPS: f64 = 4.0 * KNOT_MPS;
 
 /// The controls that a hand was on: the scenario's timed orders move them no more.
 #[derive(Clone, Debug, Default, PartialEq)]

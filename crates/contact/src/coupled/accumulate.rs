@@ -5,8 +5,9 @@ use alloc::vec::Vec;
 use crate::coupled::assemble::Diagnostics;
 use crate::coupled::constraint::{Constraint, Forces, Side};
 use crate::coupled::sub_step::SubStep;
+use crate::material::BodyId;
 use crate::memory::PatchMemory;
-use crate::model::{BodyId, Model};
+use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::report::{

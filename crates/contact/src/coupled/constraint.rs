@@ -5,7 +5,7 @@
 
 use crate::law::friction::{ShearSpring, ShearStart, Slide};
 use crate::mass::{InverseMatrix, Seen};
-use crate::model::Material;
+use crate::material::Material;
 use crate::number::{greater, lesser};
 use crate::report::Friction;
 use crate::state::Velocity;

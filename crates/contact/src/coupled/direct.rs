@@ -218,7 +218,7 @@ mod tests {
     use super::*;
     use crate::coupled::constraint::{Forces, Laws};
     use crate::law::friction::Slide;
-    use crate::model::Material;
+    use crate::material::Material;
     use crate::report::Friction;
     use crate::touch::Touch;
     use alloc::vec::Vec;

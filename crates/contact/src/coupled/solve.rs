@@ -164,7 +164,7 @@ mod tests {
     use super::*;
     use crate::coupled::constraint::Laws;
     use crate::law::friction::Slide;
-    use crate::model::Material;
+    use crate::material::Material;
     use crate::number::bounded;
     use crate::touch::Touch;
     use crate::vec2::vec2;

@@ -4,7 +4,7 @@ use crate::bodies::Bodies;
 use crate::candidates::{Candidate, Candidates, Pairing};
 use crate::coupled::dynamics::Dynamics;
 use crate::coupled::island::Island;
-use crate::fender::{FenderBounds, FenderLaw, RankedFender};
+use crate::fender::{FenderBounds, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::memory::HintMemory;
@@ -13,6 +13,7 @@ use crate::number::{bounded, greater, lesser};
 use crate::overlap::{Patch, pieces_of};
 use crate::pair::{Bounds, InverseMassBound};
 use crate::ranked::RankedBody;
+use crate::reaction::FenderLaw;
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
 /// costs at most (ωh)²/2 of the depth: 0.5 % here, and less as the bounds on ω below are wide.

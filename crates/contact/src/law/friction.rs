@@ -4,7 +4,7 @@
 //! itself; both methods use it. [`friction`] is the explicit form of the paper's method. [`ShearSpring`] is the implicit
 //! form of the coupled method, whose solver varies T and N together.
 
-use crate::model::Material;
+use crate::material::Material;
 use crate::number::bounded;
 use crate::report::Friction;
 

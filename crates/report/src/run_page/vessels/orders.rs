@@ -1,12 +1,13 @@
 //! The orders of a run, in time.
 
+use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::mooring::WinchOrder;
 use fenderline_sim::tug::TugOrder;
 use fenderline_sim::{Action, Assist, Job, Order, Setup};
 use maud::{Markup, html};
 
 use crate::plot::{fixed, plain};
-use crate::run_page::tables::{KNOT_MPS, ROWS, heading, more, number};
+use crate::run_page::tables::{ROWS, heading, more, number};
 use fenderline_results::Outcome;
 
 /// One row an order, in the order of time.
