@@ -219,6 +219,8 @@ fn point(x: f64, y: f64) -> Markup {
 
 #[cfg(test)]
 mod tests {
+    use fenderline_contact::vec2;
+
     use super::*;
 
     fn plan(frame: Frame) -> String {
