@@ -59,7 +59,10 @@ impl HostWorkspace {
     /// Adds the events of mass mismatches.
     pub(super) fn report_mass_mismatches(&mut self) {
         for &body in &self.mass_mismatches {
-            self.engine.events.push(Event { bodies: [body, body], kind: EventKind::MassMismatch });
+            self.engine
+                .results
+                .events
+                .push(Event { bodies: [body, body], kind: EventKind::MassMismatch });
         }
     }
 
