@@ -2,8 +2,9 @@
 
 use alloc::vec::Vec;
 
-use crate::fender::{FenderId, RankedFender};
+use crate::fender::RankedFender;
 use crate::inherit::{Inherited, continues};
+use crate::material::FenderId;
 use crate::memory::{PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
 use crate::number::lesser;

@@ -156,6 +156,7 @@ mod inherit;
 mod law;
 mod limit;
 mod mass;
+mod material;
 mod memory;
 mod model;
 mod near;
@@ -165,6 +166,7 @@ mod overlap;
 mod pairing;
 mod pause;
 mod ranked;
+mod reaction;
 mod report;
 mod snapshot;
 mod state;
@@ -177,13 +179,15 @@ mod workspace;
 pub use coupled::press_out::MAX_PUSH_OUT_MPS;
 pub use coupled::{advance, advance_from_engine_states, advance_in_place};
 pub use error::{DisplayNumber, ModelError, RestoreError, StepError};
-pub use fender::{Fender, FenderId, FenderLaw, ReactionFactors, Stop};
+pub use fender::{Fender, ReactionFactors, Stop};
 pub use geometry::clip::{Clip, PairClip};
 pub use geometry::convex::ConvexPolygon;
 pub use host::{CoSimHost, DirectHost, HostIntegration, HostSettings, HostWorkspace};
+pub use material::{BodyId, FenderId, Material, MaterialId};
 pub use memory::Memory;
-pub use model::{Body, BodyId, Material, MaterialId, Mobility, Model, ModelBuilder, Pair};
+pub use model::{Body, Mobility, Model, ModelBuilder, Pair};
 pub use outline::{Outline, OutlineError, OutlineNotice};
+pub use reaction::FenderLaw;
 pub use report::{
     Contact, ContactImpulse, ContactWork, Displacement, EnergyParts, Event, EventKind, ForceParts,
     Friction, Wrench,

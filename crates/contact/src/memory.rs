@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 
 use crate::admit::{Came, came};
 use crate::geometry::clip::Hint;
-use crate::model::{BodyId, Model};
+use crate::material::BodyId;
+use crate::model::Model;
 use crate::overlap::{Patch, Place};
 use crate::state::BodyState;
 use crate::unloading::PLAYS;

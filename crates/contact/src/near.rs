@@ -7,7 +7,8 @@
 
 use alloc::vec::Vec;
 
-use crate::model::{MaterialId, Model};
+use crate::material::MaterialId;
+use crate::model::Model;
 use crate::pairing::{Bounds, RankedPair};
 use crate::vec2::{Pose, Vec2};
 

@@ -1,6 +1,7 @@
 //! Two bodies that may touch, and what is so of them in every step.
 
-use crate::model::{MaterialId, Model};
+use crate::material::MaterialId;
+use crate::model::Model;
 use crate::number::lesser;
 use crate::ranked::RankedBody;
 

@@ -2,8 +2,9 @@
 
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
+use crate::material::{BodyId, Material};
 use crate::memory::PatchMemory;
-use crate::model::{BodyId, Material, Model};
+use crate::model::Model;
 use crate::overlap::{self, Overlap, Patch};
 use crate::report::{Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction};
 use crate::state::{BodyState, Velocity};

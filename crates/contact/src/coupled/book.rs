@@ -4,8 +4,9 @@ use alloc::vec::Vec;
 
 use crate::coupled::rows::Row;
 use crate::coupled::tie::{Forces, Side, Tie};
+use crate::material::BodyId;
 use crate::memory::PatchMemory;
-use crate::model::{BodyId, Model};
+use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::report::{

@@ -213,7 +213,7 @@ mod tests {
     use super::*;
     use crate::coupled::rows::Laws;
     use crate::coupled::tie::Forces;
-    use crate::model::Material;
+    use crate::material::Material;
     use crate::report::Friction;
     use crate::touch::Touch;
     use alloc::vec::Vec;

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::coupled::island::Island;
-use crate::fender::{FenderBounds, FenderLaw, RankedFender};
+use crate::fender::{FenderBounds, RankedFender};
 use crate::geometry::clip::Hint;
 use crate::geometry::gap::gap_m;
 use crate::memory::HintMemory;
@@ -12,6 +12,7 @@ use crate::number::{bounded, greater, lesser};
 use crate::overlap::{Patch, pieces_of};
 use crate::pairing::{Bounds, Yielding};
 use crate::ranked::RankedBody;
+use crate::reaction::FenderLaw;
 use crate::workspace::{Candidate, Pairing, Workspace};
 
 /// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which

@@ -12,15 +12,16 @@ use crate::inherit::Inherited;
 use crate::law::damper::{Answered, Growth, damper};
 use crate::law::normal::{factor, normal_force};
 use crate::mass::{InverseMatrix, Seen};
+use crate::material::Material;
 use crate::memory::PatchMemory;
-use crate::model::{Material, Model};
+use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
 use crate::ranked::Bodies;
 use crate::report::{Event, EventKind, ForceParts, Friction};
 use crate::state::BodyState;
 use crate::touch::{Levers, Movers, Scene, Touch, touch};
-use crate::unloading::{PLAYS, unload};
+use crate::unloading::{Loading, PLAYS, unload};
 use crate::vec2::Vec2;
 
 /// One contact of a sub-step, where contacts are reported: what is told of it besides what its [`Tie`] and its
@@ -268,7 +269,13 @@ fn by_unloading(
 ) -> Option<ByUnloading> {
     let fender = &model.fenders()[face.id.0 as usize];
     let unloading = fender.unloading.as_ref()?;
-    let unloaded = unload(unloading, &fender.law, touch, old.map(|memory| &memory.tops_j));
+    let loading = Loading {
+        deflection_m: touch.depth_m,
+        spring_n: touch.spring_n,
+        stop_n: touch.stop_n,
+        stored_j: touch.stored_j,
+    };
+    let unloaded = unload(unloading, &fender.law, &loading, old.map(|memory| &memory.tops_j));
     touch.spring_n *= unloaded.share;
     touch.stop_n *= unloaded.share;
     touch.stored_j = unloaded.recoverable_j;

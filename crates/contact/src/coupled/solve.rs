@@ -154,7 +154,7 @@ fn alone_within_bounds(tie: &mut Tie, free: (f64, f64), h: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::coupled::rows::Laws;
-    use crate::model::Material;
+    use crate::material::Material;
     use crate::number::bounded;
     use crate::touch::Touch;
     use crate::vec2::vec2;

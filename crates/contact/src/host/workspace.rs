@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 
 use crate::host::cosim::Followed;
 use crate::host::lead::Start;
-use crate::model::{BodyId, Model};
+use crate::material::BodyId;
+use crate::model::Model;
 use crate::report::{Contact, Event, EventKind, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;

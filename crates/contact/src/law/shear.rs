@@ -1,6 +1,6 @@
 //! The tangential law: a shear spring with memory (§3.3 of the paper, eq. 4–8).
 
-use crate::model::Material;
+use crate::material::Material;
 use crate::report::Friction;
 
 /// The shear spring after a step.
