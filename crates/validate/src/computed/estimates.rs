@@ -13,12 +13,12 @@ use super::manoeuvres::Trial;
 use super::ships::vessel;
 
 /// The routes, by the names that they have in `validation/estimated_ships.toml`.
-pub(in crate::validate) const ROUTES: [(&str, EstimateMethod); 2] =
+pub(crate) const ROUTES: [(&str, EstimateMethod); 2] =
     [("yoshimura_masumoto", EstimateMethod::YoshimuraMasumoto), ("clarke", EstimateMethod::Clarke)];
 
 /// A ship with references for its manoeuvres, which the errors of the estimates are computed over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::validate) enum ReferenceShip {
+pub(crate) enum ReferenceShip {
     Kcs,
     Kvlcc2,
     EssoOsaka,
@@ -28,7 +28,7 @@ pub(in crate::validate) enum ReferenceShip {
 }
 
 impl ReferenceShip {
-    pub(in crate::validate) const ALL: [ReferenceShip; 6] = [
+    pub(crate) const ALL: [ReferenceShip; 6] = [
         ReferenceShip::Kcs,
         ReferenceShip::Kvlcc2,
         ReferenceShip::EssoOsaka,
@@ -38,7 +38,7 @@ impl ReferenceShip {
     ];
 
     /// The ship's name in `validation/estimated_ships.toml`.
-    pub(in crate::validate) fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             ReferenceShip::Kcs => "kcs",
             ReferenceShip::Kvlcc2 => "kvlcc2",
@@ -60,7 +60,7 @@ impl ReferenceShip {
 }
 
 /// What is measured, with its unit.
-pub(in crate::validate) const MEASURES: [(&str, &str); 4] =
+pub(crate) const MEASURES: [(&str, &str); 4] =
     [("advance", "L"), ("diameter", "L"), ("overshoot_10", "°"), ("overshoot_20", "°")];
 
 /// A step over the time in which the ship sails her own length.
@@ -75,7 +75,7 @@ pub(super) fn compute(values: &mut Values) {
 }
 
 /// All measures of all ships by one route.
-pub(in crate::validate) fn compute_route(values: &mut Values, name: &str, route: EstimateMethod) {
+pub(crate) fn compute_route(values: &mut Values, name: &str, route: EstimateMethod) {
     for ship in ReferenceShip::ALL {
         let measures = measured(&estimate_of(ship, route));
         for called in std::iter::once(ship.name()).chain(ship.second_reference()) {
