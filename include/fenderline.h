@@ -1,33 +1,33 @@
 /*
  * fenderline: contact forces between ships, fenders, quays and tugs, for simulators.
  *
- * Made from crates/capi by cbindgen: change it there. docs/guides/c.md shows how it is used.
+ * Generated from crates/capi by cbindgen: make changes there. docs/guides/c.md shows how to use it.
  *
- * Objects. fl_engine and fl_builder are handles: they are looked up in a table and never followed, so that one
- * that is NULL, was destroyed, is of the other kind or never was a handle is refused with a status.
+ * Objects. fl_engine and fl_builder are handles. They are looked up in a table and never dereferenced, so a handle that
+ * is NULL, destroyed, of the wrong kind or invalid is refused with a status.
  *
- * Statuses. Every call that can fail returns an fl_status. Anything but FL_STATUS_OK has changed nothing, and
- * leaves a text for people: fl_last_error() for the calling thread, fl_engine_error() and fl_builder_error()
- * for an object. No fault of the library unwinds into the caller: it is FL_STATUS_PANICKED, and the object
- * can only be destroyed.
+ * Statuses. Every call that can fail returns an fl_status. If it is not FL_STATUS_OK, the call has changed nothing, and
+ * an error message is available: from fl_last_error() for the calling thread, from fl_engine_error() and
+ * fl_builder_error() for an object. A bug in the library does not unwind into the caller: the status is
+ * FL_STATUS_PANICKED, and the object can only be destroyed.
  *
- * Pointers. NULL and pointers that are not aligned are refused where not said otherwise. A pointer must point
- * to as much memory as its type, count or length says: no library can check that. Arrays that have one
- * member a body are refused, before they are read, where `count` is another number.
+ * Pointers. NULL and misaligned pointers are refused unless stated otherwise. A pointer must point to as much memory as
+ * its type, count or length requires; the library cannot check that. For arrays with one element per body, `count` must
+ * be the number of bodies.
  *
- * Structures that begin with `size` are refused where that is not sizeof: set it, and zero the rest. fl_state
- * and fl_wrench are as they are; a change of them would change FL_ABI_VERSION.
+ * Structures that begin with `size` are refused if it is not their sizeof: set it, and zero the rest. fl_state and
+ * fl_wrench have no size member; a change of their layout would change FL_ABI_VERSION.
  *
- * Texts that are given are UTF-8 and have a length in bytes; FL_NUL for the length says that they end with a
- * NUL. Texts that are asked for go to a buffer of `capacity` bytes with a NUL behind them; `*length` gets
- * their length without it. A text that does not fit is cut, and the status is FL_STATUS_BUFFER_TOO_SMALL.
- * NULL and a capacity of 0 ask for the length alone.
+ * Texts passed in are UTF-8 with a length in bytes; the length FL_NUL means that the text is NUL-terminated. Texts
+ * returned are copied to a buffer of `capacity` bytes and NUL-terminated; `*length` gets their length without the NUL. A
+ * text that does not fit is truncated, and the status is FL_STATUS_BUFFER_TOO_SMALL. NULL and a capacity of 0 query the
+ * length alone.
  *
  * Frame. Earth-fixed north and east, headings clockwise from north, SI units throughout.
  *
- * Threads. Any function may be called from any thread. Calls on different objects run at the same time; of two
- * calls on one object the second waits for the first. An object that is destroyed while a call on it runs
- * ends with that call. Engines share nothing: two in one process give the bits that each would alone.
+ * Threads. Any function may be called from any thread. Calls on different objects run concurrently; of two calls on one
+ * object the second waits for the first. An object that is destroyed during a call lives until the call returns. Engines
+ * share no state: two in one process give the same bits as each alone.
  */
 
 #ifndef FENDERLINE_H
@@ -43,12 +43,12 @@
 
 
 /**
- * Version of this interface. It changes when a program must be compiled anew.
+ * Version of this interface. It changes when programs must be recompiled.
  */
 #define FL_ABI_VERSION 1
 
 /**
- * No fender: two outlines touch.
+ * No fender: outline meets outline.
  */
 #define FL_NONE UINT32_MAX
 
@@ -68,16 +68,17 @@
 #define FL_METHOD_PAPER 2
 
 /**
- * fl_settings.host: it shows the states of each step's beginning and tells all its loads. It may go on with
- * fl_engine_states_after(), or move its bodies by itself with the wrenches, in steps of any lengths: by the coupled
- * method the engine then goes on from where it was itself while bodies touch, and the wrenches keep the host beside it.
+ * fl_settings.host: a direct host. It passes the states at the start of each step and all its loads. It may take the states
+ * of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of any length: by the coupled
+ * method the engine then continues its own motion while bodies touch, and the wrenches keep the host with it.
  */
 #define FL_HOST_DIRECT 0
 
 /**
- * fl_settings.host: it moves its bodies by itself, may show old states and need not tell its loads, as a
- * co-simulation master or the loop of a game. Its steps may be of any lengths. The engine finds the loads in the states, reckons the states that it is not shown yet,
- * and gives wrenches that take the host where the engine went. By the coupled method only.
+ * fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. It integrates the bodies
+ * itself in steps of any length, may pass states that are some steps old, and need not report its loads. The engine
+ * infers the loads from the states, predicts the present states, and returns wrenches with which the host follows the
+ * engine's motion. Coupled method only.
  */
 #define FL_HOST_COSIMULATION 1
 
@@ -88,13 +89,13 @@
 #define FL_CORIOLIS_DEFAULT 0
 
 /**
- * fl_settings.coriolis: the loads that the host tells are without the Coriolis and centripetal terms of a
- * body's added mass, which the engine adds.
+ * fl_settings.coriolis: the host's loads do not contain the Coriolis and centripetal terms of a body's added mass; the
+ * engine adds them.
  */
 #define FL_CORIOLIS_BY_ENGINE 1
 
 /**
- * fl_settings.coriolis: the loads that the host tells hold these terms.
+ * fl_settings.coriolis: the host's loads contain these terms.
  */
 #define FL_CORIOLIS_IN_LOADS 2
 
@@ -109,22 +110,22 @@
 #define FL_INTEGRATION_SEMI_IMPLICIT 1
 
 /**
- * fl_event.kind: a patch of contact came into being.
+ * fl_event.kind: a contact patch began.
  */
 #define FL_EVENT_CONTACT_BEGAN 0
 
 /**
- * fl_event.kind: a patch of contact ceased.
+ * fl_event.kind: a contact patch ended.
  */
 #define FL_EVENT_CONTACT_ENDED 1
 
 /**
- * fl_event.kind: one patch became several.
+ * fl_event.kind: one patch split into several.
  */
 #define FL_EVENT_PATCH_SPLIT 2
 
 /**
- * fl_event.kind: several patches became one.
+ * fl_event.kind: several patches merged into one.
  */
 #define FL_EVENT_PATCHES_MERGED 3
 
@@ -134,114 +135,113 @@
 #define FL_EVENT_CONTAINED 4
 
 /**
- * fl_event.kind: the overlap is deeper than half the smaller body is wide.
+ * fl_event.kind: the overlap is more than half the smaller body's area.
  */
 #define FL_EVENT_DEEP_OVERLAP 5
 
 /**
- * fl_event.kind: a body moved by a tenth of the radius of its outline more than its velocities explain, or
- * fl_engine_mark_teleported() said that it was put there; its contacts start afresh. The radius is the largest distance of a
- * vertex from the centre of gravity.
+ * fl_event.kind: a body was displaced by a tenth of its outline's radius more than its velocities explain, or
+ * fl_engine_mark_teleported() was called for it; its contacts begin anew. The radius is the largest distance of a vertex
+ * from the centre of gravity.
  */
 #define FL_EVENT_TELEPORTED 6
 
 /**
- * fl_event.kind: a fender is deflected beyond what it is rated for.
+ * fl_event.kind: a fender is deflected beyond its rated deflection.
  */
 #define FL_EVENT_FENDER_RATING_EXCEEDED 7
 
 /**
- * fl_event.kind: a fender is in its stop, or as deep as it projects.
+ * fl_event.kind: a fender is deflected into its stop, or by its whole projection.
  */
 #define FL_EVENT_FENDER_FAILED 8
 
 /**
- * fl_event.kind: the solve of these bodies' contact did not settle within its bounded work.
+ * fl_event.kind: the solve of these bodies' contact did not converge within its iteration limit.
  */
 #define FL_EVENT_NOT_CONVERGED 9
 
 /**
- * fl_event.kind: a body was put into another, so deep that the contact would throw it out faster: it is pressed out
- * instead, at 0.08 m/s at most.
+ * fl_event.kind: a body was placed so deep in another that the contact would eject it; it is pushed out slowly instead,
+ * at 0.08 m/s at most.
  */
 #define FL_EVENT_PLACED_IN_OVERLAP 10
 
 /**
- * fl_event.kind: a body answers the wrenches that a following host is given otherwise than its mass in the model
- * says: the host moves it with another (fl_engine_mass_matrix()). Told once a body.
+ * fl_event.kind: a body of a co-simulation host does not accelerate as its mass in the model says: the host uses another
+ * mass (see fl_engine_mass_matrix()). Reported once per body.
  */
 #define FL_EVENT_MASS_MISMATCH 11
 
 /**
- * fl_contact.flags: the friction slips; else it sticks.
+ * fl_contact.flags: the contact slips; otherwise it sticks.
  */
 #define FL_CONTACT_SLIPS 1
 
 /**
- * fl_contact.flags: the limit from momentum cut the normal or the tangential force.
+ * fl_contact.flags: the momentum limit reduced the normal or the tangential force.
  */
 #define FL_CONTACT_LIMITED 2
 
 /**
- * How a call ended. Anything but FL_STATUS_OK leaves the object as it was, and a text for people that
- * fl_last_error() gives.
+ * Result of a call. If it is not FL_STATUS_OK, the object is unchanged, and fl_last_error() has a message.
  */
 typedef enum {
     /**
-     * Done.
+     * Success.
      */
     FL_STATUS_OK = 0,
     /**
-     * A pointer is NULL that may not be, or is not aligned for what it points to.
+     * A pointer is NULL where that is not allowed, or misaligned.
      */
     FL_STATUS_BAD_POINTER = 1,
     /**
-     * The handle stands for nothing: it was destroyed, is one of another kind, or never was one.
+     * The handle is invalid, was destroyed or is of another kind.
      */
     FL_STATUS_BAD_HANDLE = 2,
     /**
-     * The member `size` of a structure is not its size: the program was compiled with another header.
+     * The member `size` of a structure is wrong: the program was compiled with another header.
      */
     FL_STATUS_BAD_SIZE = 3,
     /**
-     * A text that is not UTF-8, holds a NUL, or is too long.
+     * A text is not UTF-8, contains a NUL, or is too long.
      */
     FL_STATUS_BAD_TEXT = 4,
     /**
-     * A constant, a count or settings that are none or do not go together.
+     * An unknown constant, a wrong count, or settings that conflict.
      */
     FL_STATUS_BAD_ARGUMENT = 5,
     /**
-     * A file that cannot be read, or a mistake in a scenario: the text says file, line and key.
+     * A file cannot be read, or a scenario has an error: the message names file, line and key.
      */
     FL_STATUS_BAD_SCENARIO = 6,
     /**
-     * Bodies, materials, pairs and fenders that make no model: the text names which and what.
+     * Bodies, materials, pairs or fenders are not valid: the message names the part and the field.
      */
     FL_STATUS_BAD_MODEL = 7,
     /**
-     * A state, a load or a time step that is not finite or out of range: the text names body and field; or a
-     * step so long that its results are not finite.
+     * A state, a load or a time step is not finite or out of range: the message names body and field. Or the step is so
+     * long that its results are not finite.
      */
     FL_STATUS_BAD_NUMBER = 8,
     /**
-     * No body, fender, material, contact or event of that name or index.
+     * No body, fender, material, contact or event has that name or index.
      */
     FL_STATUS_NO_SUCH = 9,
     /**
-     * A step before all floating bodies were shown, or a result before the first step.
+     * A step before the states of all floating bodies were set, or a result before the first step.
      */
     FL_STATUS_OUT_OF_ORDER = 10,
     /**
-     * Something that an engine of these settings does not have.
+     * Not available with the engine's settings.
      */
     FL_STATUS_NOT_AVAILABLE = 11,
     /**
-     * Bytes that are no saved engine: cut, changed or of another version.
+     * The bytes are not a saved engine: truncated, changed or of another version.
      */
     FL_STATUS_BAD_BYTES = 12,
     /**
-     * The saved engine is that of another model, or of other settings.
+     * The saved engine belongs to another model or to other settings.
      */
     FL_STATUS_OTHER_MODEL = 13,
     /**
@@ -249,7 +249,7 @@ typedef enum {
      */
     FL_STATUS_BUFFER_TOO_SMALL = 14,
     /**
-     * A fault of the library itself. The handle can only be destroyed.
+     * A bug in the library. The handle can only be destroyed.
      */
     FL_STATUS_PANICKED = 15,
 } fl_status;
@@ -299,7 +299,7 @@ typedef struct {
 } fl_material;
 
 /**
- * A body. Its outline is given apart.
+ * A body. Its outline is a separate argument.
  */
 typedef struct {
     /**
@@ -307,7 +307,7 @@ typedef struct {
      */
     size_t size;
     /**
-     * Displacement (kg). 0, and all other masses too: a fixed body.
+     * Displacement (kg). A fixed body has 0 here and for all other masses.
      */
     double mass_kg;
     /**
@@ -327,22 +327,22 @@ typedef struct {
      */
     double added_yaw_kgm2;
     /**
-     * Where a fixed body stands, and a floating one begins (m).
+     * Position of a fixed body; initial position of a floating one (m).
      */
     double north_m;
     /**
-     * Where a fixed body stands, and a floating one begins (m).
+     * Position of a fixed body; initial position of a floating one (m).
      */
     double east_m;
     /**
-     * Its heading there (rad).
+     * Heading, likewise (rad).
      */
     double heading_rad;
 } fl_body;
 
 /**
- * A fender: a face on a body with a reaction curve, which is given apart. It touches the outlines of the
- * bodies that its own body makes a pair with.
+ * A fender: a face on a body. Its reaction curve is a separate argument. It touches the outlines of all bodies that form a
+ * pair with its own body.
  */
 typedef struct {
     /**
@@ -350,11 +350,11 @@ typedef struct {
      */
     size_t size;
     /**
-     * Middle of the line where it is mounted, in the body's frame (m).
+     * Middle of its mounting line, in the body's frame (m).
      */
     double forward_m;
     /**
-     * Middle of the line where it is mounted, in the body's frame (m).
+     * Middle of its mounting line, in the body's frame (m).
      */
     double starboard_m;
     /**
@@ -366,38 +366,38 @@ typedef struct {
      */
     double width_m;
     /**
-     * From the mounting to the face, uncompressed (m).
+     * Distance from the mounting to the face, uncompressed (m).
      */
     double projection_m;
     /**
-     * The deflection that it is made for (m); 0: its projection. 0 where it has no curve.
+     * Rated deflection (m); 0: its projection. Must be 0 without a curve.
      */
     double rated_deflection_m;
     /**
-     * Deflection at which it begins to stiffen to a stop (m).
+     * Deflection at which its stop begins (m).
      */
     double stop_from_m;
     /**
-     * Stiffness of the stop (N/m); 0, and its beginning too: it has none.
+     * Stiffness of the stop (N/m). Without a stop both are 0.
      */
     double stop_stiffness_npm;
     /**
-     * Index of the body that carries it.
+     * Index of the body on which it is mounted.
      */
     uint32_t body;
     /**
-     * Index of its material: friction, restitution, damping, and stiffness where it has no curve.
+     * Index of its material: friction, restitution, damping, and, without a curve, stiffness.
      */
     uint32_t material;
     /**
-     * Share of the energy taken that its rubber gives back, 0.05 to 1: its reaction falls by that law when the
-     * hull retreats. 0: by its material's restitution.
+     * Share of the absorbed energy that it returns, 0.05 to 1, by an unloading law. 0: unloading by its material's
+     * restitution.
      */
     double returned_energy;
 } fl_fender;
 
 /**
- * How an engine is to work; all members but `size` may be 0.
+ * Settings of an engine; all members but `size` may be 0.
  */
 typedef struct {
     /**
@@ -413,21 +413,21 @@ typedef struct {
      */
     uint32_t host;
     /**
-     * FL_CORIOLIS_..., of a host of the present; 0 for a following one, whose loads hold the turning terms.
+     * FL_CORIOLIS_... of a direct host; 0 for a co-simulation host, whose loads contain these terms.
      */
     uint32_t coriolis;
     /**
-     * FL_INTEGRATION_... of a following host; else 0.
+     * FL_INTEGRATION_... of a co-simulation host; else 0.
      */
     uint32_t integration;
     /**
-     * Age of the states that a following host shows, in its steps, at most 1000; else 0.
+     * Age of the states that a co-simulation host passes, in steps, at most 1000; else 0.
      */
     uint32_t delay_steps;
 } fl_settings;
 
 /**
- * State of a body, earth-fixed, of its centre of gravity.
+ * State of a body's centre of gravity, earth-fixed.
  */
 typedef struct {
     /**
@@ -475,9 +475,9 @@ typedef struct {
 } fl_wrench;
 
 /**
- * One patch of contact in the last step. The force on body 1 is -normal_force_n times the normal and
+ * One contact patch in the last step. The force on body 1 is -normal_force_n times the normal and
  * tangential_force_n times the normal turned by +90 degrees (north to east); on body 2 exactly the opposite.
- * Forces are means over the step by the coupled method; peaks are the true ones, sub-steps included.
+ * By the coupled method forces are means over the step; peaks include all sub-steps.
  */
 typedef struct {
     /**
@@ -493,7 +493,7 @@ typedef struct {
      */
     uint32_t body_2;
     /**
-     * The fender that is pressed; FL_NONE: outline on outline.
+     * The fender that is compressed; FL_NONE where outline meets outline.
      */
     uint32_t fender;
     /**
@@ -501,7 +501,7 @@ typedef struct {
      */
     uint32_t patch;
     /**
-     * FL_CONTACT_..., added up.
+     * Sum of FL_CONTACT_...
      */
     uint32_t flags;
     /**
@@ -517,11 +517,11 @@ typedef struct {
      */
     double depth_m;
     /**
-     * Where the force acts (m).
+     * Point where the force acts (m).
      */
     double north_m;
     /**
-     * Where the force acts (m).
+     * Point where the force acts (m).
      */
     double east_m;
     /**
@@ -541,7 +541,7 @@ typedef struct {
      */
     double v_tangential_mps;
     /**
-     * Shear of the contact (m).
+     * Deflection of the shear spring (m).
      */
     double shear_m;
     /**
@@ -561,27 +561,27 @@ typedef struct {
      */
     double peak_depth_m;
     /**
-     * Of the normal force: area spring or reaction curve (N).
+     * Term of the normal force: area spring or reaction curve (N).
      */
     double spring_n;
     /**
-     * Of the normal force: the stop past a fender's travel (N).
+     * Term of the normal force: the stop at the end of a fender's travel (N).
      */
     double stop_n;
     /**
-     * Of the normal force: the damper (N).
+     * Term of the normal force: the damper (N).
      */
     double damper_n;
     /**
-     * What the limit from momentum took off the normal force (N).
+     * What the momentum limit subtracted from the normal force (N).
      */
     double limiter_n;
     /**
-     * Energy in a fender's spring and stop at the step's start that it can give back (J); 0 for outline on outline.
+     * Energy in a fender's spring and stop at the start of the step that it can return (J); 0 where outline meets outline.
      */
     double stored_j;
     /**
-     * The largest energy within the step that loads such a fender from nothing to where it is (J).
+     * Largest energy within the step that loading the fender to its deflection takes (J).
      */
     double peak_absorbed_j;
     /**
@@ -593,13 +593,13 @@ typedef struct {
      */
     double factor;
     /**
-     * Energy that the rubber of a fender with returned_energy has turned to heat within the step (J).
+     * Energy that a fender with returned_energy has dissipated within the step (J).
      */
     double hysteresis_j;
 } fl_contact;
 
 /**
- * Something that a user should know of, told in the step in which it begins.
+ * An event, reported in the step in which it begins.
  */
 typedef struct {
     /**
@@ -615,11 +615,11 @@ typedef struct {
      */
     uint32_t body_1;
     /**
-     * The other body; the same where it is about one alone.
+     * The other body; the same as body_1 where only one is concerned.
      */
     uint32_t body_2;
     /**
-     * The fender; FL_NONE where it is about none.
+     * The fender; FL_NONE where none is concerned.
      */
     uint32_t fender;
 } fl_event;
@@ -629,24 +629,24 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * The interface of the library that is linked, to be held against FL_ABI_VERSION of the header.
+ * The interface version of the linked library; compare it with the header's FL_ABI_VERSION.
  */
 uint32_t fl_abi_version(void);
 
 /**
- * The library's version, as in "0.1.0". The text is the library's.
+ * The library's version, such as "0.1.0". The text is static.
  */
 const char *fl_version(void);
 
 /**
- * What a status means, in a few words. The text is the library's; any number may be asked about.
+ * Short description of a status; any number is accepted. The text is static.
  */
 const char *fl_status_text(int32_t status);
 
 /**
- * Copies the text of the last call of this thread that failed; empty where none did. It stays until another
- * call fails. `length` may be NULL. See "Texts" in the preamble; a buffer that is too small does not count
- * as a call that failed.
+ * Copies the message of the last failed call on this thread; empty if there was none. It stays until another call fails;
+ * a call of this function with too small a buffer does not count as a failed call. `length` may be NULL. See "Texts" in
+ * the preamble.
  */
 fl_status fl_last_error(char *buffer,
                         size_t capacity,
@@ -658,12 +658,12 @@ fl_status fl_last_error(char *buffer,
 fl_status fl_builder_new(fl_builder **builder);
 
 /**
- * Destroys a builder. The engines that it made stay. NULL is nothing to destroy, and good.
+ * Destroys a builder. Engines that it has built stay. NULL is allowed and does nothing.
  */
 fl_status fl_builder_destroy(fl_builder *builder);
 
 /**
- * Copies the text of the last call on this builder that failed: as fl_last_error().
+ * Copies the message of the last failed call on this builder, as fl_last_error().
  */
 fl_status fl_builder_error(const fl_builder *builder,
                            char *buffer,
@@ -671,8 +671,8 @@ fl_status fl_builder_error(const fl_builder *builder,
                            size_t *length);
 
 /**
- * Adds a material under a unique name; its index, counted from 0, goes to `index` where that is not NULL. Its
- * numbers are checked by fl_builder_build().
+ * Adds a material under a unique name. Its index, counted from 0, is stored to `index` unless that is NULL.
+ * fl_builder_build() checks its numbers.
  */
 fl_status fl_builder_add_material(fl_builder *builder,
                                   const char *name,
@@ -708,7 +708,7 @@ fl_status fl_builder_add_fender(fl_builder *builder,
                                 uint32_t *index);
 
 /**
- * Lets two bodies touch, with a material.
+ * Lets two bodies touch, with a material between them.
  */
 fl_status fl_builder_add_pair(fl_builder *builder,
                               uint32_t body_1,
@@ -721,20 +721,20 @@ fl_status fl_builder_add_pair(fl_builder *builder,
 fl_status fl_builder_add_all_other_pairs(fl_builder *builder, uint32_t material);
 
 /**
- * Makes an engine of all that was added, at `*engine`, to be destroyed by fl_engine_destroy(); NULL where
- * that fails. `settings` may be NULL: all defaults. The builder stays as it is, and can go on.
+ * Builds an engine from the parts added so far and stores it to `*engine`; NULL if that fails. Destroy it with
+ * fl_engine_destroy(). `settings` may be NULL for defaults. The builder is unchanged and can be used further.
  */
 fl_status fl_builder_build(fl_builder *builder,
                            const fl_settings *settings,
                            fl_engine **engine);
 
 /**
- * Makes an engine of a scenario file, at `*engine`, to be destroyed by fl_engine_destroy(); NULL where that
- * fails. Files that the scenario names lie beside it. `overrides` replaces keys of the scenario, one
- * KEY=VALUE a line, as in "contact.method=coupled"; none: NULL and 0. `settings` may be NULL: all defaults.
+ * Makes an engine from a scenario file and stores it to `*engine`; NULL if that fails. Destroy it with
+ * fl_engine_destroy(). Files that the scenario names are relative to it. `overrides` replaces keys of the scenario, one
+ * KEY=VALUE per line, such as "contact.method=coupled"; NULL and 0 for none. `settings` may be NULL for defaults.
  *
- * The engine takes the scenario's bodies, fenders, materials and pairs. What else acts on the bodies there,
- * loads and wind and the like, is the host's: see fl_engine_notices().
+ * The engine takes the scenario's bodies, fenders, materials and pairs. All other forces of the scenario, such as loads
+ * and wind, are left to the host: see fl_engine_notices().
  */
 fl_status fl_engine_from_file(const char *path,
                               size_t path_length,
@@ -744,7 +744,7 @@ fl_status fl_engine_from_file(const char *path,
                               fl_engine **engine);
 
 /**
- * As fl_engine_from_file(), of the text of a scenario that names no other files.
+ * As fl_engine_from_file(), from the text of a scenario that names no other files.
  */
 fl_status fl_engine_from_text(const char *scenario,
                               size_t scenario_length,
@@ -754,23 +754,23 @@ fl_status fl_engine_from_text(const char *scenario,
                               fl_engine **engine);
 
 /**
- * Destroys an engine. NULL is nothing to destroy, and good.
+ * Destroys an engine. NULL is allowed and does nothing.
  */
 fl_status fl_engine_destroy(fl_engine *engine);
 
 /**
- * Copies the text of the last call on this engine that failed: as fl_last_error().
+ * Copies the message of the last failed call on this engine, as fl_last_error().
  */
 fl_status fl_engine_error(const fl_engine *engine, char *buffer, size_t capacity, size_t *length);
 
 /**
- * Forgets all that happened, was shown and was told: the next step is the first.
+ * Resets the engine: memory, states and loads. The next step is the first.
  */
 fl_status fl_engine_reset(fl_engine *engine);
 
 /**
- * Copies what a user should know of the scenario, and what of it is left to the host; one line each, maybe
- * none. `length` may be NULL. See "Texts" in the preamble.
+ * Copies the notices about the scenario and the list of its forces that are left to the host, one per line; it may be
+ * empty. `length` may be NULL. See "Texts" in the preamble.
  */
 fl_status fl_engine_notices(const fl_engine *engine,
                             char *buffer,
@@ -792,7 +792,7 @@ fl_status fl_engine_body_name(const fl_engine *engine,
                               size_t *length);
 
 /**
- * Index of the body of a name.
+ * Finds a body by its name.
  */
 fl_status fl_engine_find_body(const fl_engine *engine,
                               const char *name,
@@ -814,7 +814,7 @@ fl_status fl_engine_fender_name(const fl_engine *engine,
                                 size_t *length);
 
 /**
- * Index of the fender of a name.
+ * Finds a fender by its name.
  */
 fl_status fl_engine_find_fender(const fl_engine *engine,
                                 const char *name,
@@ -823,64 +823,60 @@ fl_status fl_engine_find_fender(const fl_engine *engine,
 
 /**
  * Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row
- * by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A following host must move its bodies with it.
+ * by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A co-simulation host must use it to
+ * move the body.
  */
 fl_status fl_engine_mass_matrix(const fl_engine *engine,
                                 uint32_t body,
                                 double *matrix);
 
 /**
- * Copies the states from which the scenario or the builder lets the bodies begin; `count` is the number of
- * bodies.
+ * Copies the initial states of the scenario or the builder; `count` is the number of bodies.
  */
-fl_status fl_engine_initial_states(const fl_engine *engine,
-                                   fl_state *states,
-                                   size_t count);
+fl_status fl_engine_initial_states(const fl_engine *engine, fl_state *states, size_t count);
 
 /**
- * Shows the state of one body for the next step. A fixed body need not be shown.
+ * Sets the state of one body for the next step. Fixed bodies need none.
  */
 fl_status fl_engine_set_state(fl_engine *engine, uint32_t body, const fl_state *state);
 
 /**
- * Shows the states of all bodies for the next step: all of them, or none where one is refused. `count` is
- * the number of bodies.
+ * Sets the states of all bodies for the next step; if one is refused, none is set. `count` is the number of bodies.
  */
 fl_status fl_engine_set_states(fl_engine *engine,
                                const fl_state *states,
                                size_t count);
 
 /**
- * Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
- * start afresh (FL_EVENT_TELEPORTED), no load is read from it, and out of another body it is pressed slowly
- * (FL_EVENT_PLACED_IN_OVERLAP, where it lies so deep that it would be thrown out). Without it the engine finds that out where the body is a tenth of the
- * radius of its outline farther than its velocities lead it. A host that shows its states some steps late calls it
- * when it first shows the new place. To go back in time, restore a saved engine.
+ * Marks the next state of a body as a teleport: the host sets it to a new place rather than moving it there. Its contacts
+ * begin anew (FL_EVENT_TELEPORTED), no load is inferred from the displacement, and out of another body it is pushed slowly
+ * (FL_EVENT_PLACED_IN_OVERLAP, where it is so deep that the contact would eject it). Without this call the engine detects
+ * a teleport where the displacement differs from that of the velocities by a tenth of the outline's radius. A host that
+ * passes old states calls it when it first passes the new place. To go back in time, restore a saved engine.
  */
 fl_status fl_engine_mark_teleported(fl_engine *engine,
                                     uint32_t body);
 
 /**
- * Tells all that acts on each body except contact, until it is told again; `count` is the number of bodies.
- * NULL and 0: not told, as at the start. Then a host of the present has no loads, and those of a following
- * host are found in its states. By the paper's method there are no loads.
+ * Sets all forces on each body except contact, until it is called again; `count` is the number of bodies. NULL and 0 unset
+ * them, as at the start: a direct host then has no loads, and those of a co-simulation host are inferred from its states.
+ * The paper's method does not use loads.
  */
 fl_status fl_engine_set_loads(fl_engine *engine,
                               const fl_wrench *loads,
                               size_t count);
 
 /**
- * Takes a step of `step_s` seconds from the states that were shown last. All floating bodies must have been
- * shown. Steps may be of any lengths. In one of 0 s, of a host that is paused, nothing goes on, and results are
- * those of the last step without its events and the contacts' work.
+ * Takes a step of `step_s` seconds from the states that were set last. All floating bodies must have a state. Steps may
+ * have any length. A step of 0 s is a pause: nothing changes, and the results are those of the last step without its events
+ * and the contacts' work.
  */
 fl_status fl_engine_step(fl_engine *engine,
                          double step_s);
 
 /**
  * In one call: fl_engine_set_states(), fl_engine_set_loads() where `loads` is not NULL, fl_engine_step() and
- * fl_engine_wrenches(). All arrays have `count` members, which is the number of bodies. Where any of it fails
- * nothing has changed.
+ * fl_engine_wrenches(). All arrays have `count` elements, the number of bodies. If any part fails, nothing has changed.
  */
 fl_status fl_engine_advance(fl_engine *engine,
                             const fl_state *states,
@@ -890,39 +886,36 @@ fl_status fl_engine_advance(fl_engine *engine,
                             fl_wrench *wrenches);
 
 /**
- * Copies the wrenches of the last step, which the host is to add to its forces for that step: means over it, so that
- * the impulse is right, as fl_engine_peak_wrenches() are not. `count` is the number of bodies.
+ * Copies the wrenches of the last step; the host adds them to its forces. They are means over the step, so that the
+ * impulse is right; for the largest see fl_engine_peak_wrenches(). `count` is the number of bodies.
  */
 fl_status fl_engine_wrenches(const fl_engine *engine,
                              fl_wrench *wrenches,
                              size_t count);
 
 /**
- * Copies the greatest contact wrench on each body within the last step; `count` is the number of bodies. The wrenches
- * that move the bodies are means over the step: of a force that falls off within a long one they are much less than
- * the force that was there. Size fenders and structures by the peaks, and move bodies by fl_engine_wrenches(). Of the
- * sub-steps in which the engine takes a step it is the wrench of that in which the force was greatest; by the paper's
- * method, which knows no sub-steps, the same as fl_engine_wrenches(). The peak of each contact is
- * fl_contact.peak_normal_force_n.
+ * Copies the largest contact wrench on each body within the last step: the wrench of the sub-step with the largest force.
+ * By the paper's method, which has no sub-steps, it is the same as fl_engine_wrenches(). Use it to size fenders and
+ * structures: in a long step the mean wrench may be much smaller. Use fl_engine_wrenches() to move the bodies. The peak of
+ * each contact is fl_contact.peak_normal_force_n. `count` is the number of bodies.
  */
 fl_status fl_engine_peak_wrenches(const fl_engine *engine,
                                   fl_wrench *peaks,
                                   size_t count);
 
 /**
- * Copies the states that the engine came to at the end of the last step, for hosts that let it move the
- * bodies: by the coupled method with a host of the present. `count` is the number of bodies. Positions are those of the
- * step's end. Velocities are those of half a step before it (of half of the last sub-step, where contacts needed
- * several), as a leapfrog has them: show them again as they are; where you compare them with others, or draw them over
- * time, draw them there.
+ * Copies the engine's states at the end of the last step, for direct hosts that let the engine move the bodies by the
+ * coupled method. `count` is the number of bodies. Positions belong to the end of the step. Velocities belong to half a
+ * step before it (half of the last sub-step, where there were several), as in a leapfrog integrator: pass them back
+ * unchanged, and use that time where you compare or plot them.
  */
 fl_status fl_engine_states_after(const fl_engine *engine,
                                  fl_state *states,
                                  size_t count);
 
 /**
- * Copies what the last step took for a following host's present states, which it will show when they are old
- * enough, and its loads, told or observed. `count` is the number of bodies.
+ * Copies the engine's estimate of a co-simulation host's present states, and its loads, reported or observed. `count` is
+ * the number of bodies.
  */
 fl_status fl_engine_host_estimate(const fl_engine *engine,
                                   fl_state *states,
@@ -930,7 +923,7 @@ fl_status fl_engine_host_estimate(const fl_engine *engine,
                                   size_t count);
 
 /**
- * Number of patches that touched in the last step.
+ * Number of contact patches in the last step.
  */
 fl_status fl_engine_contact_count(const fl_engine *engine, size_t *count);
 
@@ -952,8 +945,8 @@ fl_status fl_engine_event_count(const fl_engine *engine, size_t *count);
 fl_status fl_engine_event(const fl_engine *engine, uint32_t index, fl_event *event);
 
 /**
- * Copies all of the engine that can change as bytes, results included: they are of one version of the
- * library, the same on every machine, and check-summed. NULL and a capacity of 0 ask for `*length` alone.
+ * Saves the mutable state of the engine as bytes, results included. The bytes have a version and a checksum, and are the
+ * same on every machine. NULL and a capacity of 0 query `*length` alone.
  */
 fl_status fl_engine_save(const fl_engine *engine,
                          uint8_t *buffer,
@@ -961,8 +954,8 @@ fl_status fl_engine_save(const fl_engine *engine,
                          size_t *length);
 
 /**
- * Becomes what fl_engine_save() saved, of this engine or of another with the same model and settings, and
- * goes on with the same bits. Any bytes may be given: those that are no such save are refused.
+ * Restores a state that fl_engine_save() saved, of this engine or of another with the same model and settings. It
+ * continues with the same bits. Any bytes may be passed: those that are not such a state are refused.
  */
 fl_status fl_engine_restore(fl_engine *engine,
                             const uint8_t *saved,

@@ -28,13 +28,13 @@ pub unsafe extern "C" fn fl_builder_new(builder: *mut *mut FlBuilder) -> FlStatu
     })
 }
 
-/// Destroys a builder. The engines that it made stay. NULL is nothing to destroy, and good.
+/// Destroys a builder. Engines that it has built stay. NULL is allowed and does nothing.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_builder_destroy(builder: *mut FlBuilder) -> FlStatus {
     no_panic(|| if builder.is_null() { Ok(()) } else { BUILDERS.remove(builder) })
 }
 
-/// Copies the text of the last call on this builder that failed: as fl_last_error().
+/// Copies the message of the last failed call on this builder, as fl_last_error().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_error(
     builder: *const FlBuilder,
@@ -49,8 +49,8 @@ pub unsafe extern "C" fn fl_builder_error(
     })
 }
 
-/// Adds a material under a unique name; its index, counted from 0, goes to `index` where that is not NULL. Its
-/// numbers are checked by fl_builder_build().
+/// Adds a material under a unique name. Its index, counted from 0, is stored to `index` unless that is NULL.
+/// fl_builder_build() checks its numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_material(
     builder: *mut FlBuilder,
@@ -145,7 +145,7 @@ pub unsafe extern "C" fn fl_builder_add_fender(
     })
 }
 
-/// Lets two bodies touch, with a material.
+/// Lets two bodies touch, with a material between them.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_builder_add_pair(
     builder: *mut FlBuilder,
@@ -167,8 +167,8 @@ pub extern "C" fn fl_builder_add_all_other_pairs(
     BUILDERS.call(builder, |builder| Ok(builder.all_other_pairs(material as usize)?))
 }
 
-/// Makes an engine of all that was added, at `*engine`, to be destroyed by fl_engine_destroy(); NULL where
-/// that fails. `settings` may be NULL: all defaults. The builder stays as it is, and can go on.
+/// Builds an engine from the parts added so far and stores it to `*engine`; NULL if that fails. Destroy it with
+/// fl_engine_destroy(). `settings` may be NULL for defaults. The builder is unchanged and can be used further.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_build(
     builder: *mut FlBuilder,

@@ -17,12 +17,12 @@ use crate::library::keep_last;
 use crate::table::{ENGINES, EngineHeld, FlEngine, no_panic};
 use crate::types::{FlContact, FlEvent, FlSettings, FlState, FlWrench};
 
-/// Makes an engine of a scenario file, at `*engine`, to be destroyed by fl_engine_destroy(); NULL where that
-/// fails. Files that the scenario names lie beside it. `overrides` replaces keys of the scenario, one
-/// KEY=VALUE a line, as in "contact.method=coupled"; none: NULL and 0. `settings` may be NULL: all defaults.
+/// Makes an engine from a scenario file and stores it to `*engine`; NULL if that fails. Destroy it with
+/// fl_engine_destroy(). Files that the scenario names are relative to it. `overrides` replaces keys of the scenario, one
+/// KEY=VALUE per line, such as "contact.method=coupled"; NULL and 0 for none. `settings` may be NULL for defaults.
 ///
-/// The engine takes the scenario's bodies, fenders, materials and pairs. What else acts on the bodies there,
-/// loads and wind and the like, is the host's: see fl_engine_notices().
+/// The engine takes the scenario's bodies, fenders, materials and pairs. All other forces of the scenario, such as loads
+/// and wind, are left to the host: see fl_engine_notices().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_from_file(
     path: *const c_char,
@@ -49,7 +49,7 @@ pub unsafe extern "C" fn fl_engine_from_file(
     })
 }
 
-/// As fl_engine_from_file(), of the text of a scenario that names no other files.
+/// As fl_engine_from_file(), from the text of a scenario that names no other files.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_from_text(
     scenario: *const c_char,
@@ -76,13 +76,13 @@ pub unsafe extern "C" fn fl_engine_from_text(
     })
 }
 
-/// Destroys an engine. NULL is nothing to destroy, and good.
+/// Destroys an engine. NULL is allowed and does nothing.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_destroy(engine: *mut FlEngine) -> FlStatus {
     no_panic(|| if engine.is_null() { Ok(()) } else { ENGINES.remove(engine) })
 }
 
-/// Copies the text of the last call on this engine that failed: as fl_last_error().
+/// Copies the message of the last failed call on this engine, as fl_last_error().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_error(
     engine: *const FlEngine,
@@ -97,7 +97,7 @@ pub unsafe extern "C" fn fl_engine_error(
     })
 }
 
-/// Forgets all that happened, was shown and was told: the next step is the first.
+/// Resets the engine: memory, states and loads. The next step is the first.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_reset(engine: *mut FlEngine) -> FlStatus {
     ENGINES.call(engine, |held| {
@@ -106,8 +106,8 @@ pub extern "C" fn fl_engine_reset(engine: *mut FlEngine) -> FlStatus {
     })
 }
 
-/// Copies what a user should know of the scenario, and what of it is left to the host; one line each, maybe
-/// none. `length` may be NULL. See "Texts" in the preamble.
+/// Copies the notices about the scenario and the list of its forces that are left to the host, one per line; it may be
+/// empty. `length` may be NULL. See "Texts" in the preamble.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_notices(
     engine: *const FlEngine,
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn fl_engine_body_name(
     })
 }
 
-/// Index of the body of a name.
+/// Finds a body by its name.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_find_body(
     engine: *const FlEngine,
@@ -195,7 +195,7 @@ pub unsafe extern "C" fn fl_engine_fender_name(
     })
 }
 
-/// Index of the fender of a name.
+/// Finds a fender by its name.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_find_fender(
     engine: *const FlEngine,
@@ -213,7 +213,8 @@ pub unsafe extern "C" fn fl_engine_find_fender(
 }
 
 /// Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row
-/// by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A following host must move its bodies with it.
+/// by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A co-simulation host must use it to
+/// move the body.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_mass_matrix(
     engine: *const FlEngine,
@@ -228,8 +229,7 @@ pub unsafe extern "C" fn fl_engine_mass_matrix(
     })
 }
 
-/// Copies the states from which the scenario or the builder lets the bodies begin; `count` is the number of
-/// bodies.
+/// Copies the initial states of the scenario or the builder; `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_initial_states(
     engine: *const FlEngine,
@@ -242,7 +242,7 @@ pub unsafe extern "C" fn fl_engine_initial_states(
     })
 }
 
-/// Shows the state of one body for the next step. A fixed body need not be shown.
+/// Sets the state of one body for the next step. Fixed bodies need none.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_set_state(
     engine: *mut FlEngine,
@@ -256,8 +256,7 @@ pub unsafe extern "C" fn fl_engine_set_state(
     })
 }
 
-/// Shows the states of all bodies for the next step: all of them, or none where one is refused. `count` is
-/// the number of bodies.
+/// Sets the states of all bodies for the next step; if one is refused, none is set. `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_set_states(
     engine: *mut FlEngine,
@@ -271,19 +270,19 @@ pub unsafe extern "C" fn fl_engine_set_states(
     })
 }
 
-/// Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
-/// start afresh (FL_EVENT_TELEPORTED), no load is read from it, and out of another body it is pressed slowly
-/// (FL_EVENT_PLACED_IN_OVERLAP, where it lies so deep that it would be thrown out). Without it the engine finds that out where the body is a tenth of the
-/// radius of its outline farther than its velocities lead it. A host that shows its states some steps late calls it
-/// when it first shows the new place. To go back in time, restore a saved engine.
+/// Marks the next state of a body as a teleport: the host sets it to a new place rather than moving it there. Its contacts
+/// begin anew (FL_EVENT_TELEPORTED), no load is inferred from the displacement, and out of another body it is pushed slowly
+/// (FL_EVENT_PLACED_IN_OVERLAP, where it is so deep that the contact would eject it). Without this call the engine detects
+/// a teleport where the displacement differs from that of the velocities by a tenth of the outline's radius. A host that
+/// passes old states calls it when it first passes the new place. To go back in time, restore a saved engine.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_mark_teleported(engine: *mut FlEngine, body: u32) -> FlStatus {
     ENGINES.call(engine, |held| Ok(held.engine.mark_teleported(body as usize)?))
 }
 
-/// Tells all that acts on each body except contact, until it is told again; `count` is the number of bodies.
-/// NULL and 0: not told, as at the start. Then a host of the present has no loads, and those of a following
-/// host are found in its states. By the paper's method there are no loads.
+/// Sets all forces on each body except contact, until it is called again; `count` is the number of bodies. NULL and 0 unset
+/// them, as at the start: a direct host then has no loads, and those of a co-simulation host are inferred from its states.
+/// The paper's method does not use loads.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_set_loads(
     engine: *mut FlEngine,
@@ -297,17 +296,16 @@ pub unsafe extern "C" fn fl_engine_set_loads(
     })
 }
 
-/// Takes a step of `step_s` seconds from the states that were shown last. All floating bodies must have been
-/// shown. Steps may be of any lengths. In one of 0 s, of a host that is paused, nothing goes on, and results are
-/// those of the last step without its events and the contacts' work.
+/// Takes a step of `step_s` seconds from the states that were set last. All floating bodies must have a state. Steps may
+/// have any length. A step of 0 s is a pause: nothing changes, and the results are those of the last step without its events
+/// and the contacts' work.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_engine_step(engine: *mut FlEngine, step_s: f64) -> FlStatus {
     ENGINES.call(engine, |held| Ok(held.engine.step(step_s)?))
 }
 
 /// In one call: fl_engine_set_states(), fl_engine_set_loads() where `loads` is not NULL, fl_engine_step() and
-/// fl_engine_wrenches(). All arrays have `count` members, which is the number of bodies. Where any of it fails
-/// nothing has changed.
+/// fl_engine_wrenches(). All arrays have `count` elements, the number of bodies. If any part fails, nothing has changed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_advance(
     engine: *mut FlEngine,
@@ -335,8 +333,8 @@ pub unsafe extern "C" fn fl_engine_advance(
     })
 }
 
-/// Copies the wrenches of the last step, which the host is to add to its forces for that step: means over it, so that
-/// the impulse is right, as fl_engine_peak_wrenches() are not. `count` is the number of bodies.
+/// Copies the wrenches of the last step; the host adds them to its forces. They are means over the step, so that the
+/// impulse is right; for the largest see fl_engine_peak_wrenches(). `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_wrenches(
     engine: *const FlEngine,
@@ -349,12 +347,10 @@ pub unsafe extern "C" fn fl_engine_wrenches(
     })
 }
 
-/// Copies the greatest contact wrench on each body within the last step; `count` is the number of bodies. The wrenches
-/// that move the bodies are means over the step: of a force that falls off within a long one they are much less than
-/// the force that was there. Size fenders and structures by the peaks, and move bodies by fl_engine_wrenches(). Of the
-/// sub-steps in which the engine takes a step it is the wrench of that in which the force was greatest; by the paper's
-/// method, which knows no sub-steps, the same as fl_engine_wrenches(). The peak of each contact is
-/// fl_contact.peak_normal_force_n.
+/// Copies the largest contact wrench on each body within the last step: the wrench of the sub-step with the largest force.
+/// By the paper's method, which has no sub-steps, it is the same as fl_engine_wrenches(). Use it to size fenders and
+/// structures: in a long step the mean wrench may be much smaller. Use fl_engine_wrenches() to move the bodies. The peak of
+/// each contact is fl_contact.peak_normal_force_n. `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_peak_wrenches(
     engine: *const FlEngine,
@@ -367,11 +363,10 @@ pub unsafe extern "C" fn fl_engine_peak_wrenches(
     })
 }
 
-/// Copies the states that the engine came to at the end of the last step, for hosts that let it move the
-/// bodies: by the coupled method with a host of the present. `count` is the number of bodies. Positions are those of the
-/// step's end. Velocities are those of half a step before it (of half of the last sub-step, where contacts needed
-/// several), as a leapfrog has them: show them again as they are; where you compare them with others, or draw them over
-/// time, draw them there.
+/// Copies the engine's states at the end of the last step, for direct hosts that let the engine move the bodies by the
+/// coupled method. `count` is the number of bodies. Positions belong to the end of the step. Velocities belong to half a
+/// step before it (half of the last sub-step, where there were several), as in a leapfrog integrator: pass them back
+/// unchanged, and use that time where you compare or plot them.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_states_after(
     engine: *const FlEngine,
@@ -380,8 +375,7 @@ pub unsafe extern "C" fn fl_engine_states_after(
 ) -> FlStatus {
     results(engine, |results| {
         if results.states_after.is_empty() && !results.wrenches.is_empty() {
-            let text =
-                "only by the coupled method with a host of the present the engine moves bodies";
+            let text = "the engine moves bodies only by the coupled method with a direct host";
             return failure(FlStatus::NotAvailable, text);
         }
         // SAFETY: as the caller promises.
@@ -389,8 +383,8 @@ pub unsafe extern "C" fn fl_engine_states_after(
     })
 }
 
-/// Copies what the last step took for a following host's present states, which it will show when they are old
-/// enough, and its loads, told or observed. `count` is the number of bodies.
+/// Copies the engine's estimate of a co-simulation host's present states, and its loads, reported or observed. `count` is
+/// the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_host_estimate(
     engine: *const FlEngine,
@@ -402,7 +396,7 @@ pub unsafe extern "C" fn fl_engine_host_estimate(
         let Some(estimate) = results.host_estimate else {
             return failure(
                 FlStatus::NotAvailable,
-                "only of a following host something is reckoned",
+                "there is an estimate only of a co-simulation host",
             );
         };
         if count > 0 {
@@ -415,7 +409,7 @@ pub unsafe extern "C" fn fl_engine_host_estimate(
     })
 }
 
-/// Number of patches that touched in the last step.
+/// Number of contact patches in the last step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_contact_count(
     engine: *const FlEngine,
@@ -469,8 +463,8 @@ pub unsafe extern "C" fn fl_engine_event(
     })
 }
 
-/// Copies all of the engine that can change as bytes, results included: they are of one version of the
-/// library, the same on every machine, and check-summed. NULL and a capacity of 0 ask for `*length` alone.
+/// Saves the mutable state of the engine as bytes, results included. The bytes have a version and a checksum, and are the
+/// same on every machine. NULL and a capacity of 0 query `*length` alone.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_save(
     engine: *const FlEngine,
@@ -484,8 +478,8 @@ pub unsafe extern "C" fn fl_engine_save(
     })
 }
 
-/// Becomes what fl_engine_save() saved, of this engine or of another with the same model and settings, and
-/// goes on with the same bits. Any bytes may be given: those that are no such save are refused.
+/// Restores a state that fl_engine_save() saved, of this engine or of another with the same model and settings. It
+/// continues with the same bits. Any bytes may be passed: those that are not such a state are refused.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_restore(
     engine: *mut FlEngine,

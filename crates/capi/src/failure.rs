@@ -5,43 +5,42 @@ use core::fmt;
 use fenderline_contact::{RestoreError, StepError};
 use fenderline_embed::EngineError;
 
-/// How a call ended. Anything but FL_STATUS_OK leaves the object as it was, and a text for people that
-/// fl_last_error() gives.
+/// Result of a call. If it is not FL_STATUS_OK, the object is unchanged, and fl_last_error() has a message.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlStatus {
-    /// Done.
+    /// Success.
     Ok = 0,
-    /// A pointer is NULL that may not be, or is not aligned for what it points to.
+    /// A pointer is NULL where that is not allowed, or misaligned.
     BadPointer = 1,
-    /// The handle stands for nothing: it was destroyed, is one of another kind, or never was one.
+    /// The handle is invalid, was destroyed or is of another kind.
     BadHandle = 2,
-    /// The member `size` of a structure is not its size: the program was compiled with another header.
+    /// The member `size` of a structure is wrong: the program was compiled with another header.
     BadSize = 3,
-    /// A text that is not UTF-8, holds a NUL, or is too long.
+    /// A text is not UTF-8, contains a NUL, or is too long.
     BadText = 4,
-    /// A constant, a count or settings that are none or do not go together.
+    /// An unknown constant, a wrong count, or settings that conflict.
     BadArgument = 5,
-    /// A file that cannot be read, or a mistake in a scenario: the text says file, line and key.
+    /// A file cannot be read, or a scenario has an error: the message names file, line and key.
     BadScenario = 6,
-    /// Bodies, materials, pairs and fenders that make no model: the text names which and what.
+    /// Bodies, materials, pairs or fenders are not valid: the message names the part and the field.
     BadModel = 7,
-    /// A state, a load or a time step that is not finite or out of range: the text names body and field; or a
-    /// step so long that its results are not finite.
+    /// A state, a load or a time step is not finite or out of range: the message names body and field. Or the step is so
+    /// long that its results are not finite.
     BadNumber = 8,
-    /// No body, fender, material, contact or event of that name or index.
+    /// No body, fender, material, contact or event has that name or index.
     NoSuch = 9,
-    /// A step before all floating bodies were shown, or a result before the first step.
+    /// A step before the states of all floating bodies were set, or a result before the first step.
     OutOfOrder = 10,
-    /// Something that an engine of these settings does not have.
+    /// Not available with the engine's settings.
     NotAvailable = 11,
-    /// Bytes that are no saved engine: cut, changed or of another version.
+    /// The bytes are not a saved engine: truncated, changed or of another version.
     BadBytes = 12,
-    /// The saved engine is that of another model, or of other settings.
+    /// The saved engine belongs to another model or to other settings.
     OtherModel = 13,
     /// The buffer is too small; `*length` says how large it must be.
     BufferTooSmall = 14,
-    /// A fault of the library itself. The handle can only be destroyed.
+    /// A bug in the library. The handle can only be destroyed.
     Panicked = 15,
 }
 
@@ -69,20 +68,22 @@ impl FlStatus {
         match self {
             FlStatus::Ok => c"done",
             FlStatus::BadPointer => c"a pointer is NULL or not aligned",
-            FlStatus::BadHandle => c"the handle stands for nothing",
-            FlStatus::BadSize => c"a structure has another size than the library's",
-            FlStatus::BadText => c"a text is not UTF-8, holds a NUL or is too long",
-            FlStatus::BadArgument => c"an argument is none that the function takes",
-            FlStatus::BadScenario => c"the scenario has a mistake or cannot be read",
-            FlStatus::BadModel => c"the parts make no model",
+            FlStatus::BadHandle => c"the handle is invalid or was destroyed",
+            FlStatus::BadSize => c"a structure has a different size from the library's",
+            FlStatus::BadText => c"a text is not UTF-8, contains a NUL or is too long",
+            FlStatus::BadArgument => c"an argument is not allowed",
+            FlStatus::BadScenario => c"the scenario has an error or cannot be read",
+            FlStatus::BadModel => c"the parts do not form a valid model",
             FlStatus::BadNumber => c"a number is not finite or out of range",
-            FlStatus::NoSuch => c"there is nothing of that name or index",
-            FlStatus::OutOfOrder => c"the call came before another that it needs",
-            FlStatus::NotAvailable => c"an engine of these settings has no such thing",
-            FlStatus::BadBytes => c"the bytes are no saved engine",
-            FlStatus::OtherModel => c"the saved engine is that of another model or other settings",
+            FlStatus::NoSuch => c"nothing has that name or index",
+            FlStatus::OutOfOrder => c"another call must come first",
+            FlStatus::NotAvailable => c"not available with the engine's settings",
+            FlStatus::BadBytes => c"the bytes are not a saved engine",
+            FlStatus::OtherModel => {
+                c"the saved engine belongs to another model or to other settings"
+            }
             FlStatus::BufferTooSmall => c"the buffer is too small",
-            FlStatus::Panicked => c"a fault of the library: the handle can only be destroyed",
+            FlStatus::Panicked => c"a bug in the library: the handle can only be destroyed",
         }
     }
 }

@@ -1,14 +1,13 @@
-//! The contact engine for programs in C, or in whatever calls C: `include/fenderline.h`, made of this crate by
-//! cbindgen, documents every function.
+//! C interface of the contact engine. `include/fenderline.h`, generated from this crate by cbindgen, documents every
+//! function.
 //!
-//! Each function here does three things and no more: it reads what C gave (`border`), finds the object that a
-//! handle stands for (`table`) and calls [`fenderline_embed`]. `unsafe` is here, as in
-//! `fenderline-fmu`, only to read and write through the caller's pointers; handles are looked up in a table
-//! and never followed as pointers, so that a destroyed, foreign or made-up handle is refused.
-#![allow(unsafe_code, reason = "C gives raw pointers; each block says why it is sound")]
+//! Each function does three things: it reads the caller's arguments (`border`), looks up the object of a handle (`table`)
+//! and calls [`fenderline_embed`]. `unsafe` is used only to read and write through the caller's pointers. Handles are
+//! looked up in a table and never dereferenced, so a destroyed or invalid handle is refused.
+#![allow(unsafe_code, reason = "C passes raw pointers; each block says why it is sound")]
 #![allow(
     clippy::missing_safety_doc,
-    reason = "the header's preamble says for all functions what a pointer must be"
+    reason = "the header's preamble states the rules for all pointers"
 )]
 
 #[cfg(not(panic = "unwind"))]

@@ -7,7 +7,7 @@ use crate::border::put_text;
 use crate::failure::FlStatus;
 use crate::table::no_panic;
 
-/// Version of this interface. It changes when a program must be compiled anew.
+/// Version of this interface. It changes when programs must be recompiled.
 pub const FL_ABI_VERSION: u32 = 1;
 
 thread_local! {
@@ -22,13 +22,13 @@ pub(crate) fn remember(text: String) {
     let _ = LAST.try_with(|last| *last.borrow_mut() = text);
 }
 
-/// The interface of the library that is linked, to be held against FL_ABI_VERSION of the header.
+/// The interface version of the linked library; compare it with the header's FL_ABI_VERSION.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_abi_version() -> u32 {
     FL_ABI_VERSION
 }
 
-/// The library's version, as in "0.1.0". The text is the library's.
+/// The library's version, such as "0.1.0". The text is static.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_version() -> *const c_char {
     const VERSION: &CStr =
@@ -39,16 +39,16 @@ pub extern "C" fn fl_version() -> *const c_char {
     VERSION.as_ptr()
 }
 
-/// What a status means, in a few words. The text is the library's; any number may be asked about.
+/// Short description of a status; any number is accepted. The text is static.
 #[unsafe(no_mangle)]
 pub extern "C" fn fl_status_text(status: i32) -> *const c_char {
     let known = FlStatus::ALL.into_iter().find(|known| *known as i32 == status);
     known.map_or(c"no status", FlStatus::text).as_ptr()
 }
 
-/// Copies the text of the last call of this thread that failed; empty where none did. It stays until another
-/// call fails. `length` may be NULL. See "Texts" in the preamble; a buffer that is too small does not count
-/// as a call that failed.
+/// Copies the message of the last failed call on this thread; empty if there was none. It stays until another call fails;
+/// a call of this function with too small a buffer does not count as a failed call. `length` may be NULL. See "Texts" in
+/// the preamble.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_last_error(
     buffer: *mut c_char,

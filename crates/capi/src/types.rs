@@ -14,7 +14,7 @@ use crate::failure::{FlStatus, Outcome, failure};
 /// cbindgen:ignore
 pub const FL_NUL: usize = usize::MAX;
 
-/// No fender: two outlines touch.
+/// No fender: outline meets outline.
 pub const FL_NONE: u32 = u32::MAX;
 
 /// fl_settings.method: the scenario's; FL_METHOD_COUPLED where there is no scenario.
@@ -24,22 +24,23 @@ pub const FL_METHOD_COUPLED: u32 = 1;
 /// fl_settings.method: the paper's, each pair by itself and without loads.
 pub const FL_METHOD_PAPER: u32 = 2;
 
-/// fl_settings.host: it shows the states of each step's beginning and tells all its loads. It may go on with
-/// fl_engine_states_after(), or move its bodies by itself with the wrenches, in steps of any lengths: by the coupled
-/// method the engine then goes on from where it was itself while bodies touch, and the wrenches keep the host beside it.
+/// fl_settings.host: a direct host. It passes the states at the start of each step and all its loads. It may take the states
+/// of fl_engine_states_after(), or integrate the bodies itself with the wrenches, in steps of any length: by the coupled
+/// method the engine then continues its own motion while bodies touch, and the wrenches keep the host with it.
 pub const FL_HOST_DIRECT: u32 = 0;
-/// fl_settings.host: it moves its bodies by itself, may show old states and need not tell its loads, as a
-/// co-simulation master or the loop of a game. Its steps may be of any lengths. The engine finds the loads in the states, reckons the states that it is not shown yet,
-/// and gives wrenches that take the host where the engine went. By the coupled method only.
+/// fl_settings.host: a co-simulation host, such as a co-simulation master or the loop of a game. It integrates the bodies
+/// itself in steps of any length, may pass states that are some steps old, and need not report its loads. The engine
+/// infers the loads from the states, predicts the present states, and returns wrenches with which the host follows the
+/// engine's motion. Coupled method only.
 pub const FL_HOST_COSIMULATION: u32 = 1;
 
 /// fl_settings.coriolis: as `fenderline run` has it with the scenario's integrator; FL_CORIOLIS_BY_ENGINE where
 /// there is no scenario.
 pub const FL_CORIOLIS_DEFAULT: u32 = 0;
-/// fl_settings.coriolis: the loads that the host tells are without the Coriolis and centripetal terms of a
-/// body's added mass, which the engine adds.
+/// fl_settings.coriolis: the host's loads do not contain the Coriolis and centripetal terms of a body's added mass; the
+/// engine adds them.
 pub const FL_CORIOLIS_BY_ENGINE: u32 = 1;
-/// fl_settings.coriolis: the loads that the host tells hold these terms.
+/// fl_settings.coriolis: the host's loads contain these terms.
 pub const FL_CORIOLIS_IN_LOADS: u32 = 2;
 
 /// fl_settings.integration: the host moves positions with the old velocities, then changes the velocities.
@@ -47,41 +48,41 @@ pub const FL_INTEGRATION_FORWARD_EULER: u32 = 0;
 /// fl_settings.integration: the host changes the velocities, then moves positions with the new ones.
 pub const FL_INTEGRATION_SEMI_IMPLICIT: u32 = 1;
 
-/// fl_event.kind: a patch of contact came into being.
+/// fl_event.kind: a contact patch began.
 pub const FL_EVENT_CONTACT_BEGAN: u32 = 0;
-/// fl_event.kind: a patch of contact ceased.
+/// fl_event.kind: a contact patch ended.
 pub const FL_EVENT_CONTACT_ENDED: u32 = 1;
-/// fl_event.kind: one patch became several.
+/// fl_event.kind: one patch split into several.
 pub const FL_EVENT_PATCH_SPLIT: u32 = 2;
-/// fl_event.kind: several patches became one.
+/// fl_event.kind: several patches merged into one.
 pub const FL_EVENT_PATCHES_MERGED: u32 = 3;
 /// fl_event.kind: one body lies wholly within the other.
 pub const FL_EVENT_CONTAINED: u32 = 4;
-/// fl_event.kind: the overlap is deeper than half the smaller body is wide.
+/// fl_event.kind: the overlap is more than half the smaller body's area.
 pub const FL_EVENT_DEEP_OVERLAP: u32 = 5;
-/// fl_event.kind: a body moved by a tenth of the radius of its outline more than its velocities explain, or
-/// fl_engine_mark_teleported() said that it was put there; its contacts start afresh. The radius is the largest distance of a
-/// vertex from the centre of gravity.
+/// fl_event.kind: a body was displaced by a tenth of its outline's radius more than its velocities explain, or
+/// fl_engine_mark_teleported() was called for it; its contacts begin anew. The radius is the largest distance of a vertex
+/// from the centre of gravity.
 pub const FL_EVENT_TELEPORTED: u32 = 6;
-/// fl_event.kind: a fender is deflected beyond what it is rated for.
+/// fl_event.kind: a fender is deflected beyond its rated deflection.
 pub const FL_EVENT_FENDER_RATING_EXCEEDED: u32 = 7;
-/// fl_event.kind: a fender is in its stop, or as deep as it projects.
+/// fl_event.kind: a fender is deflected into its stop, or by its whole projection.
 pub const FL_EVENT_FENDER_FAILED: u32 = 8;
-/// fl_event.kind: the solve of these bodies' contact did not settle within its bounded work.
+/// fl_event.kind: the solve of these bodies' contact did not converge within its iteration limit.
 pub const FL_EVENT_NOT_CONVERGED: u32 = 9;
-/// fl_event.kind: a body was put into another, so deep that the contact would throw it out faster: it is pressed out
-/// instead, at 0.08 m/s at most.
+/// fl_event.kind: a body was placed so deep in another that the contact would eject it; it is pushed out slowly instead,
+/// at 0.08 m/s at most.
 pub const FL_EVENT_PLACED_IN_OVERLAP: u32 = 10;
-/// fl_event.kind: a body answers the wrenches that a following host is given otherwise than its mass in the model
-/// says: the host moves it with another (fl_engine_mass_matrix()). Told once a body.
+/// fl_event.kind: a body of a co-simulation host does not accelerate as its mass in the model says: the host uses another
+/// mass (see fl_engine_mass_matrix()). Reported once per body.
 pub const FL_EVENT_MASS_MISMATCH: u32 = 11;
 
-/// fl_contact.flags: the friction slips; else it sticks.
+/// fl_contact.flags: the contact slips; otherwise it sticks.
 pub const FL_CONTACT_SLIPS: u32 = 1;
-/// fl_contact.flags: the limit from momentum cut the normal or the tangential force.
+/// fl_contact.flags: the momentum limit reduced the normal or the tangential force.
 pub const FL_CONTACT_LIMITED: u32 = 2;
 
-/// State of a body, earth-fixed, of its centre of gravity.
+/// State of a body's centre of gravity, earth-fixed.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlState {
@@ -111,7 +112,7 @@ pub struct FlWrench {
     pub moment_nm: f64,
 }
 
-/// How an engine is to work; all members but `size` may be 0.
+/// Settings of an engine; all members but `size` may be 0.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlSettings {
@@ -121,11 +122,11 @@ pub struct FlSettings {
     pub method: u32,
     /// FL_HOST_...
     pub host: u32,
-    /// FL_CORIOLIS_..., of a host of the present; 0 for a following one, whose loads hold the turning terms.
+    /// FL_CORIOLIS_... of a direct host; 0 for a co-simulation host, whose loads contain these terms.
     pub coriolis: u32,
-    /// FL_INTEGRATION_... of a following host; else 0.
+    /// FL_INTEGRATION_... of a co-simulation host; else 0.
     pub integration: u32,
-    /// Age of the states that a following host shows, in its steps, at most 1000; else 0.
+    /// Age of the states that a co-simulation host passes, in steps, at most 1000; else 0.
     pub delay_steps: u32,
 }
 
@@ -149,13 +150,13 @@ pub struct FlMaterial {
     pub restitution: f64,
 }
 
-/// A body. Its outline is given apart.
+/// A body. Its outline is a separate argument.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlBody {
     /// sizeof(fl_body)
     pub size: usize,
-    /// Displacement (kg). 0, and all other masses too: a fixed body.
+    /// Displacement (kg). A fixed body has 0 here and for all other masses.
     pub mass_kg: f64,
     /// Moment of inertia about the vertical (kg m2).
     pub yaw_inertia_kgm2: f64,
@@ -165,49 +166,49 @@ pub struct FlBody {
     pub added_sway_kg: f64,
     /// Added moment of inertia in yaw (kg m2).
     pub added_yaw_kgm2: f64,
-    /// Where a fixed body stands, and a floating one begins (m).
+    /// Position of a fixed body; initial position of a floating one (m).
     pub north_m: f64,
-    /// Where a fixed body stands, and a floating one begins (m).
+    /// Position of a fixed body; initial position of a floating one (m).
     pub east_m: f64,
-    /// Its heading there (rad).
+    /// Heading, likewise (rad).
     pub heading_rad: f64,
 }
 
-/// A fender: a face on a body with a reaction curve, which is given apart. It touches the outlines of the
-/// bodies that its own body makes a pair with.
+/// A fender: a face on a body. Its reaction curve is a separate argument. It touches the outlines of all bodies that form a
+/// pair with its own body.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlFender {
     /// sizeof(fl_fender)
     pub size: usize,
-    /// Middle of the line where it is mounted, in the body's frame (m).
+    /// Middle of its mounting line, in the body's frame (m).
     pub forward_m: f64,
-    /// Middle of the line where it is mounted, in the body's frame (m).
+    /// Middle of its mounting line, in the body's frame (m).
     pub starboard_m: f64,
     /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
     /// Width of the face (m).
     pub width_m: f64,
-    /// From the mounting to the face, uncompressed (m).
+    /// Distance from the mounting to the face, uncompressed (m).
     pub projection_m: f64,
-    /// The deflection that it is made for (m); 0: its projection. 0 where it has no curve.
+    /// Rated deflection (m); 0: its projection. Must be 0 without a curve.
     pub rated_deflection_m: f64,
-    /// Deflection at which it begins to stiffen to a stop (m).
+    /// Deflection at which its stop begins (m).
     pub stop_from_m: f64,
-    /// Stiffness of the stop (N/m); 0, and its beginning too: it has none.
+    /// Stiffness of the stop (N/m). Without a stop both are 0.
     pub stop_stiffness_npm: f64,
-    /// Index of the body that carries it.
+    /// Index of the body on which it is mounted.
     pub body: u32,
-    /// Index of its material: friction, restitution, damping, and stiffness where it has no curve.
+    /// Index of its material: friction, restitution, damping, and, without a curve, stiffness.
     pub material: u32,
-    /// Share of the energy taken that its rubber gives back, 0.05 to 1: its reaction falls by that law when the
-    /// hull retreats. 0: by its material's restitution.
+    /// Share of the absorbed energy that it returns, 0.05 to 1, by an unloading law. 0: unloading by its material's
+    /// restitution.
     pub returned_energy: f64,
 }
 
-/// One patch of contact in the last step. The force on body 1 is -normal_force_n times the normal and
+/// One contact patch in the last step. The force on body 1 is -normal_force_n times the normal and
 /// tangential_force_n times the normal turned by +90 degrees (north to east); on body 2 exactly the opposite.
-/// Forces are means over the step by the coupled method; peaks are the true ones, sub-steps included.
+/// By the coupled method forces are means over the step; peaks include all sub-steps.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlContact {
@@ -217,11 +218,11 @@ pub struct FlContact {
     pub body_1: u32,
     /// The body added later.
     pub body_2: u32,
-    /// The fender that is pressed; FL_NONE: outline on outline.
+    /// The fender that is compressed; FL_NONE where outline meets outline.
     pub fender: u32,
     /// Number of the patch within the pair.
     pub patch: u32,
-    /// FL_CONTACT_..., added up.
+    /// Sum of FL_CONTACT_...
     pub flags: u32,
     /// 0.
     pub reserved: u32,
@@ -229,9 +230,9 @@ pub struct FlContact {
     pub area_m2: f64,
     /// Extent of the overlap along the normal, or deflection of the fender (m).
     pub depth_m: f64,
-    /// Where the force acts (m).
+    /// Point where the force acts (m).
     pub north_m: f64,
-    /// Where the force acts (m).
+    /// Point where the force acts (m).
     pub east_m: f64,
     /// Body 1's outward normal.
     pub normal_north: f64,
@@ -241,7 +242,7 @@ pub struct FlContact {
     pub v_normal_mps: f64,
     /// Speed of body 1 relative to body 2 along the tangent (m/s).
     pub v_tangential_mps: f64,
-    /// Shear of the contact (m).
+    /// Deflection of the shear spring (m).
     pub shear_m: f64,
     /// Normal force, at least 0 (N).
     pub normal_force_n: f64,
@@ -251,27 +252,27 @@ pub struct FlContact {
     pub peak_normal_force_n: f64,
     /// Largest depth within the step (m).
     pub peak_depth_m: f64,
-    /// Of the normal force: area spring or reaction curve (N).
+    /// Term of the normal force: area spring or reaction curve (N).
     pub spring_n: f64,
-    /// Of the normal force: the stop past a fender's travel (N).
+    /// Term of the normal force: the stop at the end of a fender's travel (N).
     pub stop_n: f64,
-    /// Of the normal force: the damper (N).
+    /// Term of the normal force: the damper (N).
     pub damper_n: f64,
-    /// What the limit from momentum took off the normal force (N).
+    /// What the momentum limit subtracted from the normal force (N).
     pub limiter_n: f64,
-    /// Energy in a fender's spring and stop at the step's start that it can give back (J); 0 for outline on outline.
+    /// Energy in a fender's spring and stop at the start of the step that it can return (J); 0 where outline meets outline.
     pub stored_j: f64,
-    /// The largest energy within the step that loads such a fender from nothing to where it is (J).
+    /// Largest energy within the step that loading the fender to its deflection takes (J).
     pub peak_absorbed_j: f64,
     /// Angle between a fender's face and the hull (rad).
     pub tilt_rad: f64,
     /// Factor on a fender's reaction.
     pub factor: f64,
-    /// Energy that the rubber of a fender with returned_energy has turned to heat within the step (J).
+    /// Energy that a fender with returned_energy has dissipated within the step (J).
     pub hysteresis_j: f64,
 }
 
-/// Something that a user should know of, told in the step in which it begins.
+/// An event, reported in the step in which it begins.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlEvent {
@@ -281,9 +282,9 @@ pub struct FlEvent {
     pub kind: u32,
     /// The body.
     pub body_1: u32,
-    /// The other body; the same where it is about one alone.
+    /// The other body; the same as body_1 where only one is concerned.
     pub body_2: u32,
-    /// The fender; FL_NONE where it is about none.
+    /// The fender; FL_NONE where none is concerned.
     pub fender: u32,
 }
 
@@ -399,7 +400,7 @@ impl FlSettings {
             }
             FL_HOST_COSIMULATION => {
                 if self.coriolis != 0 {
-                    let text = "`coriolis` is of a host of the present only";
+                    let text = "`coriolis` is only for a direct host";
                     return failure(FlStatus::BadArgument, text);
                 }
                 Host::CoSimulation(HostSettings { delay_steps: self.delay_steps, integration })

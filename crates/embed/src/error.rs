@@ -1,4 +1,4 @@
-//! What a host can get wrong; each leaves the engine as it was.
+//! Errors in a host's input. After an error the engine is unchanged.
 
 use std::fmt;
 
@@ -9,18 +9,18 @@ use fenderline_sim::SetupError;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EngineError {
-    /// The bodies, materials, pairs and fenders make no contact problem.
+    /// The bodies, materials, pairs and fenders are not a valid contact problem.
     Setup(SetupError),
-    /// An outline that is none.
+    /// An invalid outline.
     Outline {
         /// The body.
         body: String,
         /// What is wrong.
         error: OutlineError,
     },
-    /// Settings that do not go together.
+    /// Settings that conflict.
     Settings(&'static str),
-    /// A name that is empty or stands twice.
+    /// A name that is empty or already used.
     Name {
         /// `body`, `material` or `fender`.
         what: &'static str,
@@ -38,27 +38,27 @@ pub enum EngineError {
         /// How many there are.
         count: usize,
     },
-    /// A name that nothing has.
+    /// An unknown name.
     NoSuchName {
         /// `body` or `fender`.
         what: &'static str,
         /// The name given.
         name: String,
     },
-    /// A state, a load, a time step or a number of them that the engine does not take.
+    /// A state, a load or a time step out of range, or a wrong number of them.
     Input(StepError),
-    /// A step whose forces or states are not finite: far too long for the states that were shown.
+    /// A step with non-finite forces or states: it is far too long for these states.
     NotFinite,
-    /// A step before the state of a floating body was shown.
+    /// A step before the state of a floating body was set.
     StateNotSet {
         /// The body.
         body: String,
     },
     /// Results before the first step.
     NoStepYet,
-    /// Something that engines of these settings do not have.
+    /// Not available with the engine's settings.
     NotAvailable(&'static str),
-    /// Bytes that are no saved engine, or that of another model.
+    /// Bytes that are not a saved engine, or that belong to another model.
     Restore(RestoreError),
     /// A saved engine of the same model with other settings.
     OtherSettings,
@@ -80,7 +80,7 @@ impl fmt::Display for EngineError {
                 "the step gives forces or states that are not finite: it is far too long for these states",
             ),
             EngineError::StateNotSet { body } => {
-                write!(f, "the state of body `{body}` was never shown")
+                write!(f, "the state of body `{body}` was never set")
             }
             EngineError::NoStepYet => f.write_str("there are no results: no step was taken"),
             EngineError::Restore(error) => error.fmt(f),

@@ -1,10 +1,9 @@
-//! The contact engine as a program of somebody else holds it: one object with everything in it, which the C
-//! interface, the FMU and the Python package wrap. No physics here.
+//! The contact engine as one object for other simulators. The C interface, the FMU and the Python package wrap it. It
+//! contains no physics.
 //!
-//! [`Engine`] is made from a scenario ([`Engine::from_scenario`]) or by calls ([`EngineBuilder`]), for a
-//! host that shows present states or for one that shows old ones ([`Settings`]). The host shows states,
-//! tells loads where it has them, steps, and reads [`Results`]; at any time it can save the engine to bytes
-//! and restore it. A call that fails changes nothing.
+//! An [`Engine`] is made from a scenario ([`Engine::from_scenario`]) or by calls ([`EngineBuilder`]), for a direct or a
+//! co-simulation host ([`Settings`]). The host sets states, and loads where it has them, takes a step, and reads
+//! [`Results`]. It can save the engine as bytes at any time and restore it. A call that fails changes nothing.
 //!
 //! ```
 //! use fenderline_embed::*;
@@ -17,8 +16,8 @@
 //!     engine.set_states(&states)?;
 //!     engine.step(0.1)?;
 //!     let wrench = engine.results()?.wrenches[tug];
-//!     let way_m = states[tug].velocity_mps * 0.1;
-//!     states[tug].position_m += way_m;
+//!     let velocity_mps = states[tug].velocity_mps;
+//!     states[tug].position_m += velocity_mps * 0.1;
 //!     states[tug].velocity_mps += wrench.force_n * (0.1 / 1.01e6);
 //! }
 //! assert!(states[tug].velocity_mps.y < 0.0); // she has bounced off the ship's side

@@ -1,4 +1,4 @@
-//! What a step found.
+//! Results of a step.
 
 use fenderline_contact::{
     BodyState, Contact, ContactImpulse, ContactWork, Event, HostWorkspace, Workspace, Wrench,
@@ -27,12 +27,12 @@ pub struct Results<'a> {
     pub host_estimate: Option<HostEstimate<'a>>,
 }
 
-/// What an engine takes a following host to be doing now.
+/// The engine's estimate of a co-simulation host.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HostEstimate<'a> {
-    /// The host's present states, which it will show when they are old enough.
+    /// The host's present states.
     pub states: &'a [BodyState],
-    /// The loads, told or observed.
+    /// Its loads, reported or observed.
     pub loads: &'a [Wrench],
 }
 

@@ -1,21 +1,21 @@
-//! What an engine has to know of its host.
+//! Settings of an engine: its method and its host.
 
 use fenderline_contact::HostSettings;
 use fenderline_sim::Method;
 
-/// Most steps of delay that an engine reckons with.
+/// Largest delay of a host, in steps.
 pub const MAX_DELAY_STEPS: u32 = 1000;
 
-/// How an engine is to work.
+/// Settings of an engine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Settings {
     /// The contact method; `None`: the scenario's, and the coupled one where there is no scenario.
     pub method: Option<Method>,
-    /// What is known of the host.
+    /// The kind of host.
     pub host: Host,
 }
 
-/// What kind of host shows the states.
+/// The kind of host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Host {
     /// One that shows the states of the step's beginning and tells all its loads (none: zero): each step is
