@@ -1,0 +1,64 @@
+//! Values by name: pure functions and standard manoeuvres of the simulator, and scenarios of more than two bodies.
+//!
+//! Each file has one subject and fills a [`Values`]; the inputs of a case stand there, the published
+//! numbers never.
+
+mod berth;
+pub(crate) mod estimates;
+mod finite_elements;
+mod float;
+mod hull;
+mod manoeuvres;
+mod propeller;
+mod sea;
+mod shallow;
+mod ships;
+mod wind;
+
+use std::collections::BTreeMap;
+
+/// A value with its unit; the unit is empty for a plain number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Value {
+    pub(crate) value: f64,
+    pub(crate) unit: &'static str,
+}
+
+/// Values by the name that a file under `validation/` calls them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Values(BTreeMap<String, Value>);
+
+impl Values {
+    /// Computes all of them.
+    pub(crate) fn all() -> Values {
+        let mut values = Values::default();
+        manoeuvres::compute(&mut values);
+        estimates::compute(&mut values);
+        hull::compute(&mut values);
+        shallow::compute(&mut values);
+        propeller::compute(&mut values);
+        wind::compute(&mut values);
+        sea::compute(&mut values);
+        float::compute(&mut values);
+        berth::compute(&mut values);
+        finite_elements::compute(&mut values);
+        values
+    }
+
+    pub(crate) fn put(&mut self, name: impl Into<String>, value: f64, unit: &'static str) {
+        let name = name.into();
+        let before = self.0.insert(name.clone(), Value { value, unit });
+        assert!(before.is_none(), "two values are called {name}");
+    }
+
+    /// The value called `name`. One that there is not is our own mistake, and panics.
+    pub(crate) fn get(&self, name: &str) -> Value {
+        *self.0.get(name).unwrap_or_else(|| panic!("no computed value is called {name}"))
+    }
+
+    /// All names.
+    #[cfg(test)]
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.keys().map(String::as_str)
+    }
+}

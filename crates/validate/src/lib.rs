@@ -1,0 +1,185 @@
+//! Validation: every published case that the project reproduces, our numbers beside the published ones.
+//!
+//! `published` reads what others published (`validation/*.toml`), `play` runs the scenarios,
+//! `quantity` takes values from a run, `computed` has all others, `row` holds one against
+//! the other; `estimate_errors` tells how far off ships from main particulars are; `printed`, `files`, `page`
+//! and `figures` show it. All cases are compiled in, so that an installed program validates
+//! anywhere; nothing is read or written.
+#![forbid(unsafe_code)]
+
+mod computed;
+mod estimate_errors;
+mod figures;
+mod files;
+mod page;
+mod play;
+mod printed;
+mod published;
+mod quantity;
+mod row;
+
+use computed::Values;
+pub use estimate_errors::errors_of;
+use play::play_all;
+use published::Source;
+use row::{Row, Runs, evaluate};
+
+/// A file under `validation/`: name and text.
+macro_rules! published {
+    ($($name:literal),* $(,)?) => {
+        [$(($name, include_str!(concat!("../../../validation/", $name)))),*]
+    };
+}
+
+/// What there is to compare with, in the order of the table.
+const PUBLISHED: [(&str, &str); 17] = published![
+    "moreno2023.toml",
+    "closed_form.toml",
+    "coupled_independent.toml",
+    "kvlcc2.toml",
+    "kcs.toml",
+    "estimated_ships.toml",
+    "low_speed.toml",
+    "esso_osaka.toml",
+    "added_mass.toml",
+    "shallow_water.toml",
+    "propeller.toml",
+    "wind.toml",
+    "current_and_waves.toml",
+    "wave_drift.toml",
+    "lines_and_tugs.toml",
+    "heave_and_roll.toml",
+    "finite_elements.toml",
+];
+
+fn sources() -> Vec<Source> {
+    let of_file = |(file, text): &(&str, &str)| {
+        Source::parse(text).unwrap_or_else(|e| panic!("the built-in validation/{file}: {e}"))
+    };
+    PUBLISHED.iter().flat_map(of_file).collect()
+}
+
+/// All published cases, recomputed.
+#[derive(Debug)]
+pub struct Validation {
+    sources: Vec<Source>,
+    runs: Runs,
+    rows: Vec<Row>,
+}
+
+impl Validation {
+    /// Runs all cases.
+    ///
+    /// # Errors
+    /// A run that failed.
+    pub fn run() -> Result<Validation, String> {
+        let sources = sources();
+        let (runs, values) = (play_all()?, values());
+        let rows = sources.iter().flat_map(|source| evaluate(source, &runs, &values)).collect();
+        Ok(Validation { sources, runs, rows })
+    }
+
+    /// The table for the terminal.
+    pub fn table(&self) -> String {
+        printed::tables(&self.rows)
+    }
+
+    /// Names and contents of `validation.csv`, `validation.json` and `validation.html`.
+    pub fn files(&self) -> [(&'static str, String); 3] {
+        files::files(page::render(&self.sources, &self.rows, &self.runs), &self.rows)
+    }
+
+    /// Each row that is out of tolerance, or within it although it is listed as a known mismatch.
+    pub fn complaints(&self) -> Vec<String> {
+        complaints(&self.rows)
+    }
+}
+
+fn complaints(rows: &[Row]) -> Vec<String> {
+    rows.iter().filter_map(Row::complaint).collect()
+}
+
+/// All values that rows name by `computed`.
+fn values() -> Values {
+    let mut values = Values::all();
+    estimate_errors::put(&mut values);
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::published::Origin;
+
+    const MORENO_2023: &str = PUBLISHED[0].1;
+
+    fn rows(moreno_2023: &str) -> Vec<Row> {
+        let sources = Source::parse(moreno_2023).expect("the published numbers parse");
+        let runs = play_all().expect("the cases run");
+        sources.iter().flat_map(|source| evaluate(source, &runs, &Values::default())).collect()
+    }
+
+    /// A run of which nobody compares anything is dead code (one run gives several measures, of which not all are
+    /// published); a case that stands twice is a slip of the pen.
+    #[test]
+    fn every_computed_run_is_held_against_something_and_no_case_stands_twice() {
+        let (sources, values) = (sources(), values());
+        let numbers = || sources.iter().flat_map(|source| &source.numbers);
+        let run = |name: &str| name.rsplit_once('/').map_or(name, |(run, _)| run).to_owned();
+        for name in values.names() {
+            let is_used = numbers().any(
+                |number| matches!(&number.origin, Origin::Computed(used) if run(used) == run(name)),
+            );
+            assert!(is_used, "{name} is compared with nothing");
+        }
+        for source in &sources {
+            let mut cases: Vec<&str> = source.numbers.iter().map(|n| n.case.as_str()).collect();
+            cases.sort_unstable();
+            assert!(cases.windows(2).all(|two| two[0] != two[1]), "{}: {cases:?}", source.short);
+        }
+    }
+
+    #[test]
+    fn a_number_that_is_known_not_to_match_must_not_match() {
+        let tampered =
+            MORENO_2023.replacen("published = 0.96", "published = 0.96\nknown_mismatch = true", 1);
+        let complaints = complaints(&rows(&tampered));
+        assert!(complaints[0].contains("known mismatch"), "it does match");
+
+        let tampered = tampered.replacen("published = 0.96", "published = 1.50", 1);
+        assert!(super::complaints(&rows(&tampered)).is_empty(), "as it is written down");
+    }
+
+    #[test]
+    fn published_numbers_are_met_and_tampered_ones_are_not() {
+        assert!(complaints(&rows(MORENO_2023)).is_empty());
+
+        let tampered = MORENO_2023.replacen("published = 0.96", "published = 1.50", 1);
+        assert_ne!(tampered, MORENO_2023);
+        let complaints = complaints(&rows(&tampered));
+        assert_eq!(complaints.len(), 1, "only that row: {complaints:?}");
+        assert!(complaints[0].contains("Greatest depth at 4 kn"), "{complaints:?}");
+    }
+
+    #[test]
+    fn a_statement_that_ceases_or_comes_to_hold_is_a_failure() {
+        let tampered = MORENO_2023.replacen("holds = \"rises\"", "holds = \"falls\"", 1);
+        assert!(complaints(&rows(&tampered))[0].contains("does not hold"));
+
+        // A mismatch that is written down and is none any more would be a false confession.
+        let tampered = MORENO_2023.replacen("low = 1\n", "low = 0.5\n", 1);
+        assert_ne!(tampered, MORENO_2023);
+        assert!(complaints(&rows(&tampered))[0].contains("known mismatch"));
+    }
+
+    #[test]
+    fn the_same_runs_give_the_same_bytes() {
+        let page = || {
+            let (sources, runs) = (sources(), play_all().expect("the cases run"));
+            let values = values();
+            let rows: Vec<Row> = sources.iter().flat_map(|s| evaluate(s, &runs, &values)).collect();
+            page::render(&sources, &rows, &runs)
+        };
+        assert_eq!(page(), page());
+    }
+}

@@ -1,0 +1,200 @@
+//! The scenarios that are held against published results, and what their runs gave.
+
+use std::collections::BTreeMap;
+
+use fenderline_contact::number::greater;
+use fenderline_contact::{BodyState, Mobility, Model, Vec2};
+use fenderline_scenario::Scenario;
+use fenderline_sim::{PairSummary, Setup, Simulation, StepRecord};
+
+/// Name under `scenarios/` and text of a scenario.
+macro_rules! embedded {
+    ($($name:literal),* $(,)?) => {
+        [$(($name, include_str!(concat!("../../../scenarios/", $name, ".toml")))),*]
+    };
+}
+
+/// Every scenario of a validation.
+const SCENARIOS: [(&str, &str); 14] = embedded![
+    "paper/experiment_1_step_0.1s",
+    "paper/experiment_1_step_0.5s",
+    "paper/experiment_1_step_1s",
+    "paper/experiment_1_step_2s",
+    "paper/experiment_2_4kn",
+    "paper/experiment_2_2kn",
+    "paper/experiment_2_1kn",
+    "paper/experiment_2_0.5kn",
+    "closed_form/flat_head_on",
+    "closed_form/momentum",
+    "closed_form/damped_head_on",
+    "closed_form/grazing_slide",
+    "closed_form/concrete_behind_fender",
+    "closed_form/rubber_head_on",
+];
+
+/// The names of all scenarios, in the order of the sources.
+pub(super) fn names() -> impl Iterator<Item = &'static str> {
+    SCENARIOS.iter().map(|(name, _)| *name)
+}
+
+/// What a run gave.
+#[derive(Clone, Debug)]
+pub(super) struct Played {
+    pub(super) title: String,
+    pub(super) setup: Setup,
+    /// The only pair of the scenario.
+    pub(super) pair: PairSummary,
+    /// One sample a step.
+    pub(super) trace: Vec<Sample>,
+    pub(super) momentum: MomentumWatch,
+    /// As a share of the kinetic energy at the start.
+    pub(super) energy_lost: f64,
+}
+
+/// Two bodies at the start of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sample {
+    pub(super) t_s: f64,
+    /// Sum over the patches.
+    pub(super) normal_force_n: f64,
+    /// Relative speed along the line between the two centres of gravity at the start of the run,
+    /// positive closing.
+    pub(super) closing_mps: f64,
+}
+
+impl Played {
+    /// From the first to the end of the last step in which the bodies overlap (s).
+    pub(super) fn contact_duration_s(&self) -> f64 {
+        self.pair.last_touch_s - self.pair.first_touch_s + self.setup.step_s
+    }
+
+    /// Length of the first unbroken run of steps with a normal force (s). What rounding leaves of one that the
+    /// limiter takes away is none.
+    pub(super) fn push_duration_s(&self) -> f64 {
+        let least_n = 1e-9 * self.pair.peak_normal_force_n;
+        let pushes = self.trace.iter().map(|sample| sample.normal_force_n > least_n);
+        let steps = pushes.skip_while(|pushes| !pushes).take_while(|pushes| *pushes).count();
+        steps as f64 * self.setup.step_s
+    }
+}
+
+/// Runs all scenarios.
+///
+/// # Errors
+/// A run that failed. A scenario that cannot be read is our own mistake, and panics.
+pub(super) fn play_all() -> Result<BTreeMap<&'static str, Played>, String> {
+    SCENARIOS.iter().map(|(name, text)| Ok((*name, play(name, text)?))).collect()
+}
+
+fn play(name: &str, text: &str) -> Result<Played, String> {
+    let file_name = format!("scenarios/{name}.toml");
+    let scenario = Scenario::parse(text, &file_name)
+        .unwrap_or_else(|e| panic!("the built-in {file_name}: {e}"));
+    let mut simulation =
+        Simulation::new(scenario.setup).map_err(|e| format!("error: {file_name}: {e}"))?;
+    let mut momentum = MomentumWatch::new(simulation.model(), simulation.states());
+    let along = line_of_centres(simulation.states());
+    let start_j = simulation.energy().kinetic_j;
+    let mut trace = Vec::new();
+    while !simulation.is_done() {
+        let step = simulation.step().map_err(|e| format!("error: {file_name}: {e}"))?;
+        trace.push(sample(&step, along));
+        momentum.watch(step.states_after);
+    }
+    let [pair] = simulation.pair_summaries() else {
+        return Err(format!("error: {file_name}: no contact"));
+    };
+    Ok(Played {
+        title: scenario.title,
+        pair: pair.clone(),
+        setup: simulation.setup().clone(),
+        trace,
+        momentum,
+        energy_lost: 1.0 - simulation.energy().kinetic_j / start_j,
+    })
+}
+
+/// The direction from the first to the second body, of length 1.
+fn line_of_centres(states: &[BodyState]) -> Vec2 {
+    let [first, second, ..] = states else { unreachable!("a case has two bodies") };
+    let line = second.position_m - first.position_m;
+    line * (1.0 / line.length())
+}
+
+fn sample(step: &StepRecord<'_>, along: Vec2) -> Sample {
+    let [first, second, ..] = step.states else { unreachable!("a case has two bodies") };
+    Sample {
+        t_s: step.t_s,
+        normal_force_n: step.contacts.iter().map(|c| c.normal_force_n).sum(),
+        closing_mps: (first.velocity_mps - second.velocity_mps).dot(along),
+    }
+}
+
+/// How far the momentum of all bodies together strays from what it was.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct MomentumWatch {
+    /// Mass (kg) and yaw inertia (kg·m²); `None` for a fixed body.
+    inertias: Vec<Option<(f64, f64)>>,
+    start: Momentum,
+    linear_change: f64,
+    angular_change: f64,
+}
+
+/// Momentum of all bodies, angular about the chart's origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Momentum {
+    linear: Vec2,
+    angular: f64,
+    /// Σ|mv|: what a change is measured against.
+    linear_scale: f64,
+    /// Σ|x × mv| + |Iω|.
+    angular_scale: f64,
+}
+
+impl MomentumWatch {
+    fn new(model: &Model, states: &[BodyState]) -> MomentumWatch {
+        let inertias = model.bodies().iter().map(|body| match body.mobility {
+            Mobility::Fixed => None,
+            Mobility::Free { mass_kg, yaw_inertia_kgm2 } => Some((mass_kg, yaw_inertia_kgm2)),
+            // Momentum of a body whose mass differs with direction is not m v.
+            Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {
+                panic!("the case's bodies have one mass in all directions")
+            }
+        });
+        let inertias: Vec<_> = inertias.collect();
+        let start = momentum(&inertias, states);
+        MomentumWatch { inertias, start, linear_change: 0.0, angular_change: 0.0 }
+    }
+
+    fn watch(&mut self, states: &[BodyState]) {
+        let now = momentum(&self.inertias, states);
+        self.linear_change = greater(self.linear_change, (now.linear - self.start.linear).length());
+        self.angular_change =
+            greater(self.angular_change, (now.angular - self.start.angular).abs());
+    }
+
+    /// Largest change as a share of Σ|mv| at the start.
+    pub(super) fn linear_drift(&self) -> f64 {
+        self.linear_change / self.start.linear_scale
+    }
+
+    /// Largest change as a share of Σ|x × mv| + |Iω| at the start.
+    pub(super) fn angular_drift(&self) -> f64 {
+        self.angular_change / self.start.angular_scale
+    }
+}
+
+fn momentum(inertias: &[Option<(f64, f64)>], states: &[BodyState]) -> Momentum {
+    let floating = inertias.iter().zip(states).filter_map(|(i, s)| i.map(|i| (i, s)));
+    floating.fold(Momentum::default(), |sum, ((mass_kg, yaw_inertia_kgm2), state)| {
+        let linear = state.velocity_mps * mass_kg;
+        let orbital = state.position_m.cross(linear);
+        let spin = yaw_inertia_kgm2 * state.yaw_rate_radps;
+        Momentum {
+            linear: sum.linear + linear,
+            angular: sum.angular + orbital + spin,
+            linear_scale: sum.linear_scale + linear.length(),
+            angular_scale: sum.angular_scale + orbital.abs() + spin.abs(),
+        }
+    })
+}
