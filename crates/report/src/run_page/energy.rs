@@ -6,8 +6,9 @@ use maud::{Markup, html};
 
 use super::Recorder;
 use super::charts::{Charts, scaled};
-use super::tables::{heading, number};
+use super::tables::number;
 use crate::plot::{Axis, Series, decimals_for, fixed, significant};
+use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
 /// A part below this share of the largest is left out of the chart: its line would lie on zero.
@@ -87,11 +88,11 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     html! {
         div class="wide" {
             table class="narrow" {
-                thead { tr {
-                    th class="name" scope="col" { "Energy" }
-                    (heading("Amount", "kJ"))
-                    (heading("Share", "%"))
-                } }
+                (table_head(&[
+                    Head::Name("Energy"),
+                    Head::Number("Amount", "kJ"),
+                    Head::Number("Share", "%"),
+                ]))
                 tbody {
                     (row("Kinetic at the start", start.kinetic_j))
                     @if recorder.has_loads() || pushed_j > 0.0 { (row("Given by loads", pushed_j)) }

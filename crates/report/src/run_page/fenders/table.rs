@@ -7,7 +7,7 @@ use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure};
 use maud::{Markup, html};
 
 use crate::plot::{decimals_for, fixed, plain, significant};
-use crate::run_page::tables::heading;
+use crate::{Head, table_head};
 use fenderline_results::Outcome;
 use fenderline_results::{Verdict, worst_first};
 
@@ -27,17 +27,17 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         div class="wide" {
             table class="fenders" {
-                thead { tr {
-                    th class="name" scope="col" { "Fender" }
-                    (heading("Deflection", "mm"))
-                    (heading("Reaction", "kN"))
-                    (heading("Energy", "kJ"))
-                    (heading("Hull pressure", "kN/m²"))
-                    (heading("First touch", "s"))
-                    (heading("Approach", "m/s, deg"))
-                    (heading("Factor", "on reaction, on energy"))
-                    th scope="col" { "Verdict" }
-                } }
+                (table_head(&[
+                    Head::Name("Fender"),
+                    Head::Number("Deflection", "mm"),
+                    Head::Number("Reaction", "kN"),
+                    Head::Number("Energy", "kJ"),
+                    Head::Number("Hull pressure", "kN/m²"),
+                    Head::Number("First touch", "s"),
+                    Head::Number("Approach", "m/s, deg"),
+                    Head::Number("Factor", "on reaction, on energy"),
+                    Head::Text("Verdict", ""),
+                ]))
                 tbody {
                     @for &index in &shown {
                         @let summary = outcome.fenders.iter().find(|f| f.fender == index);

@@ -9,7 +9,8 @@ use maud::{Markup, html};
 
 use super::headline::class;
 use crate::plot::{fixed, plain, significant};
-use crate::run_page::tables::{ROWS, heading, more, number};
+use crate::run_page::tables::{ROWS, more, number};
+use crate::{Head, table_head};
 use fenderline_results::Outcome;
 use fenderline_results::{ACCURACY, accuracy};
 use fenderline_results::{LineTotals, TugTotals, VesselTotals};
@@ -20,17 +21,17 @@ pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Vessel" }
-                    (heading("Length bp × beam × draught", "m"))
-                    (heading("Block coefficient", "–"))
-                    (heading("Full revolutions", "rpm"))
-                    (heading("Rudder", "stop deg, deg/s"))
-                    (heading("Thrusters and azimuth units", "kN each"))
-                    (heading("Largest speed", "over ground, kn"))
-                    (heading("Largest rate of turn", "deg/min"))
-                    (heading("Largest roll", "deg"))
-                } }
+                (table_head(&[
+                    Head::Name("Vessel"),
+                    Head::Number("Length bp × beam × draught", "m"),
+                    Head::Number("Block coefficient", "–"),
+                    Head::Number("Full revolutions", "rpm"),
+                    Head::Number("Rudder", "stop deg, deg/s"),
+                    Head::Number("Thrusters and azimuth units", "kN each"),
+                    Head::Number("Largest speed", "over ground, kn"),
+                    Head::Number("Largest rate of turn", "deg/min"),
+                    Head::Number("Largest roll", "deg"),
+                ]))
                 tbody {
                     @for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
                         tr { (vessel_cells(&setup.bodies[vessel.body].name, vessel, totals)) }
@@ -160,12 +161,12 @@ fn estimates(origin: &Origin) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Estimated" }
-                    th class="name" scope="col" { "Value" }
-                    th class="name" scope="col" { "By" }
-                    th class="name" scope="col" { "The formula is" }
-                } }
+                (table_head(&[
+                    Head::Name("Estimated"),
+                    Head::Name("Value"),
+                    Head::Name("By"),
+                    Head::Name("The formula is"),
+                ]))
                 tbody {
                     @for source in origin.estimates() {
                         tr {
@@ -222,15 +223,15 @@ pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Tug" }
-                    th class="name" scope="col" { "Serves" }
-                    (heading("Bollard pull", "tf (kN)"))
-                    (heading("Peak force", "tf (kN)"))
-                    (heading("at", "s"))
-                    (heading("At work", "min"))
-                    (heading("Less than ordered", "s"))
-                } }
+                (table_head(&[
+                    Head::Name("Tug"),
+                    Head::Name("Serves"),
+                    Head::Number("Bollard pull", "tf (kN)"),
+                    Head::Number("Peak force", "tf (kN)"),
+                    Head::Number("at", "s"),
+                    Head::Number("At work", "min"),
+                    Head::Number("Less than ordered", "s"),
+                ]))
                 tbody {
                     @for (tug, totals) in setup.world.tugs.iter().zip(&world.tugs).take(ROWS) {
                         tr {
@@ -268,18 +269,18 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Line" }
-                    (heading("Made fast", "s"))
-                    (heading("Break load", "kN"))
-                    (heading("Working load", "kN"))
-                    (heading("Peak tension", "kN"))
-                    (heading("of break load", "%"))
-                    (heading("at", "s"))
-                    (heading("Rendered", "m"))
-                    (heading("At the end", "kN"))
-                    th scope="col" { "Verdict" }
-                } }
+                (table_head(&[
+                    Head::Name("Line"),
+                    Head::Number("Made fast", "s"),
+                    Head::Number("Break load", "kN"),
+                    Head::Number("Working load", "kN"),
+                    Head::Number("Peak tension", "kN"),
+                    Head::Number("of break load", "%"),
+                    Head::Number("at", "s"),
+                    Head::Number("Rendered", "m"),
+                    Head::Number("At the end", "kN"),
+                    Head::Text("Verdict", ""),
+                ]))
                 tbody {
                     @for (line, totals) in setup.world.lines.iter().zip(&world.lines).take(ROWS) {
                         tr {
