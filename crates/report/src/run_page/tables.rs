@@ -18,7 +18,7 @@ pub(super) fn number(text: &str) -> Markup {
 pub(super) fn more(total: usize) -> Markup {
     html! {
         @if total > ROWS {
-            p class="note" { "and " (total - ROWS) " more, left out here." }
+            p class="note" { "and " (total - ROWS) " more rows are not shown." }
         }
     }
 }
@@ -55,7 +55,7 @@ pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
         (more(pairs.len()))
         p class="note" {
             "Speeds are relative, along the contact normal: approach at the first touch, positive "
-            "closing; final at the end of the last touching step, positive parting."
+            "closing; final at the end of the last touching step, positive separating."
             @if pairs.iter().any(|p| p.touching_at_end) {
                 " † Still touching at the end of the run."
             }

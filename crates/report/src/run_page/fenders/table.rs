@@ -73,18 +73,18 @@ fn hull_pressure_note(setups: &[FenderSetup]) -> Markup {
     let limit = setups.iter().find_map(limit_of);
     html! {
         @if let Some(limit_npm2) = limit && setups.iter().all(|f| limit_of(f) == limit) {
-            "The hull takes " (plain(limit_npm2 / 1e3, 4)) " kN/m². "
+            "The permissible hull pressure is " (plain(limit_npm2 / 1e3, 4)) " kN/m². "
         }
         @if any(|way| matches!(way, HullPressure::OverFace)) {
             "Hull pressure of a fender with a panel: its reaction over the area of the face. "
         }
         @if any(|way| matches!(way, HullPressure::Inner { .. })) {
-            "Hull pressure of a fender blown up: its inner pressure, on a straight line from the initial "
-            "one at no deflection to the published one at the rated deflection. The true pressure rises ever "
-            "faster: the line is on the safe side up to the rated deflection, and not beyond. "
+            "Hull pressure of a pneumatic fender: its internal pressure, interpolated linearly from the initial "
+            "pressure at no deflection to the published pressure at the rated deflection. The true pressure curve is "
+            "convex: the line is conservative up to the rated deflection, and not beyond. "
         }
         @if any(|way| matches!(way, HullPressure::Unknown)) {
-            "– for the hull pressure: the fender has no panel, and its data do not say how hard it presses. "
+            "– for the hull pressure: the fender has no panel, and its data give no hull pressure. "
         }
     }
 }

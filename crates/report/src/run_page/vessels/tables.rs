@@ -87,7 +87,7 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
     let origin = &vessel.origin;
     let has_estimates = origin.estimates().next().is_some();
     html! {
-        p { (name) ": " strong { (origin.title) } ". Where her numbers come from:" }
+        p { (name) ": " strong { (origin.title) } ". Sources of her data:" }
         ul class="plain" {
             @for source in origin.sources.iter().filter(|source| !source.is_estimate) {
                 li { (source.group) ": " (source.source) " – " (standing(source)) }
@@ -96,8 +96,8 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
         @if has_estimates {
             p {
                 span class="verdict over_rated" { "ESTIMATED" } " "
-                "What is not known of " (name) " is estimated by formulas, which are not validated for this "
-                "ship; do not take them for her own manoeuvring data."
+                "Missing data of " (name) " are estimated by formulas that are not validated for this "
+                "ship. Do not use them as her own manoeuvring data."
             }
             (estimates(origin))
             @let accuracy = accuracy(origin, outcome.estimate_errors);
@@ -129,7 +129,7 @@ fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> M
     html! {
         @if let Some(least) = totals.under_keel_m {
             p class="note" {
-                (name) ": least water under the keel " (fixed(least.value, 2)) " m at "
+                (name) ": minimum under-keel clearance " (fixed(least.value, 2)) " m at "
                 (plain(least.at_s, 6)) " s"
                 @if environment.tide != Tide::default() {
                     @let [low_m, high_m] = environment.tide.range_m();
@@ -150,8 +150,8 @@ fn banks() -> Markup {
     html! {
         p {
             span class="verdict over_rated" { "UNVALIDATED" } " "
-            "The banks' pull on vessels is by Norrbin's formulas for a vertical wall, which are recalled: no source "
-            "of them could be read, and nothing was found to hold them against."
+            "The suction of banks on vessels is by Norrbin's formulas for a vertical wall, which are recalled: no source "
+            "of them could be read, and no data were found to validate them."
         }
     }
 }
@@ -165,7 +165,7 @@ fn estimates(origin: &Origin) -> Markup {
                     Head::Name("Estimated"),
                     Head::Name("Value"),
                     Head::Name("By"),
-                    Head::Name("The formula is"),
+                    Head::Name("Standing of the formula"),
                 ]))
                 tbody {
                     @for source in origin.estimates() {
@@ -230,7 +230,7 @@ pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
                     Head::Number("Peak force", "tf (kN)"),
                     Head::Number("at", "s"),
                     Head::Number("At work", "min"),
-                    Head::Number("Less than ordered", "s"),
+                    Head::Number("Force limited", "s"),
                 ]))
                 tbody {
                     @for (tug, totals) in setup.world.tugs.iter().zip(&world.tugs).take(ROWS) {
@@ -247,7 +247,7 @@ pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
         p class="note" {
             "Tugs are forces at the ship's side, not hulls. What a tug gives at speed is "
             strong { "derived" } " from her bollard pull and drag; no published envelope was found. "
-            "Less than ordered: how long speed and angle left her less than she was asked for."
+            "Force limited: time in which her speed and angle allowed less than the ordered force."
         }
     }
 }
