@@ -11,7 +11,7 @@ use crate::mass::InverseMatrix;
 use crate::material::{BodyId, FenderId, Material, MaterialId};
 use crate::number::greater;
 use crate::outline::Outline;
-use crate::pairing::{Bounds, RankedPair};
+use crate::pair::{Bounds, RankedPair};
 use crate::ranked::Ranked;
 use crate::reaction::FenderLaw;
 

@@ -59,7 +59,10 @@ impl HostWorkspace {
     /// The events of bodies with other masses.
     pub(super) fn tell_of_masses(&mut self) {
         for &body in &self.differ {
-            self.engine.events.push(Event { bodies: [body, body], kind: EventKind::MassMismatch });
+            self.engine
+                .results
+                .events
+                .push(Event { bodies: [body, body], kind: EventKind::MassMismatch });
         }
     }
 
