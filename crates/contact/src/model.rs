@@ -254,7 +254,11 @@ impl ModelBuilder {
             fingerprint: 0,
             layout: 0,
         };
-        model.pair_bounds = model.pairs.iter().map(|pair| Bounds::of(&model, pair)).collect();
+        model.pair_bounds = model
+            .pairs
+            .iter()
+            .map(|pair| Bounds::of(&model.ranked, &model.materials, pair))
+            .collect();
         model.fingerprint = fingerprint(&model);
         model.layout = layout(&model);
         Ok(model)
