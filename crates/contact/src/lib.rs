@@ -144,6 +144,7 @@ extern crate std;
 mod admit;
 mod angle;
 mod bodies;
+mod body;
 mod broad;
 mod candidates;
 mod coupled;
@@ -184,6 +185,7 @@ mod unloading;
 mod vec2;
 mod workspace;
 
+pub use body::{Body, Mobility};
 pub use coupled::press_out::MAX_PUSH_OUT_MPS;
 pub use coupled::{advance, advance_from_engine_states, advance_in_place};
 pub use error::{DisplayNumber, ModelError, RestoreError, StepError};
@@ -193,7 +195,7 @@ pub use geometry::convex::ConvexPolygon;
 pub use host::{CoSimHost, DirectHost, HostIntegration, HostSettings, HostWorkspace};
 pub use material::{BodyId, FenderId, Material, MaterialId};
 pub use memory::Memory;
-pub use model::{Body, Mobility, Model, ModelBuilder, Pair};
+pub use model::{Model, ModelBuilder, Pair};
 pub use outline::{Outline, OutlineError, OutlineNotice};
 pub use reaction::FenderLaw;
 pub use report::{

@@ -1,8 +1,8 @@
 //! A body's mass matrix in its attitude, as the host's equations have it.
 
+use crate::body::Mobility;
 use crate::host::steering::Velocity;
 use crate::mass::InverseMatrix;
-use crate::model::Mobility;
 use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};

@@ -5,10 +5,10 @@
 //! worth the name, and had the same loads before as after, which were a small part of it. A ship at rest, or
 //! one that is pushed harder all of a sudden, tells nothing of her mass.
 
+use crate::body::{Body, Mobility};
 use crate::host::cosim::Given;
 use crate::host::inertia;
 use crate::host::steering::Velocity;
-use crate::model::{Body, Mobility};
 use crate::number::greater;
 use crate::report::Wrench;
 use crate::state::BodyState;

@@ -2,11 +2,11 @@
 //! the wrench that it was given between them. All that is not contact is in it.
 
 use crate::admit::LARGEST_LOAD;
+use crate::body::{Body, Mobility};
 use crate::host::cosim::Given;
 use crate::host::inertia;
 use crate::host::settings::HostIntegration;
 use crate::host::steering::Velocity;
-use crate::model::{Body, Mobility};
 use crate::number::greater;
 use crate::report::Wrench;
 use crate::state::BodyState;
