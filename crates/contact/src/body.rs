@@ -4,28 +4,28 @@ use alloc::string::String;
 
 use crate::outline::Outline;
 
-/// How a body answers a force, as the limiter of eq. 9–26 sees it.
+/// Mass and inertia of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mobility {
-    /// A quay or a fender on it: infinite mass, inverse mass zero.
+    /// A fixed body, such as a quay: infinite mass.
     Fixed,
-    /// A floating body.
+    /// A floating body with the same mass in all directions.
     Free {
         /// Displacement plus the smallest added mass (§3.1 of the paper) (kg).
         mass_kg: f64,
         /// Moment of inertia about the vertical through the centre of gravity (kg·m²).
         yaw_inertia_kgm2: f64,
     },
-    /// A floating body with its full mass matrix, for the coupled method. The paper's method takes
-    /// the smaller of surge and sway in every direction.
+    /// A floating body with its full mass matrix, for the coupled method. The paper's method uses the smaller of
+    /// surge and sway in all directions.
     FullMatrix {
         /// Rigid body and added mass over surge, sway and yaw, about the centre of gravity,
         /// symmetric (kg, kg·m, kg·m²).
         matrix: [[f64; 3]; 3],
     },
-    /// A floating body whose mass differs between surge and sway, and whose momentum the engine turns with
-    /// it where it moves the body itself (Kirchhoff's equations, Munk's moment among them): the host's loads
-    /// then hold no Coriolis or centripetal terms. Otherwise as [`Mobility::FullMatrix`].
+    /// A floating body whose mass differs between surge and sway. Where the engine moves it, the engine adds the
+    /// Coriolis and centripetal terms (Kirchhoff's equations, with the Munk moment), and the host's loads must not
+    /// contain them. Otherwise as [`Mobility::FullMatrix`].
     SurgeSway {
         /// Displacement and added mass in surge (kg).
         surge_kg: f64,
@@ -54,13 +54,13 @@ impl Mobility {
     }
 }
 
-/// A body as the engine knows it.
+/// A body: a ship, a tug, a quay.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Name, used in errors.
     pub name: String,
-    /// Fixes the order of all sums and the content of snapshots, whatever the order in which
-    /// bodies are added; unique in a model.
+    /// Determines the order of all sums and the content of snapshots, so that the order in which bodies are added does
+    /// not matter; unique in a model.
     pub key: u64,
     /// Outline in the body's frame, origin at the centre of gravity.
     pub outline: Outline,
