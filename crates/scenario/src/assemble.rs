@@ -5,6 +5,7 @@ mod azimuth;
 mod current;
 mod environment;
 mod fenders;
+mod orders;
 mod providers;
 mod response;
 mod vessel;
@@ -29,10 +30,9 @@ use crate::sources::{Sources, quoted};
 use crate::suggest::nearest;
 use crate::vessels::VesselLibrary;
 
-use self::azimuth::Afloat;
 pub(crate) use self::azimuth::azimuths;
+use self::orders::OrderNames;
 use self::vessel::Decks;
-use self::world::WorldNames;
 
 type Checked<T> = Result<T, ScenarioError>;
 
@@ -84,14 +84,11 @@ pub(crate) fn setup(
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines =
         assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
-    let afloat = Afloat::new(&bodies, &fenders, &pairs, &lines);
-    let known = WorldNames::new(&vessels, &tugs, afloat);
-    let orders = assembly.orders(file.given("order").list(), &known, &names)?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
     let berthing = file.item("berthing").map(Item::table);
     let berthing = assembly.berthing(berthing, &bodies, &names)?;
     assembly.note_unused(file, &bodies, &pairs, &fenders);
-    Ok(Setup {
+    let mut setup = Setup {
         step_s,
         duration_s,
         integrator,
@@ -103,8 +100,11 @@ pub(crate) fn setup(
         fenders,
         berthing,
         loads,
-        world: WorldSetup { environment, vessels, orders, tugs, lines, providers },
-    })
+        world: WorldSetup { environment, vessels, orders: vec![], tugs, lines, providers },
+    };
+    let orders = file.given("order").list();
+    setup.world.orders = assembly.orders(orders, &OrderNames::new(&setup, &names))?;
+    Ok(setup)
 }
 
 /// An order to the vessels, tugs and lines of a set-up.
@@ -112,11 +112,7 @@ pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Chec
     let (files, mut notices) = (Files::default(), Vec::new());
     let assembly = Assembly { sources, files: &files, notices: &mut notices };
     let names = Names::new(&setup.bodies, &setup.materials);
-    let pairs = Pairs::new(setup.pairs.clone(), setup.every_other_pair);
-    let world = &setup.world;
-    let afloat = Afloat::new(&setup.bodies, &setup.fenders, &pairs, &world.lines);
-    let known = WorldNames::new(&world.vessels, &world.tugs, afloat);
-    assembly.order(table, &known, &names)
+    assembly.order(table, &OrderNames::new(setup, &names))
 }
 
 fn method(contact: &Table) -> Method {
@@ -163,11 +159,6 @@ impl Pairs {
     fn new(named: Vec<PairSetup>, every_other: Option<usize>) -> Pairs {
         let touching = named.iter().map(|pair| ordered(pair.bodies)).collect();
         Pairs { named, every_other, touching }
-    }
-
-    /// Whether two bodies can touch each other.
-    fn may_touch(&self, bodies: [usize; 2]) -> bool {
-        self.every_other.is_some() || self.touching.contains(&ordered(bodies))
     }
 }
 

@@ -3,10 +3,10 @@
 //! The bounds keep all that the simulation computes far from overflow and are beyond anything that
 //! floats. To add a key: add it here, then use it in [`crate::assemble`].
 
-mod assist;
 mod azimuth;
 mod environment;
 mod fender;
+pub(crate) mod order;
 mod provider;
 mod vessel;
 pub(crate) mod windage;
@@ -22,25 +22,7 @@ use crate::units::measures as unit;
 pub(crate) use azimuth::AZIMUTH;
 pub(crate) use vessel::{STABILITY, THRUSTER};
 pub(crate) use windage::WINDAGE;
-pub(crate) use world::{LENGTH as LENGTH_M, ORDER, PLACE as FORWARD_M, key};
-
-/// What an order may ask of a vessel, a tug or a line: one of them.
-pub(crate) const VESSEL_ORDERS: &[&str] = &[
-    "rudder",
-    "engine",
-    "telegraph",
-    "thruster",
-    "azimuth",
-    "course",
-    "speed",
-    "station",
-    "push_ship",
-    "pull_ship",
-    "follow_ship",
-    "hands",
-];
-pub(crate) const TUG_ORDERS: &[&str] = &["push", "pull", "stand_by"];
-pub(crate) const LINE_ORDERS: &[&str] = &["heave", "pay_out", "hold", "let_go"];
+pub(crate) use world::{LENGTH as LENGTH_M, PLACE as FORWARD_M, key};
 
 /// The whole file.
 pub(crate) static SCENARIO: TableSpec = TableSpec {
@@ -150,7 +132,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
         },
         KeySpec {
             name: "order",
-            kind: Kind::List(&world::ORDER),
+            kind: Kind::List(&order::ORDER),
             absent: Is("[]"),
             doc: "Orders at times of the run.",
             examples: &[],

@@ -16,13 +16,15 @@ use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{Rate, euler, semi_implicit};
 use crate::ledger::{Books, Ledger, MeanVelocity, WorkBy};
 use crate::load_work::LoadedStep;
-use crate::order::check_order;
+use crate::order::{Action, LineAction, Order, OrderError, VesselAction, check_order};
 use crate::record::{Energy, StepRecord};
 use crate::rigid_body::{Inertia, initial_state};
 use crate::setup::{Integrator, Load, Method, Setup};
 use crate::summary::{PairSummary, Summaries};
 use crate::turning::{Turns, turning_wrench};
-use crate::world::{Faults, LineEnd, Mooring, Order, TugAtWork, VesselState, World, mass_matrix};
+use crate::world::{
+    Assist, Faults, Job, LineEnd, Mooring, TugAtWork, VesselState, World, mass_matrix,
+};
 
 /// Weights of the four stages of classical Runge–Kutta.
 const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
@@ -271,20 +273,50 @@ impl Simulation {
         self.buffers.external.copy_from_slice(wrenches);
     }
 
-    /// Gives an order that the set-up does not have, from a hand at a control: it is carried out in the step
-    /// in which its time lies, in the next one where that has gone by. Of orders for one time the set-up's come
-    /// first, then the others as they were given.
+    /// Adds an order to those of the set-up. It is carried out in the step in which its time lies, or in the next step
+    /// where that time is past. Orders of one time are carried out in this sequence: the set-up's, then the others as
+    /// they were given.
     ///
     /// # Errors
-    /// [`SetupError`] for what is not there, or a number that is none; no order is then changed.
+    /// [`SetupError`] for a target, a gear or a name that is not there, or a number out of its limits; no order is then
+    /// changed.
     pub fn order(&mut self, order: Order) -> Result<(), SetupError> {
         check_order(&order, &self.setup)?;
         self.world.order(order);
         Ok(())
     }
 
-    /// Forgets orders that are not carried out yet, the set-up's among them, unless `keep` says otherwise: who
-    /// takes a control in hand does not want it moved by a plan.
+    /// Whether an order can be carried out as things stand now: no line that was let go, no tug that a station pilot
+    /// uses. An order planned ahead is not held to this.
+    ///
+    /// # Errors
+    /// What stands in its way.
+    pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
+        let is_there = |line: usize| {
+            if !self.world.lines.get(line).is_some_and(|line| line.gone) {
+                return Ok(());
+            }
+            Err(OrderError::LineGone { line: self.setup.world.lines[line].line.name.clone() })
+        };
+        match action {
+            Action::Line(line, LineAction::Winch(_) | LineAction::LetGo) => is_there(*line),
+            Action::Vessel(_, VesselAction::Assist(Assist { job: Job::Pull { line, .. }, .. })) => {
+                is_there(*line)
+            }
+            Action::Tug(tug, _) => {
+                let Some(tug) = self.setup.world.tugs.get(*tug) else { return Ok(()) };
+                if self.world.vessels[tug.vessel].pilots.station.is_none() {
+                    return Ok(());
+                }
+                let ship = self.setup.world.vessels[tug.vessel].body;
+                Err(OrderError::TugOfStation { ship: self.setup.bodies[ship].name.clone() })
+            }
+            Action::Vessel(..) => Ok(()),
+        }
+    }
+
+    /// Drops the orders that are not carried out yet and for which `keep` is false, the set-up's among them: who takes
+    /// a control by hand does not want it moved by a plan.
     pub fn keep_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
         self.world.keep_orders(keep);
     }
