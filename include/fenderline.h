@@ -72,31 +72,31 @@
  * fl_engine_states_after(), or move its bodies by itself with the wrenches, in steps of any lengths: by the coupled
  * method the engine then goes on from where it was itself while bodies touch, and the wrenches keep the host beside it.
  */
-#define FL_HOST_PRESENT 0
+#define FL_HOST_DIRECT 0
 
 /**
  * fl_settings.host: it moves its bodies by itself, may show old states and need not tell its loads, as a
  * co-simulation master or the loop of a game. Its steps may be of any lengths. The engine finds the loads in the states, reckons the states that it is not shown yet,
  * and gives wrenches that take the host where the engine went. By the coupled method only.
  */
-#define FL_HOST_FOLLOWING 1
+#define FL_HOST_COSIMULATION 1
 
 /**
- * fl_settings.turning: as `fenderline run` has it with the scenario's integrator; FL_TURNING_BY_ENGINE where
+ * fl_settings.coriolis: as `fenderline run` has it with the scenario's integrator; FL_CORIOLIS_BY_ENGINE where
  * there is no scenario.
  */
-#define FL_TURNING_DEFAULT 0
+#define FL_CORIOLIS_DEFAULT 0
 
 /**
- * fl_settings.turning: the loads that the host tells are without the Coriolis and centripetal terms of a
+ * fl_settings.coriolis: the loads that the host tells are without the Coriolis and centripetal terms of a
  * body's added mass, which the engine adds.
  */
-#define FL_TURNING_BY_ENGINE 1
+#define FL_CORIOLIS_BY_ENGINE 1
 
 /**
- * fl_settings.turning: the loads that the host tells hold these terms.
+ * fl_settings.coriolis: the loads that the host tells hold these terms.
  */
-#define FL_TURNING_IN_LOADS 2
+#define FL_CORIOLIS_IN_LOADS 2
 
 /**
  * fl_settings.integration: the host moves positions with the old velocities, then changes the velocities.
@@ -140,7 +140,7 @@
 
 /**
  * fl_event.kind: a body moved by a tenth of the radius of its outline more than its velocities explain, or
- * fl_engine_place() said that it was put there; its contacts start afresh. The radius is the largest distance of a
+ * fl_engine_mark_teleported() said that it was put there; its contacts start afresh. The radius is the largest distance of a
  * vertex from the centre of gravity.
  */
 #define FL_EVENT_TELEPORTED 6
@@ -148,7 +148,7 @@
 /**
  * fl_event.kind: a fender is deflected beyond what it is rated for.
  */
-#define FL_EVENT_FENDER_OVER_RATED 7
+#define FL_EVENT_FENDER_RATING_EXCEEDED 7
 
 /**
  * fl_event.kind: a fender is in its stop, or as deep as it projects.
@@ -164,13 +164,13 @@
  * fl_event.kind: a body was put into another, so deep that the contact would throw it out faster: it is pressed out
  * instead, at 0.08 m/s at most.
  */
-#define FL_EVENT_PUT_INTO 10
+#define FL_EVENT_PLACED_IN_OVERLAP 10
 
 /**
  * fl_event.kind: a body answers the wrenches that a following host is given otherwise than its mass in the model
  * says: the host moves it with another (fl_engine_mass_matrix()). Told once a body.
  */
-#define FL_EVENT_MASS_DIFFERS 11
+#define FL_EVENT_MASS_MISMATCH 11
 
 /**
  * fl_contact.flags: the friction slips; else it sticks.
@@ -273,15 +273,15 @@ typedef struct {
      */
     size_t size;
     /**
-     * Area stiffness [N/m2].
+     * Area stiffness (N/m2).
      */
     double stiffness_npm2;
     /**
-     * Area damping [N s/m2].
+     * Area damping (N s/m2).
      */
     double damping_nspm2;
     /**
-     * Shear stiffness [N/m].
+     * Shear stiffness (N/m).
      */
     double shear_stiffness_npm;
     /**
@@ -307,35 +307,35 @@ typedef struct {
      */
     size_t size;
     /**
-     * Displacement [kg]. 0, and all other masses too: a fixed body.
+     * Displacement (kg). 0, and all other masses too: a fixed body.
      */
     double mass_kg;
     /**
-     * Moment of inertia about the vertical [kg m2].
+     * Moment of inertia about the vertical (kg m2).
      */
     double yaw_inertia_kgm2;
     /**
-     * Added mass in surge [kg].
+     * Added mass in surge (kg).
      */
     double added_surge_kg;
     /**
-     * Added mass in sway [kg].
+     * Added mass in sway (kg).
      */
     double added_sway_kg;
     /**
-     * Added moment of inertia in yaw [kg m2].
+     * Added moment of inertia in yaw (kg m2).
      */
     double added_yaw_kgm2;
     /**
-     * Where a fixed body stands, and a floating one begins [m].
+     * Where a fixed body stands, and a floating one begins (m).
      */
     double north_m;
     /**
-     * Where a fixed body stands, and a floating one begins [m].
+     * Where a fixed body stands, and a floating one begins (m).
      */
     double east_m;
     /**
-     * Its heading there [rad].
+     * Its heading there (rad).
      */
     double heading_rad;
 } fl_body;
@@ -350,35 +350,35 @@ typedef struct {
      */
     size_t size;
     /**
-     * Middle of the line where it is mounted, in the body's frame [m].
+     * Middle of the line where it is mounted, in the body's frame (m).
      */
     double forward_m;
     /**
-     * Middle of the line where it is mounted, in the body's frame [m].
+     * Middle of the line where it is mounted, in the body's frame (m).
      */
     double starboard_m;
     /**
-     * Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+     * Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
      */
     double facing_rad;
     /**
-     * Width of the face [m].
+     * Width of the face (m).
      */
     double width_m;
     /**
-     * From the mounting to the face, uncompressed [m].
+     * From the mounting to the face, uncompressed (m).
      */
     double projection_m;
     /**
-     * The deflection that it is made for [m]; 0: its projection. 0 where it has no curve.
+     * The deflection that it is made for (m); 0: its projection. 0 where it has no curve.
      */
     double rated_deflection_m;
     /**
-     * Deflection at which it begins to stiffen to a stop [m].
+     * Deflection at which it begins to stiffen to a stop (m).
      */
     double stop_from_m;
     /**
-     * Stiffness of the stop [N/m]; 0, and its beginning too: it has none.
+     * Stiffness of the stop (N/m); 0, and its beginning too: it has none.
      */
     double stop_stiffness_npm;
     /**
@@ -413,9 +413,9 @@ typedef struct {
      */
     uint32_t host;
     /**
-     * FL_TURNING_..., of a host of the present; 0 for a following one, whose loads hold the turning terms.
+     * FL_CORIOLIS_..., of a host of the present; 0 for a following one, whose loads hold the turning terms.
      */
-    uint32_t turning;
+    uint32_t coriolis;
     /**
      * FL_INTEGRATION_... of a following host; else 0.
      */
@@ -431,27 +431,27 @@ typedef struct {
  */
 typedef struct {
     /**
-     * Position [m].
+     * Position (m).
      */
     double north_m;
     /**
-     * Position [m].
+     * Position (m).
      */
     double east_m;
     /**
-     * Clockwise from north [rad].
+     * Clockwise from north (rad).
      */
     double heading_rad;
     /**
-     * Velocity [m/s].
+     * Velocity (m/s).
      */
     double north_mps;
     /**
-     * Velocity [m/s].
+     * Velocity (m/s).
      */
     double east_mps;
     /**
-     * Rate of turn, positive to starboard [rad/s].
+     * Rate of turn, positive to starboard (rad/s).
      */
     double yaw_rate_radps;
 } fl_state;
@@ -461,15 +461,15 @@ typedef struct {
  */
 typedef struct {
     /**
-     * Force [N].
+     * Force (N).
      */
     double north_n;
     /**
-     * Force [N].
+     * Force (N).
      */
     double east_n;
     /**
-     * Moment about the vertical, positive to starboard [N m].
+     * Moment about the vertical, positive to starboard (N m).
      */
     double moment_nm;
 } fl_wrench;
@@ -509,19 +509,19 @@ typedef struct {
      */
     uint32_t reserved;
     /**
-     * Area of the overlap [m2].
+     * Area of the overlap (m2).
      */
     double area_m2;
     /**
-     * Extent of the overlap along the normal, or deflection of the fender [m].
+     * Extent of the overlap along the normal, or deflection of the fender (m).
      */
     double depth_m;
     /**
-     * Where the force acts [m].
+     * Where the force acts (m).
      */
     double north_m;
     /**
-     * Where the force acts [m].
+     * Where the force acts (m).
      */
     double east_m;
     /**
@@ -533,59 +533,59 @@ typedef struct {
      */
     double normal_east;
     /**
-     * Speed of approach along the normal [m/s].
+     * Speed of approach along the normal (m/s).
      */
     double v_normal_mps;
     /**
-     * Speed of body 1 relative to body 2 along the tangent [m/s].
+     * Speed of body 1 relative to body 2 along the tangent (m/s).
      */
     double v_tangential_mps;
     /**
-     * Shear of the contact [m].
+     * Shear of the contact (m).
      */
     double shear_m;
     /**
-     * Normal force, at least 0 [N].
+     * Normal force, at least 0 (N).
      */
     double normal_force_n;
     /**
-     * Tangential force on body 1 [N].
+     * Tangential force on body 1 (N).
      */
     double tangential_force_n;
     /**
-     * Largest normal force within the step [N].
+     * Largest normal force within the step (N).
      */
     double peak_normal_force_n;
     /**
-     * Largest depth within the step [m].
+     * Largest depth within the step (m).
      */
     double peak_depth_m;
     /**
-     * Of the normal force: area spring or reaction curve [N].
+     * Of the normal force: area spring or reaction curve (N).
      */
     double spring_n;
     /**
-     * Of the normal force: the stop past a fender's travel [N].
+     * Of the normal force: the stop past a fender's travel (N).
      */
     double stop_n;
     /**
-     * Of the normal force: the damper [N].
+     * Of the normal force: the damper (N).
      */
     double damper_n;
     /**
-     * What the limit from momentum took off the normal force [N].
+     * What the limit from momentum took off the normal force (N).
      */
     double limiter_n;
     /**
-     * Energy in a fender's spring and stop at the step's start that it can give back [J]; 0 for outline on outline.
+     * Energy in a fender's spring and stop at the step's start that it can give back (J); 0 for outline on outline.
      */
     double stored_j;
     /**
-     * The largest energy within the step that loads such a fender from nothing to where it is [J].
+     * The largest energy within the step that loads such a fender from nothing to where it is (J).
      */
-    double peak_loaded_j;
+    double peak_absorbed_j;
     /**
-     * Angle between a fender's face and the hull [rad].
+     * Angle between a fender's face and the hull (rad).
      */
     double tilt_rad;
     /**
@@ -593,7 +593,7 @@ typedef struct {
      */
     double factor;
     /**
-     * Energy that the rubber of a fender with returned_energy has turned to heat within the step [J].
+     * Energy that the rubber of a fender with returned_energy has turned to heat within the step (J).
      */
     double hysteresis_j;
 } fl_contact;
@@ -682,7 +682,7 @@ fl_status fl_builder_add_material(fl_builder *builder,
 
 /**
  * Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard of
- * the centre of gravity) [m], in either direction, convex or not. Its index, counted from 0, goes to `index`
+ * the centre of gravity) (m), in either direction, convex or not. Its index, counted from 0, goes to `index`
  * where that is not NULL. Its masses are checked by fl_builder_build().
  */
 fl_status fl_builder_add_body(fl_builder *builder,
@@ -694,8 +694,8 @@ fl_status fl_builder_add_body(fl_builder *builder,
                               uint32_t *index);
 
 /**
- * Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection [m] and reaction
- * [N], from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
+ * Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction
+ * (N), from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
  * stiffness times the area of the overlap. Its index, counted from 0, goes to `index` where that is not
  * NULL. Its numbers are checked by fl_builder_build().
  */
@@ -718,7 +718,7 @@ fl_status fl_builder_add_pair(fl_builder *builder,
 /**
  * Lets all pairs of bodies touch that fl_builder_add_pair() does not name, with a material.
  */
-fl_status fl_builder_every_other_pair(fl_builder *builder, uint32_t material);
+fl_status fl_builder_add_all_other_pairs(fl_builder *builder, uint32_t material);
 
 /**
  * Makes an engine of all that was added, at `*engine`, to be destroyed by fl_engine_destroy(); NULL where
@@ -823,7 +823,7 @@ fl_status fl_engine_find_fender(const fl_engine *engine,
 
 /**
  * Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row
- * by row: 9 numbers [kg, kg m, kg m2]; zeros for a fixed body. A following host must move its bodies with it.
+ * by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A following host must move its bodies with it.
  */
 fl_status fl_engine_mass_matrix(const fl_engine *engine,
                                 uint32_t body,
@@ -853,12 +853,12 @@ fl_status fl_engine_set_states(fl_engine *engine,
 /**
  * Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
  * start afresh (FL_EVENT_TELEPORTED), no load is read from it, and out of another body it is pressed slowly
- * (FL_EVENT_PUT_INTO, where it lies so deep that it would be thrown out). Without it the engine finds that out where the body is a tenth of the
+ * (FL_EVENT_PLACED_IN_OVERLAP, where it lies so deep that it would be thrown out). Without it the engine finds that out where the body is a tenth of the
  * radius of its outline farther than its velocities lead it. A host that shows its states some steps late calls it
  * when it first shows the new place. To go back in time, restore a saved engine.
  */
-fl_status fl_engine_place(fl_engine *engine,
-                          uint32_t body);
+fl_status fl_engine_mark_teleported(fl_engine *engine,
+                                    uint32_t body);
 
 /**
  * Tells all that acts on each body except contact, until it is told again; `count` is the number of bodies.
@@ -891,7 +891,7 @@ fl_status fl_engine_advance(fl_engine *engine,
 
 /**
  * Copies the wrenches of the last step, which the host is to add to its forces for that step: means over it, so that
- * the impulse is right, as fl_engine_peaks() are not. `count` is the number of bodies.
+ * the impulse is right, as fl_engine_peak_wrenches() are not. `count` is the number of bodies.
  */
 fl_status fl_engine_wrenches(const fl_engine *engine,
                              fl_wrench *wrenches,
@@ -905,9 +905,9 @@ fl_status fl_engine_wrenches(const fl_engine *engine,
  * method, which knows no sub-steps, the same as fl_engine_wrenches(). The peak of each contact is
  * fl_contact.peak_normal_force_n.
  */
-fl_status fl_engine_peaks(const fl_engine *engine,
-                          fl_wrench *peaks,
-                          size_t count);
+fl_status fl_engine_peak_wrenches(const fl_engine *engine,
+                                  fl_wrench *peaks,
+                                  size_t count);
 
 /**
  * Copies the states that the engine came to at the end of the last step, for hosts that let it move the
@@ -924,10 +924,10 @@ fl_status fl_engine_states_after(const fl_engine *engine,
  * Copies what the last step took for a following host's present states, which it will show when they are old
  * enough, and its loads, told or observed. `count` is the number of bodies.
  */
-fl_status fl_engine_reckoned(const fl_engine *engine,
-                             fl_state *states,
-                             fl_wrench *loads,
-                             size_t count);
+fl_status fl_engine_host_estimate(const fl_engine *engine,
+                                  fl_state *states,
+                                  fl_wrench *loads,
+                                  size_t count);
 
 /**
  * Number of patches that touched in the last step.

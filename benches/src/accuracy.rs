@@ -14,7 +14,7 @@ use crate::world::{Engine, World};
 
 const STEPS_S: [f64; 5] = [0.01, 0.1, 0.5, 1.0, 2.0];
 
-/// The converged solution is that of the coupled method at this step [s].
+/// The converged solution is that of the coupled method at this step (s).
 const CONVERGED_S: f64 = 1e-4;
 
 const HEADING_RAD: f64 = 0.4;

@@ -27,7 +27,7 @@ pub(crate) struct Ours {
     work: Workspace,
     states: Vec<BodyState>,
     loads: Vec<Wrench>,
-    /// Δt over mass and over yaw inertia, of what floats [s/kg, s/(kg·m²)].
+    /// Δt over mass and over yaw inertia, of what floats (s/kg, s/(kg·m²)).
     paces: Vec<Option<(f64, f64)>>,
     method: Method,
     step_s: f64,
@@ -55,7 +55,7 @@ impl Ours {
 
     /// The same without a report of each contact.
     pub(crate) fn brief(mut self) -> Ours {
-        self.work.tell_contacts(false);
+        self.work.report_contacts(false);
         self
     }
 
@@ -161,7 +161,7 @@ fn model(plan: &Plan, parts: &[Part], fenders: Vec<Fender>) -> Model {
         builder.fender(fender);
     }
     if plan.anyone {
-        builder.every_other_pair(material);
+        builder.all_other_pairs(material);
     } else {
         let floats = |id: &&BodyId| parts[id.0 as usize].mass.is_some();
         for &one in ids.iter().filter(floats) {

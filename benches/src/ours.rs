@@ -23,7 +23,7 @@ pub(crate) fn round(
     }
 }
 
-/// Area at each call [m²].
+/// Area at each call (m²).
 pub(crate) fn areas_m2(first: &ConvexPolygon, second: &ConvexPolygon, path: &Path) -> Vec<f64> {
     let mut pair = PairClip::default();
     path.iter()

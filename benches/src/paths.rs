@@ -51,7 +51,7 @@ fn at(approach: Approach, first: &ConvexPolygon, second: &ConvexPolygon, turn: f
     [hull, pose]
 }
 
-/// How far the starboard side reaches at `x_m` [m].
+/// How far the starboard side reaches at `x_m` (m).
 fn starboard_side_m(polygon: &ConvexPolygon, x_m: f64) -> f64 {
     let vertices = polygon.vertices();
     let edges = (0..vertices.len()).map(|i| (vertices[i], vertices[(i + 1) % vertices.len()]));

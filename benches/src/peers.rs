@@ -55,7 +55,7 @@ impl Parry {
         }
     }
 
-    /// Area [m²] and centroid [m].
+    /// Area (m²) and centroid (m).
     #[inline]
     pub(crate) fn overlap(&mut self, one: Pose, two: Pose) -> (f64, Vec2) {
         let second_in_first = one.inv_mul(&two);
@@ -149,7 +149,7 @@ impl Overlay {
         }
     }
 
-    /// Area [m²] and centroid [m].
+    /// Area (m²) and centroid (m).
     fn overlap(&mut self, one: ours::Pose, two: ours::Pose) -> (f64, Vec2) {
         let second_in_first = one.to(two);
         let place = |&v: &Vec2| {

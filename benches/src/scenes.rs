@@ -14,7 +14,7 @@ pub(crate) const RUBBER: Material = Material {
     restitution: 0.1,
 };
 
-/// How fast the bodies of a [`Scene`] come on [m/s], and how deep they are in their fenders at first [m]:
+/// How fast the bodies of a [`Scene`] come on (m/s), and how deep they are in their fenders at first (m):
 /// little enough for rapier2d, which pushes bodies out of each other, to keep all contacts.
 const APPROACH_MPS: f64 = 0.05;
 const DEPTH_M: f64 = 0.02;
@@ -64,7 +64,7 @@ impl Scene {
 /// One body.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
-    /// Convex outline in the body's frame, in the positive sense [m].
+    /// Convex outline in the body's frame, in the positive sense (m).
     pub(crate) outline_m: Vec<Vec2>,
     /// `None` for what is fixed.
     pub(crate) mass: Option<Mass>,
@@ -162,7 +162,7 @@ const SHIP: [(f64, f64); 6] =
 /// A block of 4 × 1 m.
 const FENDER: [(f64, f64); 4] = [(-2.0, -0.5), (2.0, -0.5), (2.0, 0.5), (-2.0, 0.5)];
 
-/// Size of a fender's block along the quay and across it [m].
+/// Size of a fender's block along the quay and across it (m).
 pub(crate) const FENDER_M: (f64, f64) = (4.0, 1.0);
 
 /// A block about the origin, its length along x.

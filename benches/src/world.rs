@@ -23,7 +23,7 @@ pub(crate) trait World {
     /// Pairs in the last step's solve.
     fn touching(&self) -> usize;
 
-    /// Largest normal force [N] and depth [m] within the last step, where the engine tells.
+    /// Largest normal force (N) and depth (m) within the last step, where the engine tells.
     fn peaks(&self) -> Option<(f64, f64)>;
 }
 

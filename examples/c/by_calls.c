@@ -38,7 +38,7 @@ static fl_engine *tug_at_a_quay(uint32_t *tug)
         .size = sizeof fender, .forward_m = -5, .facing_rad = 3.14159265358979, .width_m = 10,
         .projection_m = 1,
     };
-    const fl_settings late = {.size = sizeof late, .host = FL_HOST_FOLLOWING, .delay_steps = 1};
+    const fl_settings late = {.size = sizeof late, .host = FL_HOST_COSIMULATION, .delay_steps = 1};
     fl_builder *builder;
     fl_engine *engine;
     must(fl_builder_new(&builder));

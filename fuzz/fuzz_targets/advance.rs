@@ -85,7 +85,7 @@ fn scene(input: &mut Input<'_>) -> Option<(Model, Vec<BodyState>, Vec<Wrench>)> 
     builder.material(outlines);
     let faces = material(input);
     builder.material(faces);
-    builder.every_other_pair(MaterialId(0));
+    builder.all_other_pairs(MaterialId(0));
     for key in 0..u32::from(input.byte() % 5) {
         builder.fender(fender(input, key, u32::from(count)));
     }
@@ -109,7 +109,7 @@ fn mass(input: &mut Input<'_>) -> Mobility {
         return Mobility::Free { mass_kg, yaw_inertia_kgm2 };
     }
     let sway_kg = mass_kg * (1.0 + f64::from(input.byte()) / 128.0);
-    Mobility::Massive {
+    Mobility::FullMatrix {
         matrix: [[mass_kg, 0.0, 0.0], [0.0, sway_kg, 0.0], [0.0, 0.0, yaw_inertia_kgm2]],
     }
 }
@@ -140,7 +140,7 @@ fn fender(input: &mut Input<'_>, key: u32, bodies: u32) -> Fender {
         projection_m,
         law: law(input, projection_m),
         unloading: (input.byte() < 128)
-            .then(|| Unloading::ReturnedEnergy(share(input).max(Unloading::LEAST_RETURNED))),
+            .then(|| Unloading::ReturnedEnergy(share(input).max(Unloading::MIN_RETURNED_SHARE))),
         material: MaterialId(1),
         rated_deflection_m: projection_m * share(input),
         stop: (input.byte() < 128).then(|| Stop {

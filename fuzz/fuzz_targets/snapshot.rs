@@ -119,7 +119,7 @@ impl Scene {
             restitution: 0.1,
         });
         builder.pair(Pair { bodies: [bodies[0], bodies[2]], material });
-        builder.every_other_pair(material);
+        builder.all_other_pairs(material);
         let model = builder.build().expect("a good model");
 
         let mut states = [

@@ -4,7 +4,7 @@ use fenderline_contact::{ConvexPolygon, Vec2};
 
 use crate::input::Input;
 
-/// Sizes of polygons: fenders, tugs and ships [factor on coordinates within ±128 m].
+/// Sizes of polygons: fenders, tugs and ships (factor on coordinates within ±128 m).
 const SCALES: [f64; 4] = [1.0, 1.0 / 64.0, 1.0 / 8.0, 4.0];
 
 /// The convex hull of some points; `None` where they lie on a line.

@@ -10,7 +10,7 @@ use crate::fuzz;
 use crate::live_load;
 use crate::step::Done;
 
-/// Time for all parts together where the caller does not say [s]: that of continuous integration.
+/// Time for all parts together where the caller does not say (s): that of continuous integration.
 pub(crate) const SECONDS: u64 = 600;
 /// The seed where the caller does not say.
 pub(crate) const SEED: u64 = 20_261_122;

@@ -9,7 +9,7 @@ use crate::tools;
 
 /// The fuzz targets' own workspace.
 pub(crate) const MANIFEST: &str = "fuzz/Cargo.toml";
-/// Time for each target where the caller does not say [s].
+/// Time for each target where the caller does not say (s).
 pub(crate) const SECONDS: u64 = 20;
 
 /// A target, and folders with inputs to start from besides its seeds.

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use crate::command::{cargo, run};
 
-/// Length of a run where none is said: that of continuous integration [s].
+/// Length of a run where none is said: that of continuous integration (s).
 pub(crate) const SECONDS: u64 = 20;
 
 /// Prints late ticks, delays and memory; an error where a tick was missed (unless times are only `told`, as they

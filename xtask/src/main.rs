@@ -1,12 +1,13 @@
-//! The project's own chores: `cargo xtask test`, `attack`, `fuzz`, `bench`, `passivity`, `c`, `finite-elements`, `hosts`, `live-load`,
-//! `pages`, `nautical`.
+//! The project's own tasks, run as `cargo xtask NAME`; `USAGE` lists them.
 //!
 //! `test` is what a change must pass, and what continuous integration runs. No dependencies, so
 //! that it is built in seconds on a machine that has only Rust.
 
 mod attack;
 mod bench;
+mod book;
 mod c_interface;
+mod citations;
 mod command;
 mod compare;
 mod finite_elements;
@@ -18,9 +19,11 @@ mod nautical;
 mod pages;
 mod passivity;
 mod scenarios;
+mod state_hashes;
 mod step;
 mod test;
 mod tools;
+mod virtual_environment;
 
 use std::process::ExitCode;
 
@@ -33,13 +36,16 @@ usage: cargo xtask test                   everything that a change must pass
        cargo xtask bench [clip|step|border|accuracy|mmg|berth|callgrind]...
                                           times and answers against the peers, instructions a step
                                           (all seven)
+       cargo xtask book                   the book of docs/, into target/book
        cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (100000)
        cargo xtask finite-elements        fenders by finite elements: studies, comparison, tables, data files
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)
        cargo xtask pages                  the pages: checked, built, driven in a browser
-       cargo xtask nautical               sentences for chart programs, each read by two parsers";
+       cargo xtask nautical               sentences for chart programs, each read by two parsers
+       cargo xtask state-hashes [REVISION]
+                                          a hash of all numbers that each scenario writes, beside those of a revision";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -69,12 +75,15 @@ fn main() -> ExitCode {
         ["finite-elements"] => finite_elements::finite_elements_command(),
         ["hosts"] => hosts::hosts_command(),
         ["pages"] => step::run_all(&pages::STEPS),
+        ["book"] => step::run_all(&[book::STEP]),
         ["nautical"] => step::run_all(&[nautical::STEP]),
         ["live-load"] => live_load::live_load_command(live_load::SECONDS),
         ["live-load", seconds] => match seconds.parse() {
             Ok(seconds) => live_load::live_load_command(seconds),
             Err(_) => usage(),
         },
+        ["state-hashes"] => state_hashes::state_hashes_command(None),
+        ["state-hashes", revision] => state_hashes::state_hashes_command(Some(revision)),
         ["bench", benches @ ..] => bench::bench(benches),
         _ => usage(),
     }

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use crate::attack;
+use crate::book;
 use crate::c_interface;
 use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
@@ -29,6 +30,7 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "every scenario is accepted", run: scenarios_accepted },
         Step { name: "the same bits from debug, release and a second run", run: same_bits },
         Step { name: "published cases", run: validate },
+        book::STEP,
         Step { name: "independent implementation", run: independent },
         Step { name: "fenders by finite elements, coarse", run: finite_elements::small },
         nautical::STEP,
@@ -103,8 +105,11 @@ fn doc_tests() -> Result<Done, String> {
 }
 
 fn documentation() -> Result<Done, String> {
-    let flags = ("RUSTDOCFLAGS", "-D warnings");
-    run(cargo(["doc", "--workspace", "--no-deps"]).env(flags.0, flags.1))?;
+    // Public links first: with private items documented, a public link to one would pass.
+    for private in [&[][..], &["--document-private-items"]] {
+        let mut doc = cargo(["doc", "--workspace", "--no-deps"]);
+        run(doc.args(private).env("RUSTDOCFLAGS", "-D warnings"))?;
+    }
     Ok(Done::Good)
 }
 

@@ -7,10 +7,10 @@ use fenderline_sim::Simulation;
 use crate::cli::CheckArgs;
 use crate::failure::Failure;
 use crate::load::load;
-use crate::plot::counted;
 use crate::run::error;
 use crate::terminal::{say, say_json, tell};
 use crate::vessels::estimates;
+use fenderline_report::plot::counted;
 
 /// Checks a scenario as `run` would, and writes nothing.
 ///

@@ -64,19 +64,19 @@ pub(crate) struct FitArgs {
     /// Fender file to write
     #[arg(short, long, value_name = "FENDER.toml")]
     pub(crate) out: PathBuf,
-    /// Extent in the direction of compression, uncompressed [m]
+    /// Extent in the direction of compression, uncompressed (m)
     #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
     pub(crate) height: f64,
-    /// Length along the berth [m]
+    /// Length along the berth (m)
     #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
     pub(crate) length: Option<f64>,
-    /// Rated deflection [m] [default: where the loading curve ends]
+    /// Rated deflection (m) [default: where the loading curve ends]
     #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
     pub(crate) rated_deflection: Option<f64>,
-    /// Energy that comes back, where the file has no unloading curve [% of that taken]
+    /// Energy that comes back, where the file has no unloading curve (% of that taken)
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     pub(crate) returned_energy: Option<f64>,
-    /// Largest difference of the fit from the rows [% of the rated reaction]
+    /// Largest difference of the fit from the rows (% of the rated reaction)
     #[arg(long, value_name = "PERCENT", default_value_t = 0.5, allow_hyphen_values = true)]
     pub(crate) tolerance: f64,
     /// Name of the family [default: that of the file]
@@ -142,7 +142,7 @@ pub(crate) struct ServeArgs {
     /// Where NMEA 0183 and AIS sentences are sent to by UDP, such as 127.0.0.1:10110
     #[arg(long, value_name = "ADDR:PORT")]
     pub(crate) nmea_udp: Option<SocketAddr>,
-    /// Latitude and longitude of the scenario's origin in these sentences [degrees]
+    /// Latitude and longitude of the scenario's origin in these sentences (degrees)
     #[arg(long, value_name = "LAT,LON", default_value = "0,0", value_parser = origin, allow_hyphen_values = true)]
     pub(crate) origin: ChartOrigin,
     /// Override one key of the scenario, such as environment.wind.speed="9 m/s"; repeatable

@@ -11,8 +11,8 @@ use maud::html;
 use crate::cli::{FenderCommand, FitArgs, FitStanding};
 use crate::failure::Failure;
 use crate::output::write_whole;
-use crate::plot::{Axis, Chart, Point, Series, fixed, page};
 use crate::terminal::say;
+use fenderline_report::plot::{Axis, Chart, Point, Series, fixed, page};
 
 /// Rows of the printed table.
 const ROWS: u32 = 10;
@@ -68,7 +68,7 @@ fn options(args: &FitArgs) -> FitOptions {
     }
 }
 
-/// The measured reaction at a deflection on the curve [N].
+/// The measured reaction at a deflection on the curve (N).
 fn measured_n(branch: &[(f64, f64)], deflection_m: f64) -> Option<f64> {
     let after = branch.partition_point(|point| point.0 < deflection_m);
     let next = branch.get(after)?;
@@ -76,7 +76,7 @@ fn measured_n(branch: &[(f64, f64)], deflection_m: f64) -> Option<f64> {
     Some(before.1 + (next.1 - before.1) * (deflection_m - before.0) / (next.0 - before.0))
 }
 
-/// The energy of measured rows to a deflection on the curve [J].
+/// The energy of measured rows to a deflection on the curve (J).
 fn measured_j(branch: &[(f64, f64)], deflection_m: f64) -> f64 {
     let mut points: Vec<(f64, f64)> =
         branch.iter().copied().filter(|point| point.0 < deflection_m).collect();

@@ -12,7 +12,7 @@ use crate::load::load;
 use crate::output::write_whole;
 use crate::terminal::{say, tell};
 
-/// Libraries above this size are not read; ours has about 10 MiB, some 100 with debug information [bytes].
+/// Libraries above this size are not read; ours has about 10 MiB, some 100 with debug information (bytes).
 const LARGEST_LIBRARY: u64 = 1 << 30;
 
 /// Writes the FMU that `args` describe. Nothing is written before the scenario is accepted.

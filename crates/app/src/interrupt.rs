@@ -1,8 +1,35 @@
 //! Ctrl-C while a run is at work: the first asks it to end with the results so far, the second ends the program at once.
-//! SIGTERM ends it at once too. No process of a provider is left behind.
+//! SIGTERM ends it at once too. No process of a provider is left behind. Ctrl-C while the server is at work ends it.
 
+use std::io;
+use std::process;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+use tokio::sync::oneshot;
+
+use crate::failure::INTERRUPTED;
+
+/// Sent when Ctrl-C is pressed; pressed again it ends the program. A thread of its own listens, so that a second one
+/// ends the program whatever the others wait for.
+///
+/// # Errors
+/// The system gives no thread.
+pub(crate) fn stop_on_interrupt() -> io::Result<oneshot::Receiver<()>> {
+    let (send, stop) = oneshot::channel();
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_io().build()?;
+    std::thread::Builder::new().name("interrupt".into()).spawn(move || {
+        runtime.block_on(async {
+            if tokio::signal::ctrl_c().await.is_ok() {
+                let _ = send.send(());
+                if tokio::signal::ctrl_c().await.is_ok() {
+                    process::exit(i32::from(INTERRUPTED));
+                }
+            }
+        });
+    })?;
+    Ok(stop)
+}
 
 /// Whether the user has asked for the end.
 pub(crate) struct Interrupt(Arc<AtomicBool>);

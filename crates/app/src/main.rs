@@ -2,9 +2,7 @@
 //!
 //! `cli` is the command line; `run`, `check`, `validate`, `manoeuvre`, `vessels`, `fender` and `fmu` are the commands;
 //! `load` reads a scenario; `interrupt` hears Ctrl-C;
-//! `output` writes the result files, `report` the page, with the charts of `plot`; `verdict` is
-//! what both say of a fender, `world` of vessels, tugs and lines; `provider` speaks with other
-//! programs that put forces on bodies.
+//! `output` writes the result files; `provider` speaks with other programs that put forces on bodies.
 
 mod check;
 mod cli;
@@ -15,17 +13,13 @@ mod interrupt;
 mod load;
 mod manoeuvre;
 mod output;
-mod plot;
 mod progress;
 mod provider;
-mod report;
 mod run;
 mod serve;
 mod terminal;
 mod validate;
-mod verdict;
 mod vessels;
-mod world;
 
 use std::borrow::Cow;
 use std::process::ExitCode;

@@ -6,21 +6,23 @@ mod world;
 
 use std::path::{Path, PathBuf};
 
+use fenderline_report::run_page::{self, Recorder};
+use fenderline_results::{
+    EstimateError, Events, Interrupted, Outcome, ProviderNotices, WorldTotals, integrator_text,
+    method_text, summary,
+};
 use fenderline_scenario::{Notice, Place, Scenario};
-use fenderline_sim::{FenderSummary, Simulation, StepRecord};
+use fenderline_sim::{FenderSummary, Setup, Simulation, StepRecord};
 
 use crate::cli::RunArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::load::load;
-use crate::output::{
-    Events, Folder, Interrupted, Outcome, Tables, integrator_text, method_text, publish, summary,
-};
+use crate::output::{Folder, OutputError, SUMMARY, Tables, publish};
 use crate::progress::Progress;
-use crate::provider::{ProviderNotices, Providers};
-use crate::report::{self, Recorder};
+use crate::provider::Providers;
 use crate::terminal::{say, tell};
-use crate::world::WorldTotals;
+use crate::validate::errors_of;
 
 /// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
 ///
@@ -67,7 +69,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     drop(providers);
     let interrupted = (!simulation.is_done()).then(|| Interrupted::of(&simulation));
 
-    if let Some(gain) = simulation.gain() {
+    if let Some(gain) = simulation.energy_gain() {
         tell(&format!("notice: {gain}"));
         notices.push(gain.to_string());
     }
@@ -87,10 +89,11 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         berthing: simulation.berthing(),
         world: &world,
         providers: &provider_notices,
+        estimate_errors: estimate_errors(simulation.setup()),
     };
     let files = tables.files();
-    let summary = summary(&outcome, &files)?;
-    let report = report::render(&outcome, &recorder);
+    let summary = summary(&outcome, &files).map_err(|e| OutputError::new(SUMMARY.as_ref(), e))?;
+    let report = run_page::render(&outcome, &recorder);
     let tables = tables.finish()?;
     publish(folder, tables, &report, &summary)?;
     say(&printed::summary(&outcome, &folder_path, &files))?;
@@ -155,4 +158,10 @@ fn facts(title: &str, simulation: &Simulation) -> Vec<(&'static str, String)> {
         ("integrator", integrator_text(setup.integrator).to_owned()),
         ("step_s", format!("{:?}", setup.step_s)),
     ]
+}
+
+/// The errors of the formulas that estimated any of the vessels; computed only where there is such a vessel.
+fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
+    let mut all = setup.world.vessels.iter().map(|vessel| errors_of(&vessel.origin));
+    all.find(|errors| !errors.is_empty()).unwrap_or(&[])
 }

@@ -4,17 +4,18 @@ use core::f64::consts::{FRAC_PI_4, PI, TAU};
 use core::fmt::Write as _;
 use std::path::PathBuf;
 
+use fenderline_results::{ACCURACY, accuracy, accuracy_json, source_json};
 use fenderline_scenario::{VesselData, VesselLibrary, read_text};
 use fenderline_sim::environment::waves::{DriftHull, wave_number};
+use fenderline_sim::hydro::Water;
 use fenderline_sim::hydro::vessels::{Origin, Source};
-use fenderline_sim::hydro::{Route, Water};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::cli::VesselsArgs;
 use crate::failure::Failure;
-use crate::plot::{fixed, plain};
 use crate::terminal::{say, say_json};
-use crate::validate::{EstimateError, estimate_errors};
+use crate::validate::errors_of;
+use fenderline_report::plot::{fixed, plain};
 
 /// Lists the vessels, or tells one of them.
 ///
@@ -74,97 +75,14 @@ pub(crate) fn estimates(name: &str, origin: &Origin) -> String {
     text
 }
 
-/// How far the estimate of a vessel is to be relied on: where she is outside the range of the formulas, and what error
-/// they have on ships with references. Nothing of a vessel whose hull, propeller and rudder are her own.
-pub(crate) fn accuracy(origin: &Origin) -> Vec<String> {
-    let Some(route) = origin.route else { return Vec::new() };
-    let mut lines: Vec<String> = origin.outside.iter().map(ToString::to_string).collect();
-    match route {
-        Route::Clarke => lines.push(
-            "no vessel like her was found to hold the formulas against: their error is not known"
-                .to_owned(),
-        ),
-        Route::YoshimuraMasumoto => lines.extend(estimate_errors(route).iter().map(|error| {
-            let percent = |share: f64| signed_percent(share);
-            let [(low_ship, low), (high_ship, high)] = &error.ends;
-            format!(
-                "{}: off by {} in the mean of {} ships with references, from {} ({low_ship}) to {} ({high_ship}); bias {}",
-                error.name,
-                percent(error.size).trim_start_matches('+'),
-                error.ships,
-                percent(*low),
-                percent(*high),
-                percent(error.bias)
-            )
-        })),
-    }
-    lines
-}
-
 /// The same as lines of text under a heading.
 pub(crate) fn accuracy_text(origin: &Origin) -> String {
-    let lines = accuracy(origin);
+    let lines = accuracy(origin, errors_of(origin));
     if lines.is_empty() {
         return String::new();
     }
     let lines: String = lines.iter().map(|line| format!("  {line}\n")).collect();
     format!("{ACCURACY}:\n{lines}")
-}
-
-/// The heading of [`accuracy`].
-pub(crate) const ACCURACY: &str =
-    "How far these estimates are to be relied on (`fenderline validate`)";
-
-fn signed_percent(share: f64) -> String {
-    let text = format!("{:+.0} %", 100.0 * share).replace('-', "−");
-    if matches!(text.as_str(), "+0 %" | "−0 %") { "0 %".to_owned() } else { text }
-}
-
-/// The same as JSON; null where nothing of hull, propeller and rudder is estimated.
-pub(crate) fn accuracy_json(origin: &Origin) -> Value {
-    let Some(route) = origin.route else { return Value::Null };
-    let outside: Vec<Value> = origin
-        .outside
-        .iter()
-        .map(|outside| {
-            json!({
-                "ratio": outside.ratio.name(),
-                "value": outside.value,
-                "low": outside.range[0],
-                "high": outside.range[1],
-            })
-        })
-        .collect();
-    let (formulas, errors) = match route {
-        Route::Clarke => ("Clarke, Gedling & Hine (1983)", Vec::new()),
-        Route::YoshimuraMasumoto => ("Yoshimura & Masumoto (2012)", {
-            let object = |error: &EstimateError| {
-                json!({
-                    "measure": error.measure,
-                    "mean_size": error.size,
-                    "bias": error.bias,
-                    "lowest": error.ends[0].1,
-                    "highest": error.ends[1].1,
-                    "ships": error.ships,
-                })
-            };
-            estimate_errors(route).iter().map(object).collect()
-        }),
-    };
-    json!({ "formulas": formulas, "outside": outside, "errors": errors })
-}
-
-/// A source as JSON.
-pub(crate) fn source(source: &Source) -> Value {
-    let figures: Map<String, Value> =
-        source.figures.iter().map(|figure| (figure.name.clone(), json!(figure.text))).collect();
-    json!({
-        "group": source.group,
-        "figures": figures,
-        "source": source.source,
-        "standing": source.standing.word(),
-        "estimated": source.is_estimate,
-    })
 }
 
 fn line(vessel: &VesselData) -> String {
@@ -218,10 +136,10 @@ fn sheet(vessel: &VesselData) -> String {
     text
 }
 
-/// Frequencies of the drift table [rad/s].
+/// Frequencies of the drift table (rad/s).
 const FREQUENCIES_RADPS: [f64; 12] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0];
 
-/// Depth that waves do not feel [m].
+/// Depth that waves do not feel (m).
 const DEEP_M: f64 = 10_000.0;
 
 /// Mean drift in one wave.
@@ -229,7 +147,7 @@ struct Drift {
     frequency_radps: f64,
     length_m: f64,
     /// Waves from ahead, on the port bow, from port, on the port quarter, from astern: what they come from, off the
-    /// bow [rad], and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
+    /// bow (rad), and force forward and to starboard and moment about midship over the amplitude squared [N/m², N/m²,
     /// N·m/m²].
     by_heading: [(f64, [f64; 3]); 5],
 }
@@ -336,7 +254,7 @@ fn vessel_json(vessel: &VesselData) -> Value {
         "beam_m": hull.beam_m,
         "draught_m": hull.draught_m,
         "block_coefficient": hull.block_coefficient(),
-        "sources": vessel.origin.sources.iter().map(source).collect::<Vec<_>>(),
-        "estimate": accuracy_json(&vessel.origin),
+        "sources": vessel.origin.sources.iter().map(source_json).collect::<Vec<_>>(),
+        "estimate": accuracy_json(&vessel.origin, errors_of(&vessel.origin)),
     })
 }

@@ -14,7 +14,7 @@ use client::Client;
 use serde_json::{Value, json};
 use server::Server;
 
-/// How much the server's memory may grow from its first tries on [KiB]: kept states, and buffers of those who are slow.
+/// How much the server's memory may grow from its first tries on (KiB): kept states, and buffers of those who are slow.
 const GROWTH_KIB: u64 = 200 << 10;
 
 const HEADS: [&str; 12] = [

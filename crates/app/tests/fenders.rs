@@ -197,7 +197,10 @@ fn a_failed_fender_is_said_plainly_and_the_run_is_still_a_result() {
     assert!(large["share_of_hull_pressure"].is_f64() && small["share_of_hull_pressure"].is_null());
     contains_all(small["designation"].as_str().expect("a type"), &["cone"]);
     let counts = &summary["events"]["counts"];
-    assert_eq!((&counts["fender_over_rated"], &counts["fender_failed"]), (&1.into(), &1.into()));
+    assert_eq!(
+        (&counts["fender_rating_exceeded"], &counts["fender_failed"]),
+        (&1.into(), &1.into())
+    );
     let first = summary["events"]["first"].as_array().expect("events");
     let failure = first.iter().find(|event| event["kind"] == "fender_failed").expect("told");
     assert_eq!(failure["fender"], "small one");

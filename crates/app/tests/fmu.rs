@@ -64,7 +64,7 @@ fn what_makes_no_fmu() {
     place.write("tug.toml", text.as_bytes());
     let refused = fmu(&place, &["--kind", "simulation", "-o", "x.fmu"]);
     assert_eq!(refused.code, 2);
-    contains_all(&refused.stderr, &["providers", "body.NAME.extra_x_n"]);
+    contains_all(&refused.stderr, &["providers", "body.NAME.external_x_n"]);
     // The engine leaves loads to the host anyway.
     assert_eq!(fmu(&place, &["--kind", "engine", "-o", "x.fmu"]).code, 0);
     let no_library =

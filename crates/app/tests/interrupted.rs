@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use support::{PROGRAM, TUG, Workplace, contains_all};
 
 /// A provider that starts a process of its own, which writes its number to `grandchild` and sleeps. It answers each
-/// question after a while [s].
+/// question after a while (s).
 fn provider(wait_s: f64, ends_itself: bool) -> String {
     let end = if ends_itself { "" } else { "time.sleep(1000)" };
     format!(

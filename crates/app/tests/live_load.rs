@@ -14,13 +14,13 @@ use serde_json::{Value, json};
 use server::Server;
 use tokio::time::sleep;
 
-/// Length of the run, from the environment [s].
+/// Length of the run, from the environment (s).
 const SECONDS: &str = "FENDERLINE_LIVE_SECONDS";
 /// Set: a missed tick is told and no failure, for machines that others use too.
 const TIMES_ARE_TOLD: &str = "FENDERLINE_LIVE_TIMES_ARE_TOLD";
-/// The scenario's step [ms].
+/// The scenario's step (ms).
 const STEP_MS: f64 = 100.0;
-/// How much the server's memory may grow from the first minute (or the first fifth) on [KiB].
+/// How much the server's memory may grow from the first minute (or the first fifth) on (KiB).
 const GROWTH_KIB: u64 = 20 << 10;
 
 /// What a client that steers saw.
@@ -29,7 +29,7 @@ struct Saw {
     frames: u64,
     acks: u64,
     refused: u64,
-    /// From tick to page [ms], sorted at the end.
+    /// From tick to page (ms), sorted at the end.
     delays_ms: Vec<f64>,
     last: Value,
 }

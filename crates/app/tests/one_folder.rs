@@ -17,9 +17,9 @@ use support::{PROGRAM, Workplace, contains_all};
 const RUNS: usize = 8;
 /// Rounds where nobody asks for more.
 const ROUNDS: u64 = 5;
-/// Longest wait before and after a call to the file system [µs].
+/// Longest wait before and after a call to the file system (µs).
 const LONGEST_WAIT_US: u64 = 8000;
-/// The last of the runs comes this long after the first at most [µs]: about as long as one takes, so that the others
+/// The last of the runs comes this long after the first at most (µs): about as long as one takes, so that the others
 /// meet it at its beginning, at work and at its end.
 const SPREAD_US: u64 = 300_000;
 /// A round that takes longer hangs.

@@ -70,10 +70,10 @@ fn outcome(place: &Workplace) -> (serde_json::Value, String) {
 }
 
 /// What half a step of 0.5 s with the force adds to the speed: velocities are of the middle of a step, so that the first
-/// step adds half [m/s].
+/// step adds half (m/s).
 const HALF_KICK_MPS: f64 = 0.0025;
 
-/// Speed ahead at the end [m/s]: 1 m/s and 0.01 m/s² for the 20 s.
+/// Speed ahead at the end (m/s): 1 m/s and 0.01 m/s² for the 20 s.
 fn speed_mps(summary: &serde_json::Value) -> f64 {
     summary["bodies"][0]["final"]["u_mps"].as_f64().expect("a speed")
 }

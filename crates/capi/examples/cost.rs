@@ -9,12 +9,11 @@ use std::ptr;
 use std::time::Instant;
 
 use fenderline::{
-    FL_HOST_FOLLOWING, FlEngine, FlSettings, FlState, FlStatus, FlWrench, fl_engine_advance,
+    FL_HOST_COSIMULATION, FlEngine, FlSettings, FlState, FlStatus, FlWrench, fl_engine_advance,
     fl_engine_destroy, fl_engine_from_file,
 };
 use fenderline_contact::{
-    BodyState, FollowingHost, HostSettings, HostWorkspace, Memory, Model, Workspace, Wrench,
-    advance,
+    BodyState, CoSimHost, HostSettings, HostWorkspace, Memory, Model, Workspace, Wrench, advance,
 };
 use fenderline_embed::{Engine, Host, Settings};
 use fenderline_scenario::Scenario;
@@ -92,7 +91,7 @@ fn held(case: &Case) -> Engine {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(BERTH);
     let scenario = Scenario::load(&file, &[]).expect("a scenario of the project");
     let host = match case.following {
-        true => Host::Following(HostSettings::default()),
+        true => Host::CoSimulation(HostSettings::default()),
         false => Host::default(),
     };
     Engine::from_scenario(scenario, &Settings { host, ..Settings::default() }).expect("settings")
@@ -107,8 +106,8 @@ struct Bare {
 }
 
 enum BareCore {
-    Present(Box<(Memory, Workspace)>),
-    Following(Box<(FollowingHost, HostWorkspace)>),
+    Direct(Box<(Memory, Workspace)>),
+    CoSimulation(Box<(CoSimHost, HostWorkspace)>),
 }
 
 impl Bare {
@@ -119,10 +118,10 @@ impl Bare {
         let ship = engine.body_named("ship").expect("she is there");
         states[ship].position_m.y += case.nearer_m;
         let core = if case.following {
-            let host = FollowingHost::new(&model, HostSettings::default());
-            BareCore::Following(Box::new((host, HostWorkspace::new(&model))))
+            let host = CoSimHost::new(&model, HostSettings::default());
+            BareCore::CoSimulation(Box::new((host, HostWorkspace::new(&model))))
         } else {
-            BareCore::Present(Box::new((Memory::new(&model), Workspace::new(&model))))
+            BareCore::Direct(Box::new((Memory::new(&model), Workspace::new(&model))))
         };
         let loads = vec![Wrench::default(); states.len()];
         Bare { model, core, states, loads }
@@ -133,12 +132,12 @@ impl Bare {
         for _ in 0..STEPS {
             let states = black_box(&*states);
             match core {
-                BareCore::Present(own) => {
+                BareCore::Direct(own) => {
                     let (memory, work) = &mut **own;
                     advance(model, memory, work, states, loads, STEP_S).expect("good states");
                     black_box(work.wrenches());
                 }
-                BareCore::Following(own) => {
+                BareCore::CoSimulation(own) => {
                     let (host, work) = &mut **own;
                     let step = host.step(model, work, states, Some(loads), STEP_S);
                     black_box(step.expect("good states"));
@@ -160,7 +159,7 @@ impl FromC {
     fn new(case: &Case) -> FromC {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(BERTH);
         let file = file.to_str().expect("UTF-8");
-        let host = if case.following { FL_HOST_FOLLOWING } else { 0 };
+        let host = if case.following { FL_HOST_COSIMULATION } else { 0 };
         let settings = FlSettings { size: size_of::<FlSettings>(), host, ..FlSettings::default() };
         let mut engine = ptr::null_mut();
         let (text, length) = (file.as_ptr().cast(), file.len());

@@ -200,11 +200,11 @@ static fl_settings some_settings(void)
     fl_settings s = {.size = below(40) ? sizeof s : (size_t)below(100)};
     s.method = (uint32_t)(below(3) ? 0 : below(4));
     s.host = (uint32_t)(below(2) ? 0 : below(3));
-    s.turning = (uint32_t)(below(3) ? 0 : below(4));
-    if (s.host == FL_HOST_FOLLOWING) {
+    s.coriolis = (uint32_t)(below(3) ? 0 : below(4));
+    if (s.host == FL_HOST_COSIMULATION) {
         s.integration = (uint32_t)below(3) / 2 + (uint32_t)below(2);
         s.delay_steps = (uint32_t)(below(20) ? below(4) : draw());
-        s.turning = s.turning > 2 ? 1 : 0;
+        s.coriolis = s.coriolis > 2 ? 1 : 0;
     }
     return s;
 }
@@ -304,7 +304,7 @@ static void build(void)
         break;
     }
     case 5: told(fl_builder_add_pair(b, (uint32_t)below(3), (uint32_t)below(4), (uint32_t)below(2))); break;
-    case 6: told(fl_builder_every_other_pair(b, (uint32_t)below(2))); break;
+    case 6: told(fl_builder_add_all_other_pairs(b, (uint32_t)below(2))); break;
     case 7: {
         char text[40];
         told(fl_builder_error(b, text, sizeof text, NULL));
@@ -348,7 +348,7 @@ static void ask(fl_engine *e)
         break;
     case 8:
         into = room(count, sizeof(fl_wrench), &block);
-        if (told((below(2) ? fl_engine_wrenches : fl_engine_peaks)(e, into, count)) == FL_STATUS_OK)
+        if (told((below(2) ? fl_engine_wrenches : fl_engine_peak_wrenches)(e, into, count)) == FL_STATUS_OK)
             finite(into, 3 * count);
         break;
     case 9:
@@ -359,7 +359,7 @@ static void ask(fl_engine *e)
     case 10: {
         void *loads = room(count, sizeof(fl_wrench), &block_2);
         into = room(count, sizeof(fl_state), &block);
-        if (told(fl_engine_reckoned(e, into, loads, count)) == FL_STATUS_OK) {
+        if (told(fl_engine_host_estimate(e, into, loads, count)) == FL_STATUS_OK) {
             finite(into, 6 * count);
             finite(loads, 3 * count);
         }
@@ -485,7 +485,7 @@ static void begin(void)
     told(fl_builder_add_material(builders[0], "rubber", FL_NUL, &m, NULL));
     told(fl_builder_add_body(builders[0], "tug", FL_NUL, &body, hull, 4, NULL));
     told(fl_builder_add_body(builders[0], "quay", FL_NUL, below(4) ? &wall : &body, hull, 4, NULL));
-    told(fl_builder_every_other_pair(builders[0], 0));
+    told(fl_builder_add_all_other_pairs(builders[0], 0));
     builders[1] = builders[0];
     told(fl_builder_build(builders[0], NULL, &engines[0]));
     if (told(fl_builder_build(builders[0], &settings, &engines[1])) != FL_STATUS_OK)

@@ -10,11 +10,11 @@ use core::mem::size_of;
 use crate::failure::{FlStatus, Outcome, failure};
 use crate::types::FL_NUL;
 
-/// Longest name of a body, a material or a fender [bytes].
+/// Longest name of a body, a material or a fender (bytes).
 pub(crate) const LONGEST_NAME: usize = 1 << 10;
-/// Longest path, and longest list of overrides [bytes].
+/// Longest path, and longest list of overrides (bytes).
 pub(crate) const LONGEST_PATH: usize = 1 << 16;
-/// Longest scenario [bytes].
+/// Longest scenario (bytes).
 pub(crate) const LONGEST_SCENARIO: usize = 16 << 20;
 
 /// Refuses NULL and what is not aligned.

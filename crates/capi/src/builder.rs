@@ -5,7 +5,7 @@ use core::ptr;
 
 use fenderline_contact::outline::MAX_VERTICES;
 use fenderline_contact::vec2;
-use fenderline_embed::{BodyParts, EngineBuilder, FenderParts};
+use fenderline_embed::{BodyDef, EngineBuilder, FenderDef};
 
 use crate::border::{LONGEST_NAME, check, put_text, read_all, read_sized, text, write};
 use crate::engine::{hold, settings_of};
@@ -72,7 +72,7 @@ pub unsafe extern "C" fn fl_builder_add_material(
 }
 
 /// Adds a body under a unique name, with its outline: `vertices` pairs of x (forward) and y (to starboard of
-/// the centre of gravity) [m], in either direction, convex or not. Its index, counted from 0, goes to `index`
+/// the centre of gravity) (m), in either direction, convex or not. Its index, counted from 0, goes to `index`
 /// where that is not NULL. Its masses are checked by fl_builder_build().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_builder_add_body(
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn fl_builder_add_body(
         let outline_m = unsafe { pairs(outline_m, vertices, MAX_VERTICES, "outline_m") }?;
         let outline_m: Vec<_> = outline_m.into_iter().map(|[x, y]| vec2(x, y)).collect();
         check_index(index)?;
-        let own = builder.body(&BodyParts {
+        let own = builder.body(&BodyDef {
             name: &name,
             outline_m: &outline_m,
             mass: body.mass(),
@@ -105,8 +105,8 @@ pub unsafe extern "C" fn fl_builder_add_body(
     })
 }
 
-/// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection [m] and reaction
-/// [N], from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
+/// Adds a fender under a unique name, with its reaction curve: `points` pairs of deflection (m) and reaction
+/// (N), from (0, 0) on, the deflection rising. Without points its force is the paper's, its material's
 /// stiffness times the area of the overlap. Its index, counted from 0, goes to `index` where that is not
 /// NULL. Its numbers are checked by fl_builder_build().
 #[unsafe(no_mangle)]
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn fl_builder_add_fender(
         // SAFETY: as the caller promises.
         let curve = unsafe { pairs(curve, points, MOST_POINTS, "curve") }?;
         check_index(index)?;
-        let own = builder.fender(&FenderParts {
+        let own = builder.fender(&FenderDef {
             name: &name,
             body: fender.body as usize,
             position_m: fender.position_m(),
@@ -160,8 +160,11 @@ pub extern "C" fn fl_builder_add_pair(
 
 /// Lets all pairs of bodies touch that fl_builder_add_pair() does not name, with a material.
 #[unsafe(no_mangle)]
-pub extern "C" fn fl_builder_every_other_pair(builder: *mut FlBuilder, material: u32) -> FlStatus {
-    BUILDERS.call(builder, |builder| Ok(builder.every_other_pair(material as usize)?))
+pub extern "C" fn fl_builder_add_all_other_pairs(
+    builder: *mut FlBuilder,
+    material: u32,
+) -> FlStatus {
+    BUILDERS.call(builder, |builder| Ok(builder.all_other_pairs(material as usize)?))
 }
 
 /// Makes an engine of all that was added, at `*engine`, to be destroyed by fl_engine_destroy(); NULL where

@@ -213,7 +213,7 @@ pub unsafe extern "C" fn fl_engine_find_fender(
 }
 
 /// Copies a body's mass matrix over surge, sway and yaw about its centre of gravity, added mass included, row
-/// by row: 9 numbers [kg, kg m, kg m2]; zeros for a fixed body. A following host must move its bodies with it.
+/// by row: 9 numbers (kg, kg m, kg m2); zeros for a fixed body. A following host must move its bodies with it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_mass_matrix(
     engine: *const FlEngine,
@@ -273,12 +273,12 @@ pub unsafe extern "C" fn fl_engine_set_states(
 
 /// Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
 /// start afresh (FL_EVENT_TELEPORTED), no load is read from it, and out of another body it is pressed slowly
-/// (FL_EVENT_PUT_INTO, where it lies so deep that it would be thrown out). Without it the engine finds that out where the body is a tenth of the
+/// (FL_EVENT_PLACED_IN_OVERLAP, where it lies so deep that it would be thrown out). Without it the engine finds that out where the body is a tenth of the
 /// radius of its outline farther than its velocities lead it. A host that shows its states some steps late calls it
 /// when it first shows the new place. To go back in time, restore a saved engine.
 #[unsafe(no_mangle)]
-pub extern "C" fn fl_engine_place(engine: *mut FlEngine, body: u32) -> FlStatus {
-    ENGINES.call(engine, |held| Ok(held.engine.place(body as usize)?))
+pub extern "C" fn fl_engine_mark_teleported(engine: *mut FlEngine, body: u32) -> FlStatus {
+    ENGINES.call(engine, |held| Ok(held.engine.mark_teleported(body as usize)?))
 }
 
 /// Tells all that acts on each body except contact, until it is told again; `count` is the number of bodies.
@@ -336,7 +336,7 @@ pub unsafe extern "C" fn fl_engine_advance(
 }
 
 /// Copies the wrenches of the last step, which the host is to add to its forces for that step: means over it, so that
-/// the impulse is right, as fl_engine_peaks() are not. `count` is the number of bodies.
+/// the impulse is right, as fl_engine_peak_wrenches() are not. `count` is the number of bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fl_engine_wrenches(
     engine: *const FlEngine,
@@ -356,14 +356,14 @@ pub unsafe extern "C" fn fl_engine_wrenches(
 /// method, which knows no sub-steps, the same as fl_engine_wrenches(). The peak of each contact is
 /// fl_contact.peak_normal_force_n.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fl_engine_peaks(
+pub unsafe extern "C" fn fl_engine_peak_wrenches(
     engine: *const FlEngine,
     peaks: *mut FlWrench,
     count: usize,
 ) -> FlStatus {
     results(engine, |results| {
         // SAFETY: as the caller promises.
-        unsafe { give(results.peaks, peaks, count, FlWrench::outward) }
+        unsafe { give(results.peak_wrenches, peaks, count, FlWrench::outward) }
     })
 }
 
@@ -392,14 +392,14 @@ pub unsafe extern "C" fn fl_engine_states_after(
 /// Copies what the last step took for a following host's present states, which it will show when they are old
 /// enough, and its loads, told or observed. `count` is the number of bodies.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn fl_engine_reckoned(
+pub unsafe extern "C" fn fl_engine_host_estimate(
     engine: *const FlEngine,
     states: *mut FlState,
     loads: *mut FlWrench,
     count: usize,
 ) -> FlStatus {
     results(engine, |results| {
-        let Some(reckoned) = results.reckoned else {
+        let Some(estimate) = results.host_estimate else {
             return failure(
                 FlStatus::NotAvailable,
                 "only of a following host something is reckoned",
@@ -409,9 +409,9 @@ pub unsafe extern "C" fn fl_engine_reckoned(
             check(loads, "loads")?;
         }
         // SAFETY: as the caller promises.
-        unsafe { give(reckoned.states, states, count, FlState::outward) }?;
+        unsafe { give(estimate.states, states, count, FlState::outward) }?;
         // SAFETY: as the caller promises.
-        unsafe { give(reckoned.loads, loads, count, FlWrench::outward) }
+        unsafe { give(estimate.loads, loads, count, FlWrench::outward) }
     })
 }
 

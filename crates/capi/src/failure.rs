@@ -111,8 +111,8 @@ impl From<EngineError> for Failure {
             EngineError::NoSuch { .. } | EngineError::NoSuchName { .. } => FlStatus::NoSuch,
             EngineError::Input(StepError::WrongCount { .. }) => FlStatus::BadArgument,
             EngineError::Input(_) | EngineError::NotFinite => FlStatus::BadNumber,
-            EngineError::NotShown { .. } | EngineError::NoStepYet => FlStatus::OutOfOrder,
-            EngineError::NotHere(_) => FlStatus::NotAvailable,
+            EngineError::StateNotSet { .. } | EngineError::NoStepYet => FlStatus::OutOfOrder,
+            EngineError::NotAvailable(_) => FlStatus::NotAvailable,
             EngineError::Restore(RestoreError::OtherModel) | EngineError::OtherSettings => {
                 FlStatus::OtherModel
             }

@@ -4,7 +4,7 @@ use fenderline_contact::{
     BodyState, Contact, Event, EventKind, FenderLaw, Friction, HostIntegration, HostSettings,
     Material, Stop, Unloading, Vec2, Wrench, vec2,
 };
-use fenderline_embed::{Host, Settings, Turning};
+use fenderline_embed::{CoriolisTerms, Host, Settings};
 use fenderline_sim::{MassProperties, Method};
 
 use crate::failure::{FlStatus, Outcome, failure};
@@ -27,20 +27,20 @@ pub const FL_METHOD_PAPER: u32 = 2;
 /// fl_settings.host: it shows the states of each step's beginning and tells all its loads. It may go on with
 /// fl_engine_states_after(), or move its bodies by itself with the wrenches, in steps of any lengths: by the coupled
 /// method the engine then goes on from where it was itself while bodies touch, and the wrenches keep the host beside it.
-pub const FL_HOST_PRESENT: u32 = 0;
+pub const FL_HOST_DIRECT: u32 = 0;
 /// fl_settings.host: it moves its bodies by itself, may show old states and need not tell its loads, as a
 /// co-simulation master or the loop of a game. Its steps may be of any lengths. The engine finds the loads in the states, reckons the states that it is not shown yet,
 /// and gives wrenches that take the host where the engine went. By the coupled method only.
-pub const FL_HOST_FOLLOWING: u32 = 1;
+pub const FL_HOST_COSIMULATION: u32 = 1;
 
-/// fl_settings.turning: as `fenderline run` has it with the scenario's integrator; FL_TURNING_BY_ENGINE where
+/// fl_settings.coriolis: as `fenderline run` has it with the scenario's integrator; FL_CORIOLIS_BY_ENGINE where
 /// there is no scenario.
-pub const FL_TURNING_DEFAULT: u32 = 0;
-/// fl_settings.turning: the loads that the host tells are without the Coriolis and centripetal terms of a
+pub const FL_CORIOLIS_DEFAULT: u32 = 0;
+/// fl_settings.coriolis: the loads that the host tells are without the Coriolis and centripetal terms of a
 /// body's added mass, which the engine adds.
-pub const FL_TURNING_BY_ENGINE: u32 = 1;
-/// fl_settings.turning: the loads that the host tells hold these terms.
-pub const FL_TURNING_IN_LOADS: u32 = 2;
+pub const FL_CORIOLIS_BY_ENGINE: u32 = 1;
+/// fl_settings.coriolis: the loads that the host tells hold these terms.
+pub const FL_CORIOLIS_IN_LOADS: u32 = 2;
 
 /// fl_settings.integration: the host moves positions with the old velocities, then changes the velocities.
 pub const FL_INTEGRATION_FORWARD_EULER: u32 = 0;
@@ -60,21 +60,21 @@ pub const FL_EVENT_CONTAINED: u32 = 4;
 /// fl_event.kind: the overlap is deeper than half the smaller body is wide.
 pub const FL_EVENT_DEEP_OVERLAP: u32 = 5;
 /// fl_event.kind: a body moved by a tenth of the radius of its outline more than its velocities explain, or
-/// fl_engine_place() said that it was put there; its contacts start afresh. The radius is the largest distance of a
+/// fl_engine_mark_teleported() said that it was put there; its contacts start afresh. The radius is the largest distance of a
 /// vertex from the centre of gravity.
 pub const FL_EVENT_TELEPORTED: u32 = 6;
 /// fl_event.kind: a fender is deflected beyond what it is rated for.
-pub const FL_EVENT_FENDER_OVER_RATED: u32 = 7;
+pub const FL_EVENT_FENDER_RATING_EXCEEDED: u32 = 7;
 /// fl_event.kind: a fender is in its stop, or as deep as it projects.
 pub const FL_EVENT_FENDER_FAILED: u32 = 8;
 /// fl_event.kind: the solve of these bodies' contact did not settle within its bounded work.
 pub const FL_EVENT_NOT_CONVERGED: u32 = 9;
 /// fl_event.kind: a body was put into another, so deep that the contact would throw it out faster: it is pressed out
 /// instead, at 0.08 m/s at most.
-pub const FL_EVENT_PUT_INTO: u32 = 10;
+pub const FL_EVENT_PLACED_IN_OVERLAP: u32 = 10;
 /// fl_event.kind: a body answers the wrenches that a following host is given otherwise than its mass in the model
 /// says: the host moves it with another (fl_engine_mass_matrix()). Told once a body.
-pub const FL_EVENT_MASS_DIFFERS: u32 = 11;
+pub const FL_EVENT_MASS_MISMATCH: u32 = 11;
 
 /// fl_contact.flags: the friction slips; else it sticks.
 pub const FL_CONTACT_SLIPS: u32 = 1;
@@ -85,17 +85,17 @@ pub const FL_CONTACT_LIMITED: u32 = 2;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlState {
-    /// Position [m].
+    /// Position (m).
     pub north_m: f64,
-    /// Position [m].
+    /// Position (m).
     pub east_m: f64,
-    /// Clockwise from north [rad].
+    /// Clockwise from north (rad).
     pub heading_rad: f64,
-    /// Velocity [m/s].
+    /// Velocity (m/s).
     pub north_mps: f64,
-    /// Velocity [m/s].
+    /// Velocity (m/s).
     pub east_mps: f64,
-    /// Rate of turn, positive to starboard [rad/s].
+    /// Rate of turn, positive to starboard (rad/s).
     pub yaw_rate_radps: f64,
 }
 
@@ -103,11 +103,11 @@ pub struct FlState {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FlWrench {
-    /// Force [N].
+    /// Force (N).
     pub north_n: f64,
-    /// Force [N].
+    /// Force (N).
     pub east_n: f64,
-    /// Moment about the vertical, positive to starboard [N m].
+    /// Moment about the vertical, positive to starboard (N m).
     pub moment_nm: f64,
 }
 
@@ -121,8 +121,8 @@ pub struct FlSettings {
     pub method: u32,
     /// FL_HOST_...
     pub host: u32,
-    /// FL_TURNING_..., of a host of the present; 0 for a following one, whose loads hold the turning terms.
-    pub turning: u32,
+    /// FL_CORIOLIS_..., of a host of the present; 0 for a following one, whose loads hold the turning terms.
+    pub coriolis: u32,
     /// FL_INTEGRATION_... of a following host; else 0.
     pub integration: u32,
     /// Age of the states that a following host shows, in its steps, at most 1000; else 0.
@@ -135,11 +135,11 @@ pub struct FlSettings {
 pub struct FlMaterial {
     /// sizeof(fl_material)
     pub size: usize,
-    /// Area stiffness [N/m2].
+    /// Area stiffness (N/m2).
     pub stiffness_npm2: f64,
-    /// Area damping [N s/m2].
+    /// Area damping (N s/m2).
     pub damping_nspm2: f64,
-    /// Shear stiffness [N/m].
+    /// Shear stiffness (N/m).
     pub shear_stiffness_npm: f64,
     /// Coefficient of static friction.
     pub friction_static: f64,
@@ -155,21 +155,21 @@ pub struct FlMaterial {
 pub struct FlBody {
     /// sizeof(fl_body)
     pub size: usize,
-    /// Displacement [kg]. 0, and all other masses too: a fixed body.
+    /// Displacement (kg). 0, and all other masses too: a fixed body.
     pub mass_kg: f64,
-    /// Moment of inertia about the vertical [kg m2].
+    /// Moment of inertia about the vertical (kg m2).
     pub yaw_inertia_kgm2: f64,
-    /// Added mass in surge [kg].
+    /// Added mass in surge (kg).
     pub added_surge_kg: f64,
-    /// Added mass in sway [kg].
+    /// Added mass in sway (kg).
     pub added_sway_kg: f64,
-    /// Added moment of inertia in yaw [kg m2].
+    /// Added moment of inertia in yaw (kg m2).
     pub added_yaw_kgm2: f64,
-    /// Where a fixed body stands, and a floating one begins [m].
+    /// Where a fixed body stands, and a floating one begins (m).
     pub north_m: f64,
-    /// Where a fixed body stands, and a floating one begins [m].
+    /// Where a fixed body stands, and a floating one begins (m).
     pub east_m: f64,
-    /// Its heading there [rad].
+    /// Its heading there (rad).
     pub heading_rad: f64,
 }
 
@@ -180,21 +180,21 @@ pub struct FlBody {
 pub struct FlFender {
     /// sizeof(fl_fender)
     pub size: usize,
-    /// Middle of the line where it is mounted, in the body's frame [m].
+    /// Middle of the line where it is mounted, in the body's frame (m).
     pub forward_m: f64,
-    /// Middle of the line where it is mounted, in the body's frame [m].
+    /// Middle of the line where it is mounted, in the body's frame (m).
     pub starboard_m: f64,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of the face [m].
+    /// Width of the face (m).
     pub width_m: f64,
-    /// From the mounting to the face, uncompressed [m].
+    /// From the mounting to the face, uncompressed (m).
     pub projection_m: f64,
-    /// The deflection that it is made for [m]; 0: its projection. 0 where it has no curve.
+    /// The deflection that it is made for (m); 0: its projection. 0 where it has no curve.
     pub rated_deflection_m: f64,
-    /// Deflection at which it begins to stiffen to a stop [m].
+    /// Deflection at which it begins to stiffen to a stop (m).
     pub stop_from_m: f64,
-    /// Stiffness of the stop [N/m]; 0, and its beginning too: it has none.
+    /// Stiffness of the stop (N/m); 0, and its beginning too: it has none.
     pub stop_stiffness_npm: f64,
     /// Index of the body that carries it.
     pub body: u32,
@@ -225,49 +225,49 @@ pub struct FlContact {
     pub flags: u32,
     /// 0.
     pub reserved: u32,
-    /// Area of the overlap [m2].
+    /// Area of the overlap (m2).
     pub area_m2: f64,
-    /// Extent of the overlap along the normal, or deflection of the fender [m].
+    /// Extent of the overlap along the normal, or deflection of the fender (m).
     pub depth_m: f64,
-    /// Where the force acts [m].
+    /// Where the force acts (m).
     pub north_m: f64,
-    /// Where the force acts [m].
+    /// Where the force acts (m).
     pub east_m: f64,
     /// Body 1's outward normal.
     pub normal_north: f64,
     /// Body 1's outward normal.
     pub normal_east: f64,
-    /// Speed of approach along the normal [m/s].
+    /// Speed of approach along the normal (m/s).
     pub v_normal_mps: f64,
-    /// Speed of body 1 relative to body 2 along the tangent [m/s].
+    /// Speed of body 1 relative to body 2 along the tangent (m/s).
     pub v_tangential_mps: f64,
-    /// Shear of the contact [m].
+    /// Shear of the contact (m).
     pub shear_m: f64,
-    /// Normal force, at least 0 [N].
+    /// Normal force, at least 0 (N).
     pub normal_force_n: f64,
-    /// Tangential force on body 1 [N].
+    /// Tangential force on body 1 (N).
     pub tangential_force_n: f64,
-    /// Largest normal force within the step [N].
+    /// Largest normal force within the step (N).
     pub peak_normal_force_n: f64,
-    /// Largest depth within the step [m].
+    /// Largest depth within the step (m).
     pub peak_depth_m: f64,
-    /// Of the normal force: area spring or reaction curve [N].
+    /// Of the normal force: area spring or reaction curve (N).
     pub spring_n: f64,
-    /// Of the normal force: the stop past a fender's travel [N].
+    /// Of the normal force: the stop past a fender's travel (N).
     pub stop_n: f64,
-    /// Of the normal force: the damper [N].
+    /// Of the normal force: the damper (N).
     pub damper_n: f64,
-    /// What the limit from momentum took off the normal force [N].
+    /// What the limit from momentum took off the normal force (N).
     pub limiter_n: f64,
-    /// Energy in a fender's spring and stop at the step's start that it can give back [J]; 0 for outline on outline.
+    /// Energy in a fender's spring and stop at the step's start that it can give back (J); 0 for outline on outline.
     pub stored_j: f64,
-    /// The largest energy within the step that loads such a fender from nothing to where it is [J].
-    pub peak_loaded_j: f64,
-    /// Angle between a fender's face and the hull [rad].
+    /// The largest energy within the step that loads such a fender from nothing to where it is (J).
+    pub peak_absorbed_j: f64,
+    /// Angle between a fender's face and the hull (rad).
     pub tilt_rad: f64,
     /// Factor on a fender's reaction.
     pub factor: f64,
-    /// Energy that the rubber of a fender with returned_energy has turned to heat within the step [J].
+    /// Energy that the rubber of a fender with returned_energy has turned to heat within the step (J).
     pub hysteresis_j: f64,
 }
 
@@ -378,11 +378,11 @@ impl FlSettings {
             FL_METHOD_PAPER => Some(Method::Paper),
             other => return unknown("method", other),
         };
-        let turning = match self.turning {
-            FL_TURNING_DEFAULT => None,
-            FL_TURNING_BY_ENGINE => Some(Turning::Engine),
-            FL_TURNING_IN_LOADS => Some(Turning::Loads),
-            other => return unknown("turning", other),
+        let coriolis = match self.coriolis {
+            FL_CORIOLIS_DEFAULT => None,
+            FL_CORIOLIS_BY_ENGINE => Some(CoriolisTerms::ByEngine),
+            FL_CORIOLIS_IN_LOADS => Some(CoriolisTerms::InLoads),
+            other => return unknown("coriolis", other),
         };
         let integration = match self.integration {
             FL_INTEGRATION_FORWARD_EULER => HostIntegration::ForwardEuler,
@@ -390,19 +390,19 @@ impl FlSettings {
             other => return unknown("integration", other),
         };
         let host = match self.host {
-            FL_HOST_PRESENT => {
+            FL_HOST_DIRECT => {
                 if self.integration != 0 || self.delay_steps != 0 {
                     let text = "`integration` and `delay_steps` are of a following host only";
                     return failure(FlStatus::BadArgument, text);
                 }
-                Host::Present { turning }
+                Host::Direct { coriolis }
             }
-            FL_HOST_FOLLOWING => {
-                if self.turning != 0 {
-                    let text = "`turning` is of a host of the present only";
+            FL_HOST_COSIMULATION => {
+                if self.coriolis != 0 {
+                    let text = "`coriolis` is of a host of the present only";
                     return failure(FlStatus::BadArgument, text);
                 }
-                Host::Following(HostSettings { delay_steps: self.delay_steps, integration })
+                Host::CoSimulation(HostSettings { delay_steps: self.delay_steps, integration })
             }
             other => return unknown("host", other),
         };
@@ -442,9 +442,9 @@ impl FlContact {
             stop_n: c.parts.stop_n,
             damper_n: c.parts.damper_n,
             limiter_n: c.parts.limiter_n,
-            stored_j: c.stored_j,
-            peak_loaded_j: c.peak_loaded_j,
-            hysteresis_j: c.hysteresis_j,
+            stored_j: c.energy.stored_j,
+            peak_absorbed_j: c.energy.peak_absorbed_j,
+            hysteresis_j: c.energy.hysteresis_j,
             tilt_rad: c.tilt_rad,
             factor: c.factor,
         }
@@ -461,11 +461,11 @@ impl FlEvent {
             EventKind::Contained => (FL_EVENT_CONTAINED, FL_NONE),
             EventKind::DeepOverlap => (FL_EVENT_DEEP_OVERLAP, FL_NONE),
             EventKind::Teleported => (FL_EVENT_TELEPORTED, FL_NONE),
-            EventKind::FenderOverRated(fender) => (FL_EVENT_FENDER_OVER_RATED, fender.0),
+            EventKind::FenderRatingExceeded(fender) => (FL_EVENT_FENDER_RATING_EXCEEDED, fender.0),
             EventKind::FenderFailed(fender) => (FL_EVENT_FENDER_FAILED, fender.0),
             EventKind::NotConverged => (FL_EVENT_NOT_CONVERGED, FL_NONE),
-            EventKind::PutInto => (FL_EVENT_PUT_INTO, FL_NONE),
-            EventKind::MassDiffers => (FL_EVENT_MASS_DIFFERS, FL_NONE),
+            EventKind::PlacedInOverlap => (FL_EVENT_PLACED_IN_OVERLAP, FL_NONE),
+            EventKind::MassMismatch => (FL_EVENT_MASS_MISMATCH, FL_NONE),
         };
         let [body_1, body_2] = event.bodies.map(|body| body.0);
         FlEvent { size: size_of::<FlEvent>(), kind, body_1, body_2, fender }

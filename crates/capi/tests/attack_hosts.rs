@@ -18,7 +18,7 @@ const SCENARIOS: [&str; 5] = [
     "berth/two_ships_on_pneumatic_fenders.toml",
     "closed_form/concrete_behind_fender.toml",
 ];
-/// A call that takes longer has hung [s of computing].
+/// A call that takes longer has hung (seconds of computing).
 const LONGEST_CALL_S: f64 = 10.0;
 
 #[derive(Default)]
@@ -117,7 +117,8 @@ fn attack(seed: u64, tally: &mut Tally) {
             8 => step_s = random.number(),
             9 => states[body].east_mps = random.number(),
             10 => {
-                tally.told += u64::from(fl_engine_place(engine, body as u32) == FlStatus::Ok);
+                tally.told +=
+                    u64::from(fl_engine_mark_teleported(engine, body as u32) == FlStatus::Ok);
             }
             11 => {
                 let load = FlWrench {
@@ -231,7 +232,7 @@ fn setting(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).map_or(otherwise, |text| text.parse().expect("a whole number"))
 }
 
-/// What this thread has computed [s], where the system tells; else a clock's time. A call beside other work of the machine
+/// What this thread has computed (s), where the system tells; else a clock's time. A call beside other work of the machine
 /// takes longer and has not hung.
 fn busy_s(since: Instant) -> f64 {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();

@@ -171,12 +171,12 @@ fn calls_out_of_order_have_their_status() {
 fn a_pause_is_good_and_a_body_can_be_placed() {
     let engine = Engine::new(COUPLED, None);
     let mut states = engine.begin();
-    assert_eq!(fl_engine_place(engine.0, 2), FlStatus::NoSuch);
+    assert_eq!(fl_engine_mark_teleported(engine.0, 2), FlStatus::NoSuch);
     // A tug of 16 m from her middle to her bow: 1 m is no tenth of it, with a word it counts nevertheless.
     for (moved_m, says_so, teleported) in [(0.0, false, 0), (1.0, false, 0), (1.0, true, 1)] {
         states[1].east_m += moved_m;
         if says_so {
-            assert_eq!(fl_engine_place(engine.0, 1), FlStatus::Ok);
+            assert_eq!(fl_engine_mark_teleported(engine.0, 1), FlStatus::Ok);
         }
         assert_eq!(engine.set(&states), FlStatus::Ok);
         assert_eq!(fl_engine_step(engine.0, 0.0), FlStatus::Ok, "a pause");
@@ -238,7 +238,7 @@ fn settings_of_another_header_and_those_that_do_nothing_are_refused() {
     assert_eq!(refused(FlSettings { size: 8, ..good }), FlStatus::BadSize);
     assert_eq!(refused(FlSettings { delay_steps: 1, ..good }), FlStatus::BadArgument);
     assert_eq!(refused(FlSettings { method: 9, ..good }), FlStatus::BadArgument);
-    let following = FlSettings { host: FL_HOST_FOLLOWING, ..good };
+    let following = FlSettings { host: FL_HOST_COSIMULATION, ..good };
     // The scenario's method is the paper's.
     assert_eq!(refused(following), FlStatus::BadArgument);
     let coupled = FlSettings { method: FL_METHOD_COUPLED, ..following };
@@ -253,7 +253,7 @@ fn the_peaks_of_a_step_stand_beside_its_means() {
     let mut peaks = [FlWrench::default(); 2];
     // SAFETY: room for two.
     let ask = |peaks: &mut [FlWrench]| unsafe {
-        fl_engine_peaks(engine.0, peaks.as_mut_ptr(), peaks.len())
+        fl_engine_peak_wrenches(engine.0, peaks.as_mut_ptr(), peaks.len())
     };
     assert_eq!(ask(&mut peaks), FlStatus::OutOfOrder);
     let mut states = engine.begin();

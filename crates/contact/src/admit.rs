@@ -10,7 +10,7 @@ use crate::state::BodyState;
 use crate::vec2::{Pose, Rotation, Vec2};
 use crate::workspace::Workspace;
 
-/// Largest size of a position, a velocity, a load and a time step [m, m/s, rad/s, rad, N, s]. Beyond these a
+/// Largest size of a position, a velocity, a load and a time step (m, m/s, rad/s, rad, N, s). Beyond these a
 /// number is a host's mistake, and forces could overflow.
 const FURTHEST_M: f64 = 1e9;
 const FASTEST_MPS: f64 = 1e6;
@@ -225,24 +225,24 @@ pub(crate) enum Came {
     Jumped,
 }
 
-/// The smallest way of a body at rest that its host has put elsewhere [m]: far from the chart's origin positions are
+/// The smallest way of a body at rest that its host has put elsewhere (m): far from the chart's origin positions are
 /// rounded.
 const PUT_M: f64 = 1e-6;
 
 /// How a body of this radius came to where it is shown, from `last`, so many seconds ago.
 #[inline(always)]
 pub(crate) fn came((last, step_s): (&BodyState, f64), now: &BodyState, radius_m: f64) -> Came {
-    let way_m = now.position_m - last.position_m;
-    let unexplained_m = way_m - (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);
-    let turn_rad = now.heading_rad - last.heading_rad;
+    let translation_m = now.position_m - last.position_m;
+    let unexplained_m = translation_m - (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);
+    let rotation_rad = now.heading_rad - last.heading_rad;
     // Most bodies are well within the second half of the allowance, and go as they move: that needs no roots.
     let near_m = 0.09 * radius_m;
     if unexplained_m.length_squared() <= near_m * near_m
-        && moves_so_far((last, step_s), now, (way_m, turn_rad), radius_m)
+        && moves_so_far((last, step_s), now, (translation_m, rotation_rad), radius_m)
     {
         return Came::ByItself;
     }
-    came_far((last, step_s), now, (way_m, unexplained_m, turn_rad), radius_m)
+    came_far((last, step_s), now, (translation_m, unexplained_m, rotation_rad), radius_m)
 }
 
 /// May a body go and turn so far as it moves? Its velocity may turn round within a step.
@@ -250,14 +250,14 @@ pub(crate) fn came((last, step_s): (&BodyState, f64), now: &BodyState, radius_m:
 fn moves_so_far(
     (last, step_s): (&BodyState, f64),
     now: &BodyState,
-    (way_m, turn_rad): (Vec2, f64),
+    (translation_m, rotation_rad): (Vec2, f64),
     radius_m: f64,
 ) -> bool {
     let farthest = 4.0 * step_s * step_s;
     let speeds = last.velocity_mps.length_squared() + now.velocity_mps.length_squared();
     let turns = last.yaw_rate_radps * last.yaw_rate_radps + now.yaw_rate_radps * now.yaw_rate_radps;
-    let too_far = way_m.length_squared() - farthest * speeds;
-    let turned_too_far = turn_rad * turn_rad - farthest * turns;
+    let too_far = translation_m.length_squared() - farthest * speeds;
+    let turned_too_far = rotation_rad * rotation_rad - farthest * turns;
     too_far + turned_too_far * (radius_m * radius_m) <= PUT_M * PUT_M
 }
 
@@ -267,7 +267,7 @@ fn moves_so_far(
 fn came_far(
     (last, step_s): (&BodyState, f64),
     now: &BodyState,
-    (way_m, unexplained_m, turn_rad): (Vec2, Vec2, f64),
+    (translation_m, unexplained_m, rotation_rad): (Vec2, Vec2, f64),
     radius_m: f64,
 ) -> Came {
     let change_mps = now.velocity_mps - last.velocity_mps;
@@ -275,8 +275,8 @@ fn came_far(
         return Came::Jumped;
     }
     // A host may count headings anew after a whole turn.
-    let turn_rad = turn_rad - libm::rint(turn_rad / TAU) * TAU;
-    if moves_so_far((last, step_s), now, (way_m, turn_rad), radius_m) {
+    let rotation_rad = rotation_rad - libm::rint(rotation_rad / TAU) * TAU;
+    if moves_so_far((last, step_s), now, (translation_m, rotation_rad), radius_m) {
         Came::ByItself
     } else {
         Came::Put

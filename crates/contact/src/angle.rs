@@ -6,13 +6,13 @@
 
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 
-/// Beyond this `libm` is asked: so far the steps of the table that are taken off are exact [rad].
+/// Beyond this `libm` is asked: so far the steps of the table that are taken off are exact (rad).
 const FARTHEST_RAD: f64 = 2e4;
 
 /// Steps of the table in a turn.
 const STEPS: usize = 256;
 
-/// A step, in two: 33 bits, so that its product with a whole number of up to 20 bits is exact, and the rest [rad].
+/// A step, in two: 33 bits, so that its product with a whole number of up to 20 bits is exact, and the rest (rad).
 const STEP_RAD: f64 = 0.024_543_692_605_220_713;
 const STEP_REST_RAD: f64 = 9.495_469_541_415_925e-13;
 
@@ -81,7 +81,7 @@ pub(crate) fn sin_cos(angle_rad: f64) -> (f64, f64) {
 /// The largest tangent of which [`tilt_rad`] takes the series.
 const SMALL_TILT: f64 = 1.0 / 8.0;
 
-/// The angle whose tangent is `across` over `ahead`, neither of which is negative [rad]: to rounding, by the series
+/// The angle whose tangent is `across` over `ahead`, neither of which is negative (rad): to rounding, by the series
 /// where it is small, as a hull's angle to a fender mostly is, where `libm`'s would cost ten times as much.
 #[inline(always)]
 pub(crate) fn tilt_rad(across: f64, ahead: f64) -> f64 {

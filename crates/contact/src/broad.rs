@@ -14,7 +14,7 @@ pub(crate) fn pair(model: &Model, work: &mut Workspace, all_held: bool) {
     let mut candidates = core::mem::take(&mut work.candidates);
     candidates.clear();
     push_near(model, work, &model.pairs, 0, &mut candidates);
-    if let Some(material) = model.every_other_pair {
+    if let Some(material) = model.all_other_pairs {
         let mut list = core::mem::take(&mut work.near);
         if !all_held {
             list.renew(model, material, &work.poses, &work.reach_m);

@@ -50,7 +50,7 @@ impl fmt::Display for ModelError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             ModelError::OutOfRange { owner, field, value, must } => {
-                write!(f, "{field} of `{owner}` is {}: it must be {must}", Shown(*value))
+                write!(f, "{field} of `{owner}` is {}: it must be {must}", DisplayNumber(*value))
             }
             ModelError::BadMatrix { body } => {
                 write!(f, "the mass matrix of `{body}` is not symmetric and positive definite")
@@ -79,7 +79,7 @@ pub enum StepError {
     },
     /// Δt is not a positive finite number.
     BadTimeStep {
-        /// The value given [s].
+        /// The value given (s).
         step_s: f64,
     },
     /// A number of a state is infinite, NaN or beyond what the engine takes.
@@ -110,11 +110,11 @@ impl fmt::Display for StepError {
                 write!(
                     f,
                     "the time step is {} s: 1e-9 s to 1e6 s is taken, and 0 for a pause",
-                    Shown(*step_s)
+                    DisplayNumber(*step_s)
                 )
             }
             StepError::BadState { body, field, value } => {
-                write!(f, "{field} of body `{body}` is {}", Shown(*value))
+                write!(f, "{field} of body `{body}` is {}", DisplayNumber(*value))
             }
             StepError::NotFinite { body } => {
                 write!(
@@ -171,15 +171,15 @@ impl core::error::Error for RestoreError {}
 /// away.
 ///
 /// ```
-/// use fenderline_contact::Shown;
-/// assert_eq!([0.1, 1852.0, 1e308].map(|number| Shown(number).to_string()), ["0.1", "1852", "1e308"]);
+/// use fenderline_contact::DisplayNumber;
+/// assert_eq!([0.1, 1852.0, 1e308].map(|number| DisplayNumber(number).to_string()), ["0.1", "1852", "1e308"]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shown(pub f64);
+pub struct DisplayNumber(pub f64);
 
-impl fmt::Display for Shown {
+impl fmt::Display for DisplayNumber {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Shown(value) = self;
+        let DisplayNumber(value) = self;
         let is_plain = *value == 0.0 || !value.is_finite() || (1e-6..1e12).contains(&value.abs());
         if is_plain { fmt::Display::fmt(value, f) } else { fmt::LowerExp::fmt(value, f) }
     }

@@ -96,7 +96,7 @@ fn tell_of_fender(
     // Once a contact: a fender that has failed is not told again when it comes back.
     let now = u32::from(over) * PatchMemory::CONTAINED + u32::from(failed) * PatchMemory::DEEP;
     let flags = now | (told & (PatchMemory::CONTAINED | PatchMemory::DEEP));
-    let kinds = [EventKind::FenderOverRated(id), EventKind::FenderFailed(id)];
+    let kinds = [EventKind::FenderRatingExceeded(id), EventKind::FenderFailed(id)];
     tell_news(model, events, patch, flags & !told, kinds);
     flags
 }

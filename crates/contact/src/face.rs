@@ -10,7 +10,7 @@
 //!
 //! So the hull's shape is never asked for, only the overlap's outline, and the force is exactly
 //! conservative for any hull. The simpler form (N = kS along the face's normal, through the centroid) is
-//! this without the lateral part ½k[d²] at the ends of the face, which sliding along a tilted hull
+//! this without the lateral part ½k·Δ(d²) at the ends of the face, which sliding along a tilted hull
 //! would turn into work out of nothing.
 
 use crate::angle::tilt_rad;
@@ -18,12 +18,12 @@ use crate::fender::{Fender, FenderLaw, RankedFender};
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 
-/// Corners nearer than this to a side of the fender's zone lie on it [m]: crossings are computed
+/// Corners nearer than this to a side of the fender's zone lie on it (m): crossings are computed
 /// to about 1e-12 m.
 const ON_SIDE_M: f64 = 1e-9;
 
-/// An overlap smaller than this has no centroid to speak of [m²], and a force smaller than this no line
-/// [N]: what rounding leaves of either, divided by itself, would be anywhere.
+/// An overlap smaller than this has no centroid to speak of (m²), and a force smaller than this no line
+/// (N): what rounding leaves of either, divided by itself, would be anywhere.
 const SMALLEST_AREA_M2: f64 = 1e-18;
 const SMALLEST_FORCE_N: f64 = 1e-6;
 
@@ -34,16 +34,16 @@ pub(crate) struct Press {
     /// that the outline was given in.
     pub(crate) push: Vec2,
     pub(crate) point_m: Vec2,
-    /// The two parts of the force along `push` [N].
+    /// The two parts of the force along `push` (N).
     pub(crate) spring_n: f64,
     pub(crate) stop_n: f64,
-    /// δ [m].
+    /// δ (m).
     pub(crate) deflection_m: f64,
-    /// Energy stored in spring and stop [J].
+    /// Energy stored in spring and stop (J).
     pub(crate) stored_j: f64,
-    /// What the overlap grows by with the hull's way along `push` [m].
+    /// What the overlap grows by with the hull's way along `push` (m).
     pub(crate) chord_m: f64,
-    /// Angle between hull and face [rad].
+    /// Angle between hull and face (rad).
     pub(crate) tilt_rad: f64,
 }
 

@@ -31,13 +31,13 @@ pub struct Fender {
     pub key: u64,
     /// The body that carries it.
     pub body: BodyId,
-    /// Middle of the line where it is mounted, in the body's frame [m].
+    /// Middle of the line where it is mounted, in the body's frame (m).
     pub position_m: Vec2,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of the face [m].
+    /// Width of the face (m).
     pub width_m: f64,
-    /// From the mounting to the face, uncompressed [m].
+    /// From the mounting to the face, uncompressed (m).
     pub projection_m: f64,
     /// Reaction from deflection.
     pub law: FenderLaw,
@@ -46,7 +46,7 @@ pub struct Fender {
     pub unloading: Option<Unloading>,
     /// Friction, restitution, damping and, for [`FenderLaw::Area`], stiffness.
     pub material: MaterialId,
-    /// The deflection that it is made for [m]: beyond it an event is told; compression times are
+    /// The deflection that it is made for (m): beyond it an event is told; compression times are
     /// counted from it.
     pub rated_deflection_m: f64,
     /// Where it stiffens to a stop; `None` for a law that stiffens by itself.
@@ -61,7 +61,7 @@ pub enum FenderLaw {
     /// The paper's: N = k S with the material's k, an elastic foundation. Stored: ½ k ∫ d² ds, with d(s)
     /// the depth of the hull behind the face; δ is the largest d.
     Area,
-    /// Points (δ [m], R [N]), from (0, 0) on, with straight lines between them. Beyond the last point the
+    /// Points (δ (m), R (N)), from (0, 0) on, with straight lines between them. Beyond the last point the
     /// last line goes on where it rises; where it falls the reaction stays.
     /// δ is the mean of d(s) over the width of the face, which is the deflection of the fender's axis
     /// where a flat side covers the face. Stored: ∫ R dδ.
@@ -71,9 +71,9 @@ pub enum FenderLaw {
 /// The end of a fender's travel: from `from_m` on a further spring acts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
-    /// Deflection at which it begins [m].
+    /// Deflection at which it begins (m).
     pub from_m: f64,
-    /// Stiffness [N/m].
+    /// Stiffness (N/m).
     pub stiffness_npm: f64,
 }
 
@@ -84,10 +84,10 @@ pub struct Stop {
 pub struct ReactionFactors {
     /// Temperature, manufacturing tolerance and whatever else does not change in a run.
     pub constant: f64,
-    /// Points (compression time [s], factor) with the time rising; straight lines between them, the
+    /// Points (compression time (s), factor) with the time rising; straight lines between them, the
     /// ends held. The time is δ_rated/(0.74 V) for the speed of approach V. Empty: 1.
     pub by_compression_time: Vec<[f64; 2]>,
-    /// Points (angle between face and hull [rad], factor), the same way. Empty: 1.
+    /// Points (angle between face and hull (rad), factor), the same way. Empty: 1.
     pub by_angle: Vec<[f64; 2]>,
 }
 
@@ -104,7 +104,7 @@ impl FenderLaw {
         FenderLaw::Curve(alloc::vec![[0.0, 0.0], [1.0, stiffness_npm]])
     }
 
-    /// R at a deflection, without factors and stop [N]; 0 for [`FenderLaw::Area`], whose force is not
+    /// R at a deflection, without factors and stop (N); 0 for [`FenderLaw::Area`], whose force is not
     /// one of δ alone.
     #[must_use]
     pub fn reaction_n(&self, deflection_m: f64) -> f64 {
@@ -114,14 +114,14 @@ impl FenderLaw {
         }
     }
 
-    /// ∫ R dδ up to a deflection, without factors and stop [J].
+    /// ∫ R dδ up to a deflection, without factors and stop (J).
     #[must_use]
     pub fn energy_j(&self, deflection_m: f64) -> f64 {
         let FenderLaw::Curve(points) = self else { return 0.0 };
         integral(points, deflection_m)
     }
 
-    /// The steepest rise of R up to a deflection [N/m].
+    /// The steepest rise of R up to a deflection (N/m).
     pub(crate) fn steepest_npm(&self, up_to_m: f64) -> f64 {
         let FenderLaw::Curve(points) = self else { return 0.0 };
         points
@@ -133,13 +133,13 @@ impl FenderLaw {
 }
 
 impl ReactionFactors {
-    /// The factor by angle alone [rad].
+    /// The factor by angle alone (rad).
     #[must_use]
     pub fn of_angle(&self, angle_rad: f64) -> f64 {
         held(&self.by_angle, angle_rad)
     }
 
-    /// The factor of a contact that begins at a speed [m/s] and an angle [rad].
+    /// The factor of a contact that begins at a speed (m/s) and an angle (rad).
     pub(crate) fn at(&self, speed_mps: f64, angle_rad: f64, rated_deflection_m: f64) -> f64 {
         // Velocity factors are tabulated by the time at 0.74 of the speed of first touch, as a public calculator for cone
         // fenders has it.
@@ -215,14 +215,14 @@ pub(crate) struct RankedFender {
 /// Bounds on what a fender does to any hull, which tell in most steps that it needs no sub-steps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FenderBounds {
-    /// The steepest rise of its reaction, with the largest of its factors, but for the stop [N/m].
+    /// The steepest rise of its reaction, with the largest of its factors, but for the stop (N/m).
     pub(crate) spring_npm: f64,
-    /// Deflection at which the stop begins; infinite where there is none [m].
+    /// Deflection at which the stop begins; infinite where there is none (m).
     pub(crate) stop_from_m: f64,
-    /// Of its damper [N·s/m].
+    /// Of its damper (N·s/m).
     pub(crate) damping_nspm: f64,
     pub(crate) projection_m: f64,
-    /// From its host's centre of gravity to the middle of its face, and from there to the corners of its zone [m].
+    /// From its host's centre of gravity to the middle of its face, and from there to the corners of its zone (m).
     pub(crate) arm_m: f64,
     pub(crate) spread_m: f64,
 }
@@ -273,7 +273,7 @@ impl RankedFender {
         }
     }
 
-    /// The farthest that its face reaches from the body's centre of gravity [m].
+    /// The farthest that its face reaches from the body's centre of gravity (m).
     pub(crate) fn reach_m(&self) -> f64 {
         self.zone.vertices().iter().fold(0.0, |reach, v| greater(reach, v.length()))
     }

@@ -1,6 +1,6 @@
 //! The contact engine of fenderline: horizontal forces between ships, fenders, quays and tugs.
 //!
-//! One call, [`step`], takes the states of all bodies and a time step and gives the contacts and
+//! One call, [`step()`], takes the states of all bodies and a time step and gives the contacts and
 //! one wrench per body. The constant part of a problem is a [`Model`]; what lives from step to step
 //! is a [`Memory`], plain data that can be copied, saved and restored; [`Workspace`] holds buffers
 //! and results, so that a warm step allocates nothing.
@@ -71,17 +71,20 @@ mod unloading;
 mod vec2;
 mod workspace;
 
-pub use coupled::press_out::PRESSED_OUT_MPS;
-pub use coupled::{advance, advance_in_place, advance_on};
-pub use error::{ModelError, RestoreError, Shown, StepError};
+pub use coupled::press_out::MAX_PUSH_OUT_MPS;
+pub use coupled::{advance, advance_from_engine_states, advance_in_place};
+pub use error::{DisplayNumber, ModelError, RestoreError, StepError};
 pub use fender::{Fender, FenderId, FenderLaw, ReactionFactors, Stop};
 pub use geometry::clip::{Clip, PairClip};
 pub use geometry::convex::ConvexPolygon;
-pub use host::{FollowingHost, HostIntegration, HostSettings, HostWorkspace, PresentHost};
+pub use host::{CoSimHost, DirectHost, HostIntegration, HostSettings, HostWorkspace};
 pub use memory::Memory;
 pub use model::{Body, BodyId, Material, MaterialId, Mobility, Model, ModelBuilder, Pair};
 pub use outline::{Outline, OutlineError, OutlineNotice};
-pub use report::{Contact, ContactWork, Event, EventKind, ForceParts, Friction, Motion, Wrench};
+pub use report::{
+    Contact, ContactImpulse, ContactWork, Displacement, EnergyParts, Event, EventKind, ForceParts,
+    Friction, Wrench,
+};
 pub use snapshot::SNAPSHOT_VERSION;
 pub use state::BodyState;
 pub use step::step;

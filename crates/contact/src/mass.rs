@@ -3,7 +3,7 @@
 use crate::touch::Levers;
 use crate::vec2::{Rotation, Vec2, vec2};
 
-/// Inverse of a symmetric 3×3 mass matrix over surge, sway and yaw [1/kg, 1/(kg·m), 1/(kg·m²)].
+/// Inverse of a symmetric 3×3 mass matrix over surge, sway and yaw (1/kg, 1/(kg·m), 1/(kg·m²)).
 /// All zero for a fixed body: work with inverses, never with infinities.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct InverseMatrix {
@@ -108,7 +108,7 @@ impl InverseMatrix {
         Some([[xx, xy, xr], [xy, yy, yr], [xr, yr, rr]])
     }
 
-    /// Inverse of the inertia in yaw [1/(kg·m²)].
+    /// Inverse of the inertia in yaw (1/(kg·m²)).
     pub(crate) fn of_turning(&self) -> f64 {
         self.rr
     }
@@ -119,7 +119,7 @@ impl InverseMatrix {
         [xx, xy, yy, xr, yr, rr].map(f64::to_bits)
     }
 
-    /// The largest inverse mass in any direction, without rotation [1/kg].
+    /// The largest inverse mass in any direction, without rotation (1/kg).
     pub(crate) fn lightest(&self) -> f64 {
         // The larger eigenvalue of the translational block.
         let (mean, half) = (0.5 * (self.xx + self.yy), 0.5 * (self.xx - self.yy));
@@ -127,7 +127,7 @@ impl InverseMatrix {
     }
 }
 
-/// How bodies answer impulses along n and t (n turned by +90°) at a contact [1/kg].
+/// How bodies answer impulses along n and t (n turned by +90°) at a contact (1/kg).
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Seen {
     /// n·K n, t·K n and t·K t.
@@ -137,13 +137,13 @@ pub(crate) struct Seen {
     /// n·K n without rotation.
     pub(crate) linear: f64,
     /// Only one body answers, whose mass is the same in all axes; and the inverse of its inertia in yaw
-    /// [1/(kg·m²)]. Its inverse mass is `linear`.
+    /// (1/(kg·m²)). Its inverse mass is `linear`.
     pub(crate) is_alike: bool,
     pub(crate) turning: f64,
 }
 
 impl Seen {
-    /// Of one body with the same mass in all axes, about whose centre of gravity n and t have these levers [m].
+    /// Of one body with the same mass in all axes, about whose centre of gravity n and t have these levers (m).
     #[inline(always)]
     pub(crate) fn alike(inverse_mass: f64, turning: f64, levers: Levers) -> Seen {
         let (turn_n, turn_t) = (turning * levers.n_m, turning * levers.t_m);

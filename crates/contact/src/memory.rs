@@ -24,12 +24,12 @@ pub struct Memory {
     pub(crate) hints: Vec<HintMemory>,
     /// States of the last step by rank; empty before the first.
     pub(crate) last_states: Vec<BodyState>,
-    /// Time from the last step to the next [s]; 0 before the first.
+    /// Time from the last step to the next (s); 0 before the first.
     pub(crate) last_step_s: f64,
     /// Ranks, in order, of the bodies of which the host has said that it put them where it shows them next.
     pub(crate) placed: Vec<u32>,
     /// By rank, after a step of the coupled method: how long before its position the velocity that the engine left of
-    /// a body belongs to, which is half of its last sub-step [s]; [`NOT_BEHIND`] of what does not float. See
+    /// a body belongs to, which is half of its last sub-step (s); [`NOT_BEHIND`] of what does not float. See
     /// [`crate::coupled::bodies`].
     pub(crate) behind_s: Vec<f64>,
 }
@@ -48,35 +48,35 @@ pub(crate) struct PatchMemory {
     /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is told once,
     /// [`PatchMemory::APPROACHING`] and [`PatchMemory::SLIPPING`].
     pub(crate) flags: u32,
-    /// S^{n−1} [m²].
+    /// S^{n−1} (m²).
     pub(crate) area_m2: f64,
-    /// The material points that were at C, in each body's frame [m].
+    /// The material points that were at C, in each body's frame (m).
     pub(crate) point_in_a_m: Vec2,
     pub(crate) point_in_b_m: Vec2,
     /// The last good normal (A's outward one) in A's frame, and how B was turned there: it is seldom asked for in
     /// B's.
     pub(crate) normal_in_a: Vec2,
     pub(crate) b_in_a: Rotation,
-    /// Δs [m].
+    /// Δs (m).
     pub(crate) shear_m: f64,
     /// By the paper's method V_n⁰ and V_t⁰, the relative velocity when the contact began. By the
-    /// coupled method the largest V_n since it last changed sign, and nothing [m/s].
+    /// coupled method the largest V_n since it last changed sign, and nothing (m/s).
     pub(crate) v_normal_0_mps: f64,
     pub(crate) v_tangential_0_mps: f64,
-    /// N and T of the last (sub-)step, where the coupled solve begins [N].
+    /// N and T of the last (sub-)step, where the coupled solve begins (N).
     pub(crate) normal_force_n: f64,
     pub(crate) tangential_force_n: f64,
     /// Factor on the law, as it was when the contact began.
     pub(crate) factor: f64,
-    /// What the bodies have lost to the normal force and not got back, by the coupled method [J]: the
+    /// What the bodies have lost to the normal force and not got back, by the coupled method (J): the
     /// most that it may give them.
     pub(crate) taken_j: f64,
-    /// What the shear spring has taken from the bodies and still stores, by the coupled method [J]: the
+    /// What the shear spring has taken from the bodies and still stores, by the coupled method (J): the
     /// most that it may give them.
     pub(crate) sheared_j: f64,
-    /// The area whose growth the damper has answered, by the coupled method [m²]: see [`crate::law::damper`].
+    /// The area whose growth the damper has answered, by the coupled method (m²): see [`crate::law::damper`].
     pub(crate) damped_m2: f64,
-    /// T of each play of a fender's unloading law [J]; 0 without one.
+    /// T of each play of a fender's unloading law (J); 0 without one.
     pub(crate) tops_j: [f64; PLAYS],
 }
 
@@ -203,7 +203,7 @@ impl HintMemory {
 }
 
 /// What a (sub-)step begins with: what the last one left of some candidates, each list sorted, and how long
-/// ago that began [s]; 0 before the first.
+/// ago that began (s); 0 before the first.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Past<'m> {
     pub(crate) patches: &'m [PatchMemory],
@@ -279,12 +279,12 @@ impl Memory {
 
     /// The host has put a body where the next step shows it: its contacts start afresh there
     /// ([`crate::EventKind::Teleported`]), and where it is put into another one it is pressed out slowly
-    /// ([`crate::EventKind::PutInto`]). Without a word of the host that is found out where the way is longer than a
+    /// ([`crate::EventKind::PlacedInOverlap`]). Without a word of the host that is found out where the way is longer than a
     /// tenth of the body's radius.
     ///
     /// # Panics
     /// Where the model has no such body.
-    pub fn place(&mut self, model: &Model, body: BodyId) {
+    pub fn mark_teleported(&mut self, model: &Model, body: BodyId) {
         let rank = model.rank_of[body.0 as usize];
         if let Err(at) = self.placed.binary_search(&rank) {
             self.placed.insert(at, rank);

@@ -23,11 +23,11 @@ pub struct MaterialId(pub u32);
 /// Contact parameters of a pair of bodies (Table 1 of the paper).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// k, area stiffness [N/m²]: the modulus of an elastic (Winkler) foundation.
+    /// k, area stiffness (N/m²): the modulus of an elastic (Winkler) foundation.
     pub stiffness_npm2: f64,
-    /// c, area damping [N·s/m²] (the paper's Table 1 prints kN·s/m).
+    /// c, area damping (N·s/m²) (the paper's Table 1 prints kN·s/m).
     pub damping_nspm2: f64,
-    /// k_s, shear stiffness [N/m].
+    /// k_s, shear stiffness (N/m).
     pub shear_stiffness_npm: f64,
     /// μ_s, coefficient of static friction.
     pub friction_static: f64,
@@ -45,33 +45,33 @@ pub enum Mobility {
     Fixed,
     /// A floating body.
     Free {
-        /// Displacement plus the smallest added mass (§3.1 of the paper) [kg].
+        /// Displacement plus the smallest added mass (§3.1 of the paper) (kg).
         mass_kg: f64,
-        /// Moment of inertia about the vertical through the centre of gravity [kg·m²].
+        /// Moment of inertia about the vertical through the centre of gravity (kg·m²).
         yaw_inertia_kgm2: f64,
     },
     /// A floating body with its full mass matrix, for the coupled method. The paper's method takes
     /// the smaller of surge and sway in every direction.
-    Massive {
+    FullMatrix {
         /// Rigid body and added mass over surge, sway and yaw, about the centre of gravity,
-        /// symmetric [kg, kg·m, kg·m²].
+        /// symmetric (kg, kg·m, kg·m²).
         matrix: [[f64; 3]; 3],
     },
     /// A floating body whose mass differs between surge and sway, and whose momentum the engine turns with
     /// it where it moves the body itself (Kirchhoff's equations, Munk's moment among them): the host's loads
-    /// then hold no Coriolis or centripetal terms. Otherwise as [`Mobility::Massive`].
-    Afloat {
-        /// Displacement and added mass in surge [kg].
+    /// then hold no Coriolis or centripetal terms. Otherwise as [`Mobility::FullMatrix`].
+    SurgeSway {
+        /// Displacement and added mass in surge (kg).
         surge_kg: f64,
-        /// Displacement and added mass in sway [kg].
+        /// Displacement and added mass in sway (kg).
         sway_kg: f64,
-        /// Moment of inertia about the vertical, added mass included [kg·m²].
+        /// Moment of inertia about the vertical, added mass included (kg·m²).
         yaw_inertia_kgm2: f64,
     },
 }
 
 impl Mobility {
-    /// The mass matrix over surge, sway and yaw; `None` for a fixed body [kg, kg·m, kg·m²].
+    /// The mass matrix over surge, sway and yaw; `None` for a fixed body (kg, kg·m, kg·m²).
     #[must_use]
     pub fn matrix(&self) -> Option<[[f64; 3]; 3]> {
         let diagonal = |surge, sway, yaw| [[surge, 0.0, 0.0], [0.0, sway, 0.0], [0.0, 0.0, yaw]];
@@ -80,8 +80,8 @@ impl Mobility {
             Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
                 Some(diagonal(mass_kg, mass_kg, yaw_inertia_kgm2))
             }
-            Mobility::Massive { matrix } => Some(matrix),
-            Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
+            Mobility::FullMatrix { matrix } => Some(matrix),
+            Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
                 Some(diagonal(surge_kg, sway_kg, yaw_inertia_kgm2))
             }
         }
@@ -157,7 +157,7 @@ pub struct Model {
     pub(crate) pairs: Vec<RankedPair>,
     pub(crate) pair_bounds: Vec<Bounds>,
     /// Material of all other pairs.
-    pub(crate) every_other_pair: Option<MaterialId>,
+    pub(crate) all_other_pairs: Option<MaterialId>,
     /// Distinguishes models, for memory and snapshots.
     pub(crate) fingerprint: u64,
     /// Distinguishes besides models whose bodies or materials were added in another order, for workspaces: these
@@ -172,7 +172,7 @@ pub struct ModelBuilder {
     materials: Vec<Material>,
     fenders: Vec<Fender>,
     pairs: Vec<Pair>,
-    every_other_pair: Option<MaterialId>,
+    all_other_pairs: Option<MaterialId>,
 }
 
 impl Model {
@@ -238,8 +238,8 @@ impl ModelBuilder {
     }
 
     /// Lets every pair of bodies touch that no call of [`ModelBuilder::pair`] names.
-    pub fn every_other_pair(&mut self, material: MaterialId) -> &mut ModelBuilder {
-        self.every_other_pair = Some(material);
+    pub fn all_other_pairs(&mut self, material: MaterialId) -> &mut ModelBuilder {
+        self.all_other_pairs = Some(material);
         self
     }
 
@@ -248,7 +248,7 @@ impl ModelBuilder {
     /// # Errors
     /// [`ModelError`], naming the body, the fender or the pair.
     pub fn build(self) -> Result<Model, ModelError> {
-        let ModelBuilder { bodies, materials, fenders, pairs, every_other_pair } = self;
+        let ModelBuilder { bodies, materials, fenders, pairs, all_other_pairs } = self;
         bodies.iter().try_for_each(check_body)?;
         for (index, material) in materials.iter().enumerate() {
             check_material(index, material)?;
@@ -257,7 +257,7 @@ impl ModelBuilder {
         let faces = rank_fenders(&fenders, &materials, &rank_of)?;
         let ranked = Ranked::new(id_of.iter().map(|id| &bodies[id.0 as usize]), &faces);
         let pairs = rank_pairs(&bodies, &materials, &pairs, (&ranked, &rank_of))?;
-        if let Some(MaterialId(index)) = every_other_pair
+        if let Some(MaterialId(index)) = all_other_pairs
             && index as usize >= materials.len()
         {
             return Err(ModelError::UnknownId { what: "material", index });
@@ -273,7 +273,7 @@ impl ModelBuilder {
             id_of,
             pairs,
             pair_bounds: Vec::new(),
-            every_other_pair,
+            all_other_pairs,
             fingerprint: 0,
             layout: 0,
         };
@@ -288,11 +288,11 @@ fn check_body(body: &Body) -> Result<(), ModelError> {
     let (mass_kg, yaw_inertia_kgm2) = match body.mobility {
         Mobility::Fixed => return Ok(()),
         Mobility::Free { mass_kg, yaw_inertia_kgm2 } => (mass_kg, yaw_inertia_kgm2),
-        Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
+        Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
             check_mass(body, "mass in surge", surge_kg)?;
             (sway_kg, yaw_inertia_kgm2)
         }
-        Mobility::Massive { matrix } => {
+        Mobility::FullMatrix { matrix } => {
             let [[_, b, c], [d, _, e], [f, g, _]] = matrix;
             if (b, c, e) != (d, f, g) || InverseMatrix::of(&matrix).is_none() {
                 return Err(ModelError::BadMatrix { body: body.name.clone() });
@@ -446,10 +446,10 @@ fn fingerprint(model: &Model) -> u64 {
         hash.word(ranked.inverse_inertia.to_bits());
         match body.mobility {
             Mobility::Fixed | Mobility::Free { .. } => {}
-            Mobility::Massive { matrix } => {
+            Mobility::FullMatrix { matrix } => {
                 matrix.iter().flatten().for_each(|m| hash.word(m.to_bits()));
             }
-            Mobility::Afloat { surge_kg, sway_kg, .. } => {
+            Mobility::SurgeSway { surge_kg, sway_kg, .. } => {
                 hash.word(u64::MAX);
                 hash.word(surge_kg.to_bits());
                 hash.word(sway_kg.to_bits());
@@ -478,7 +478,7 @@ fn fingerprint(model: &Model) -> u64 {
         hash.word(u64::from(pair.b));
         material(&mut hash, pair.material);
     }
-    if let Some(id) = model.every_other_pair {
+    if let Some(id) = model.all_other_pairs {
         material(&mut hash, id);
     }
     hash.word(model.faces.len() as u64);
@@ -497,7 +497,7 @@ fn layout(model: &Model) -> u64 {
     hash.word(model.fingerprint);
     model.id_of.iter().for_each(|id| hash.word(u64::from(id.0)));
     let of_pairs = model.pairs.iter().map(|pair| pair.material);
-    for MaterialId(index) in of_pairs.chain(model.every_other_pair) {
+    for MaterialId(index) in of_pairs.chain(model.all_other_pairs) {
         hash.word(u64::from(index));
     }
     hash.0

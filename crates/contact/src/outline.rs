@@ -23,10 +23,10 @@ use crate::vec2::{Vec2, vec2};
 /// Most vertices that an outline may have.
 pub const MAX_VERTICES: usize = 10_000;
 
-/// Largest size of a coordinate [m].
+/// Largest size of a coordinate (m).
 pub const MAX_COORDINATE_M: f64 = 1.0e8;
 
-/// Points nearer than this are one, and parts of the boundary nearer than this touch [m].
+/// Points nearer than this are one, and parts of the boundary nearer than this touch (m).
 pub const MERGE_DISTANCE_M: f64 = 1.0e-9;
 
 /// The outline of a body in its own frame: a simple polygon in the positive sense (from x to y),
@@ -117,14 +117,14 @@ impl Outline {
         Outline { vertices, pieces, area_m2, centroid_m, radius_m, bounds }
     }
 
-    /// The vertices in the positive sense, tidied [m].
+    /// The vertices in the positive sense, tidied (m).
     #[must_use]
     #[inline]
     pub fn vertices(&self) -> &[Vec2] {
         &self.vertices
     }
 
-    /// Convex pieces that together are the outline, each in the positive sense [m].
+    /// Convex pieces that together are the outline, each in the positive sense (m).
     ///
     /// All their vertices are vertices of the outline, bit for bit; an edge of a piece is either
     /// an edge of the outline or a seam, which another piece has in the opposite direction. An
@@ -142,28 +142,28 @@ impl Outline {
         self.pieces.len() == 1
     }
 
-    /// Area [m²].
+    /// Area (m²).
     #[must_use]
     #[inline]
     pub fn area_m2(&self) -> f64 {
         self.area_m2
     }
 
-    /// Centroid of the area [m].
+    /// Centroid of the area (m).
     #[must_use]
     #[inline]
     pub fn centroid_m(&self) -> Vec2 {
         self.centroid_m
     }
 
-    /// Largest distance of a vertex from the frame's origin [m].
+    /// Largest distance of a vertex from the frame's origin (m).
     #[must_use]
     #[inline]
     pub fn radius_m(&self) -> f64 {
         self.radius_m
     }
 
-    /// Smallest and largest coordinates: two opposite corners of the upright box [m].
+    /// Smallest and largest coordinates: two opposite corners of the upright box (m).
     #[must_use]
     #[inline]
     pub fn bounds(&self) -> (Vec2, Vec2) {

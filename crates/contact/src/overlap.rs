@@ -14,7 +14,7 @@ use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 use crate::workspace::{Candidate, Pairing, Workspace};
 
-/// Corners nearer than this are the same corner of two lenses that share a seam [m]. Seam corners
+/// Corners nearer than this are the same corner of two lenses that share a seam (m). Seam corners
 /// are computed twice, to about 1e-12 m; features of a hull are centimetres.
 const SAME_CORNER_M: f64 = 1e-7;
 
@@ -28,17 +28,17 @@ pub(crate) struct Patch {
     pub(crate) number: u32,
     /// Pose of B in A's frame.
     pub(crate) b_in_a: Pose,
-    /// S [m²].
+    /// S (m²).
     pub(crate) area_m2: f64,
-    /// C [m].
+    /// C (m).
     pub(crate) centroid_m: Vec2,
-    /// d = Σ (P_out − P_in) [m].
+    /// d = Σ (P_out − P_in) (m).
     pub(crate) chord_m: Vec2,
     /// As in [`Lens`].
     pub(crate) per_chord_m: f64,
     /// One piece lies within the other, and there are no other pieces.
     pub(crate) contained: bool,
-    /// Extent along the chord's normal times the chord's length [m²], where the patch is one lens.
+    /// Extent along the chord's normal times the chord's length (m²), where the patch is one lens.
     spread_m2: f64,
     /// The first of its [`Parts`] and the one after the last.
     parts: [u32; 2],
@@ -77,7 +77,7 @@ enum Parts {
     Lenses { from: u32, to: u32 },
 }
 
-/// Box about a patch in A's and in B's frame [m], by which it is known again in the next step.
+/// Box about a patch in A's and in B's frame (m), by which it is known again in the next step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Place {
     pub(crate) in_a: Extent,
@@ -512,7 +512,7 @@ fn seen_from_b(extent: &Extent, b_in_a: Pose) -> Extent {
     Extent { low_m: center - half, high_m: center + half }
 }
 
-/// A's outward normal in its frame, and δ, the extent of the patch along it [m]. The normal is the chord's
+/// A's outward normal in its frame, and δ, the extent of the patch along it (m). The normal is the chord's
 /// where there is one; else the contact's last good one; else the axis of least penetration.
 #[inline]
 pub(crate) fn normal_in_a(
@@ -602,7 +602,7 @@ fn nearest_side(model: &Model, found: &Overlap, patch: &Patch) -> Option<Vec2> {
 }
 
 /// Of the sides of an outline that a patch's centroid faces from inside, the one behind which the
-/// patch's corners reach least deep: that depth [m] and the side's outward normal.
+/// patch's corners reach least deep: that depth (m) and the side's outward normal.
 fn least_sunk_side(
     sides: &[Vec2],
     centroid_m: Vec2,
@@ -633,7 +633,7 @@ pub(crate) fn press(model: &Model, found: &Overlap, patch: &Patch, face: &Ranked
     face::press(face, fender, stiffness_npm2, host, within, outlines(found, patch))
 }
 
-/// δ, the extent of the patch along a direction [m].
+/// δ, the extent of the patch along a direction (m).
 fn depth_m(found: &Overlap, patch: &Patch, along: Vec2) -> f64 {
     let origin = patch.centroid_m;
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);

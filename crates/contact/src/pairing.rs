@@ -20,13 +20,13 @@ pub(crate) struct RankedPair {
 /// Bounds that tell, in most steps, that a contact of two outlines needs no sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bounds {
-    /// On the squares of the rates of spring and of damper [1/s²], for this inverse mass [1/kg].
+    /// On the squares of the rates of spring and of damper (1/s²), for this inverse mass (1/kg).
     pub(crate) spring_rate_squared: f64,
     pub(crate) damping_rate_squared: f64,
     pub(crate) inverse_mass: f64,
-    /// About half the width of the narrower body [m].
+    /// About half the width of the narrower body (m).
     pub(crate) half_width_m: f64,
-    /// Half of the longest chord [m].
+    /// Half of the longest chord (m).
     pub(crate) half_chord_m: f64,
     /// 1 where B is the smaller body, 0 where A is.
     pub(crate) b_is_smaller: f64,
@@ -36,9 +36,9 @@ pub(crate) struct Bounds {
 /// Bounds on how a body answers a contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Yielding {
-    /// The largest inverse mass in any direction, without rotation [1/kg].
+    /// The largest inverse mass in any direction, without rotation (1/kg).
     pub(crate) lightest_inverse_mass: f64,
-    /// Inverse of the inertia in yaw [1/(kg·m²)].
+    /// Inverse of the inertia in yaw (1/(kg·m²)).
     pub(crate) of_turning: f64,
 }
 
@@ -96,7 +96,7 @@ impl Bounds {
     }
 }
 
-/// A chord is at most as long as the smaller body [m].
+/// A chord is at most as long as the smaller body (m).
 fn longest_chord_m(a: &RankedBody, b: &RankedBody) -> f64 {
     2.0 * lesser(a.radius_m, b.radius_m)
 }

@@ -4,7 +4,7 @@ use crate::admit::{admit, admit_loads};
 use crate::error::StepError;
 use crate::memory::Memory;
 use crate::model::Model;
-use crate::report::{ContactWork, Motion, Wrench};
+use crate::report::{ContactImpulse, ContactWork, Displacement, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
@@ -34,11 +34,11 @@ pub(crate) fn pause(
     }
     for contact in &mut work.contacts {
         contact.work = ContactWork::default();
-        (contact.normal_impulse_ns, contact.tangential_impulse_ns) = (0.0, 0.0);
+        contact.impulse = ContactImpulse::default();
     }
     work.events.clear();
     work.motions.clear();
-    work.motions.resize(count, Motion::default());
+    work.motions.resize(count, Displacement::default());
     work.states_after.clear();
     work.states_after.extend_from_slice(states);
     // What is known of bodies that stand goes by what the last step left of them.

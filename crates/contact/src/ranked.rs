@@ -32,7 +32,7 @@ pub(crate) struct Ranked {
     /// Whether each has the same mass in all axes.
     // By itself too: the one thing that is asked of a body as it moves.
     alike: Vec<bool>,
-    /// Area of the smallest of them [m²].
+    /// Area of the smallest of them (m²).
     smallest_m2: f64,
     /// The convex pieces of all outlines, shape by shape.
     pieces: Vec<ConvexPolygon>,
@@ -50,18 +50,18 @@ pub(crate) struct RankedBody {
     shape: u32,
     /// Whether it has the same mass in all axes.
     pub(crate) is_alike: bool,
-    /// Largest distance of a vertex from the centre of gravity [m].
+    /// Largest distance of a vertex from the centre of gravity (m).
     pub(crate) radius_m: f64,
-    /// The same with the body's fenders [m].
+    /// The same with the body's fenders (m).
     pub(crate) reach_m: f64,
     pub(crate) area_m2: f64,
-    /// 1/m [1/kg].
+    /// 1/m (1/kg).
     pub(crate) inverse_mass: f64,
-    /// 1/I [1/(kg·m²)].
+    /// 1/I (1/(kg·m²)).
     pub(crate) inverse_inertia: f64,
-    /// The largest inverse mass in any direction, without rotation [1/kg].
+    /// The largest inverse mass in any direction, without rotation (1/kg).
     pub(crate) lightest_inverse_mass: f64,
-    /// That in yaw, of the full matrix [1/(kg·m²)].
+    /// That in yaw, of the full matrix (1/(kg·m²)).
     pub(crate) inverse_of_turning: f64,
 }
 
@@ -70,7 +70,7 @@ pub(crate) struct RankedBody {
 pub(crate) struct Rest {
     /// M⁻¹ in the body's axes.
     pub(crate) inverse: InverseMatrix,
-    /// About half of its width: a convex body's area is about its length times its width [m].
+    /// About half of its width: a convex body's area is about its length times its width (m).
     pub(crate) half_width_m: f64,
     /// Masses in surge, sway and yaw of a body whose momentum the engine turns with it.
     pub(crate) turns: Option<Turning>,
@@ -135,7 +135,7 @@ impl Ranked {
         &self.rests[self.class_of[rank] as usize]
     }
 
-    /// Area of the smallest body [m²]; infinite where there is none.
+    /// Area of the smallest body (m²); infinite where there is none.
     #[inline]
     pub(crate) fn smallest_m2(&self) -> f64 {
         self.smallest_m2
@@ -242,11 +242,11 @@ fn describe(body: &Body, shape: u32, fenders_reach_m: f64) -> (RankedBody, Rest)
             let inverse = InverseMatrix::isotropic(mass_kg, yaw_inertia_kgm2);
             (mass_kg, yaw_inertia_kgm2, Some(inverse))
         }
-        Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
+        Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
             let matrix = body.mobility.matrix().expect("it floats");
             (lesser(surge_kg, sway_kg), yaw_inertia_kgm2, InverseMatrix::of(&matrix))
         }
-        Mobility::Massive { matrix } => {
+        Mobility::FullMatrix { matrix } => {
             let lightest = lesser(matrix[0][0], matrix[1][1]);
             (lightest, matrix[2][2], InverseMatrix::of(&matrix))
         }

@@ -2,19 +2,19 @@
 
 use crate::vec2::{Pose, Vec2};
 
-/// Velocity of a body's centre of gravity, earth-fixed, and its rate of turn [m/s, rad/s].
+/// Velocity of a body's centre of gravity, earth-fixed, and its rate of turn (m/s, rad/s).
 pub(crate) type Velocity = (Vec2, f64);
 
 /// State of one body at the start of a step, earth-fixed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyState {
-    /// Position of the centre of gravity: north, east [m].
+    /// Position of the centre of gravity: north, east (m).
     pub position_m: Vec2,
-    /// ψ, clockwise from north [rad].
+    /// ψ, clockwise from north (rad).
     pub heading_rad: f64,
-    /// Velocity of the centre of gravity: north, east [m/s].
+    /// Velocity of the centre of gravity: north, east (m/s).
     pub velocity_mps: Vec2,
-    /// Rate of turn, positive to starboard [rad/s].
+    /// Rate of turn, positive to starboard (rad/s).
     pub yaw_rate_radps: f64,
 }
 
@@ -57,7 +57,7 @@ impl BodyState {
         (x.to_bits() | y.to_bits() | self.yaw_rate_radps.to_bits()) << 1 == 0
     }
 
-    /// Velocity of the body's material point at earth-fixed `point_m` (eq. 14) [m/s].
+    /// Velocity of the body's material point at earth-fixed `point_m` (eq. 14) (m/s).
     #[must_use]
     #[inline]
     pub fn velocity_at(&self, point_m: Vec2) -> Vec2 {

@@ -17,7 +17,7 @@ use crate::memory::{Memory, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::overlap::{Patch, overlap};
 use crate::pause::pause;
-use crate::report::{Contact, Event, Wrench};
+use crate::report::{Contact, ContactImpulse, EnergyParts, Event, Wrench};
 use crate::state::BodyState;
 use crate::touch::{Movers, Scene, arms_m, touch};
 use crate::vec2::Vec2;
@@ -109,7 +109,7 @@ struct Books<'w> {
 /// What a patch takes over from the last step, and the memory that it is.
 type Taken<'m> = (Inherited, Option<&'m PatchMemory>);
 
-/// The step that is to come and the one that has gone [s].
+/// The step that is to come and the one that has gone (s).
 #[derive(Clone, Copy)]
 struct Time {
     step_s: f64,
@@ -181,16 +181,21 @@ fn contact(
         shear_m: shear.shear_m,
         normal_force_n,
         tangential_force_n,
-        normal_impulse_ns: normal_force_n * step_s,
-        tangential_impulse_ns: tangential_force_n * step_s,
+        impulse: ContactImpulse {
+            normal_ns: normal_force_n * step_s,
+            tangential_ns: tangential_force_n * step_s,
+        },
         friction: shear.friction,
         limited: normal_force_n < trial_n || tangential_force_n != shear.force_n,
         peak_normal_force_n: normal_force_n,
         parts,
         factor,
-        stored_j: touch.stored_j * factor,
-        peak_loaded_j: touch.stored_j * factor,
-        shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
+        energy: EnergyParts {
+            stored_j: touch.stored_j * factor,
+            peak_absorbed_j: touch.stored_j * factor,
+            shear_stored_j: 0.5 * material.shear_stiffness_npm * shear.shear_m * shear.shear_m,
+            ..EnergyParts::default()
+        },
         ..touch.contact(scene, (patch, ids), face, arms_m)
     };
     gather(&report, books.wrenches);

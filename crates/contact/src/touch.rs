@@ -5,7 +5,7 @@ use crate::geometry::clip::ClipBuffers;
 use crate::memory::PatchMemory;
 use crate::model::{BodyId, Material, Model};
 use crate::overlap::{self, Overlap, Patch};
-use crate::report::{Contact, ContactWork, ForceParts, Friction};
+use crate::report::{Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::{Pose, Vec2};
 
@@ -16,31 +16,31 @@ pub(crate) struct Touch {
     pub(crate) normal_in_a: Vec2,
     /// n, A's outward normal, earth-fixed.
     pub(crate) normal: Vec2,
-    /// Where the force acts, in A's frame [m]: C, or a point of the line of a fender's force.
+    /// Where the force acts, in A's frame (m): C, or a point of the line of a fender's force.
     pub(crate) point_in_a_m: Vec2,
     /// About each body's centre of gravity.
     pub(crate) levers_a: Levers,
     pub(crate) levers_b: Levers,
-    /// δ [m].
+    /// δ (m).
     pub(crate) depth_m: f64,
-    /// Spring and stop, before factors [N].
+    /// Spring and stop, before factors (N).
     pub(crate) spring_n: f64,
     pub(crate) stop_n: f64,
-    /// What a fender stores, before factors [J]; an area spring between two hulls stores no energy that
+    /// What a fender stores, before factors (J); an area spring between two hulls stores no energy that
     /// its depth alone would tell.
     pub(crate) stored_j: f64,
-    /// What S grows by with the distance that the two close along n [m].
+    /// What S grows by with the distance that the two close along n (m).
     pub(crate) chord_m: f64,
-    /// Angle between a fender's face and the hull [rad].
+    /// Angle between a fender's face and the hull (rad).
     pub(crate) tilt_rad: f64,
-    /// V_n, V_t [m/s] (eq. 10).
+    /// V_n, V_t (m/s) (eq. 10).
     pub(crate) v_normal_mps: f64,
     pub(crate) v_tangential_mps: f64,
-    /// Δs before this step's friction law [m].
+    /// Δs before this step's friction law (m).
     pub(crate) shear_m: f64,
 }
 
-/// Of n and t about a body's centre of gravity: r × n and r × t [m].
+/// Of n and t about a body's centre of gravity: r × n and r × t (m).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Levers {
     pub(crate) n_m: f64,
@@ -78,7 +78,7 @@ impl Movers {
         }
     }
 
-    /// V_n and V_t of two bodies along n and t, about whose centres of gravity these have these levers [m/s]. Of
+    /// V_n and V_t of two bodies along n and t, about whose centres of gravity these have these levers (m/s). Of
     /// a body that rests nothing is asked.
     #[inline(always)]
     pub(crate) fn speeds(
@@ -197,7 +197,7 @@ fn by_face(scene: &Scene<'_>, patch: &Patch, face: &RankedFender) -> Touch {
     }
 }
 
-/// r of both bodies of a patch: from its centre of gravity to where the force acts, earth-fixed [m].
+/// r of both bodies of a patch: from its centre of gravity to where the force acts, earth-fixed (m).
 #[inline]
 pub(crate) fn arms_m(scene: &Scene<'_>, patch: &Patch, point_in_a_m: Vec2) -> [Vec2; 2] {
     let rotation = scene.poses[patch.candidate.a as usize].rotation;
@@ -244,8 +244,7 @@ impl Touch {
             shear_m: self.shear_m,
             normal_force_n: 0.0,
             tangential_force_n: 0.0,
-            normal_impulse_ns: 0.0,
-            tangential_impulse_ns: 0.0,
+            impulse: ContactImpulse::default(),
             friction: Friction::Stick,
             limited: false,
             peak_normal_force_n: 0.0,
@@ -254,11 +253,7 @@ impl Touch {
             work: ContactWork::default(),
             factor: 1.0,
             tilt_rad: self.tilt_rad,
-            stored_j: 0.0,
-            peak_loaded_j: 0.0,
-            hysteresis_j: 0.0,
-            hysteresis_at_start_j: 0.0,
-            shear_stored_j: 0.0,
+            energy: EnergyParts::default(),
         }
     }
 }

@@ -38,10 +38,10 @@ use crate::touch::Touch;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unloading {
     /// The share of the energy taken that a loop from no deflection to any other and back returns, for any law:
-    /// between [`Unloading::LEAST_RETURNED`] and 1. An impact on one such fender leaves with its square root of the
+    /// between [`Unloading::MIN_RETURNED_SHARE`] and 1. An impact on one such fender leaves with its square root of the
     /// speed.
     ReturnedEnergy(f64),
-    /// Points (δ [m], R [N]) of the curve that the reaction comes down to, from (0, 0) on, with straight lines between
+    /// Points (δ (m), R (N)) of the curve that the reaction comes down to, from (0, 0) on, with straight lines between
     /// them, for a [`FenderLaw::Curve`]; nowhere above it. Beyond the last point, and in the stop, the reaction comes
     /// down to the same share of the loading curve as there.
     Curve(Vec<[f64; 2]>),
@@ -66,7 +66,7 @@ const GIVEN_BACK: f64 =
 
 impl Unloading {
     /// Less than this cannot be returned, as the force needs a little way to come down.
-    pub const LEAST_RETURNED: f64 = 0.05;
+    pub const MIN_RETURNED_SHARE: f64 = 0.05;
 
     /// The share of ∫ R dδ up to a deflection that a loop to it and back returns, without the stop. For
     /// [`Unloading::ReturnedEnergy`] it is the same for all.
@@ -87,7 +87,7 @@ impl Unloading {
     }
 
     /// The reaction that a retreat comes down to where loading has `loading_n`, at a deflection; without factors
-    /// and stop [N].
+    /// and stop (N).
     #[must_use]
     pub fn reaction_n(&self, law: &FenderLaw, deflection_m: f64, loading_n: f64) -> f64 {
         match self {
@@ -99,7 +99,7 @@ impl Unloading {
     /// The first place where an unloading curve is above a loading curve, to rounding: a point of either, as both are
     /// straight in between.
     #[must_use]
-    pub fn above(unloading: &[[f64; 2]], loading: &[[f64; 2]]) -> Option<[f64; 2]> {
+    pub fn first_point_above(unloading: &[[f64; 2]], loading: &[[f64; 2]]) -> Option<[f64; 2]> {
         let end_m = unloading.last().map_or(0.0, |p| p[0]);
         let places = unloading.iter().chain(loading.iter().filter(|p| p[0] <= end_m));
         places
@@ -112,7 +112,7 @@ impl Unloading {
         let owner = || -> String { fender.name.clone() };
         match self {
             Unloading::ReturnedEnergy(share) => {
-                let range = Unloading::LEAST_RETURNED..=1.0;
+                let range = Unloading::MIN_RETURNED_SHARE..=1.0;
                 let (field, value, must) = ("returned energy", *share, "between 0.05 and 1");
                 if range.contains(share) {
                     Ok(())
@@ -132,7 +132,7 @@ impl Unloading {
                     return Err(ModelError::OutOfRange { owner: owner(), field, value, must });
                 }
                 check_points(fender, field, points, 0.0..=1e15)?;
-                match Unloading::above(points, loading) {
+                match Unloading::first_point_above(points, loading) {
                     None => Ok(()),
                     Some([_, value]) => {
                         let field = "reaction of the unloading curve";
@@ -159,7 +159,7 @@ fn lower_share(returned: f64) -> f64 {
     greater((returned - GIVEN_BACK) / (1.0 - GIVEN_BACK), 0.0)
 }
 
-/// ∫ R_u dδ and R_u at a deflection [J, N].
+/// ∫ R_u dδ and R_u at a deflection (J, N).
 fn lower_of_curve(points: &[[f64; 2]], law: &FenderLaw, deflection_m: f64) -> (f64, f64) {
     let [end_m, end_n] = points[points.len() - 1];
     let loading_n = law.reaction_n(deflection_m);
@@ -182,11 +182,11 @@ fn share_beyond(law: &FenderLaw, [end_m, end_n]: [f64; 2]) -> f64 {
 pub(crate) struct Unloaded {
     /// Force over that of loading.
     pub(crate) share: f64,
-    /// V, before factors [J].
+    /// V, before factors (J).
     pub(crate) recoverable_j: f64,
-    /// Heat since the tops were as they were given, before factors [J].
+    /// Heat since the tops were as they were given, before factors (J).
     pub(crate) lost_j: f64,
-    /// T of each play, before factors [J].
+    /// T of each play, before factors (J).
     pub(crate) tops_j: [f64; PLAYS],
 }
 
@@ -324,7 +324,10 @@ mod tests {
         let points = vec![[0.0, 0.0], [0.1, 0.0], [0.4, 4e5], [0.7, 1e6]];
         let (law, unloading) = (cone(), Unloading::Curve(points.clone()));
         assert_eq!(
-            Unloading::above(&points, &[[0.0, 0.0], [0.3, 9e5], [0.5, 8e5], [0.7, 1e6]]),
+            Unloading::first_point_above(
+                &points,
+                &[[0.0, 0.0], [0.3, 9e5], [0.5, 8e5], [0.7, 1e6]]
+            ),
             None
         );
         for top_m in [0.05, 0.3, 0.7, 0.9] {
@@ -340,9 +343,15 @@ mod tests {
     #[test]
     fn an_unloading_curve_above_the_loading_curve_is_found_between_its_own_points_too() {
         let loading = [[0.0, 0.0], [0.3, 9.0], [0.5, 4.0], [0.7, 10.0]];
-        assert_eq!(Unloading::above(&[[0.0, 0.0], [0.7, 10.0]], &loading), Some([0.5, 10.0 / 1.4]));
-        assert_eq!(Unloading::above(&[[0.0, 0.0], [0.2, 7.0]], &loading), Some([0.2, 7.0]));
-        assert_eq!(Unloading::above(&[[0.0, 0.0], [0.7, 5.0]], &loading), None);
+        assert_eq!(
+            Unloading::first_point_above(&[[0.0, 0.0], [0.7, 10.0]], &loading),
+            Some([0.5, 10.0 / 1.4])
+        );
+        assert_eq!(
+            Unloading::first_point_above(&[[0.0, 0.0], [0.2, 7.0]], &loading),
+            Some([0.2, 7.0])
+        );
+        assert_eq!(Unloading::first_point_above(&[[0.0, 0.0], [0.7, 5.0]], &loading), None);
     }
 
     /// Random walks: never more given than the heat leaves, and every closed loop costs.

@@ -192,7 +192,7 @@ impl Rotation {
 /// Where a body is and how it is turned: the map from its frame to the earth's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Position of the body's centre of gravity [m].
+    /// Position of the body's centre of gravity (m).
     pub position_m: Vec2,
     /// Attitude.
     pub rotation: Rotation,

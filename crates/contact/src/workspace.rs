@@ -19,7 +19,7 @@ use crate::model::{MaterialId, Model};
 use crate::near::NearList;
 use crate::overlap::Overlap;
 use crate::pairing::Bounds;
-use crate::report::{Contact, Event, Motion, Wrench};
+use crate::report::{Contact, Displacement, Event, Wrench};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::Pose;
 
@@ -59,7 +59,7 @@ pub struct Workspace {
     /// The same of all that their hosts put where they are, be it by a jump or by less.
     pub(crate) put: Vec<u32>,
     pub(crate) puts: bool,
-    /// How far from its centre of gravity each body may reach in this step, by rank [m].
+    /// How far from its centre of gravity each body may reach in this step, by rank (m).
     pub(crate) reach_m: Vec<f64>,
     pub(crate) candidates: Vec<Pairing>,
     /// Those that the stages work on, and their patches: all, or those of some islands.
@@ -82,19 +82,19 @@ pub struct Workspace {
     /// Of what the step leaves of all that are active.
     pub(crate) sums: Sums,
     /// How far each body went: by rank as far as sub-steps have come and more are to come, then by id.
-    pub(crate) motions_by_rank: Vec<Motion>,
-    pub(crate) motions: Vec<Motion>,
+    pub(crate) motions_by_rank: Vec<Displacement>,
+    pub(crate) motions: Vec<Displacement>,
     /// Velocities by rank: without contact before a solve and new after it, while `states` have those from before.
     pub(crate) velocities: Vec<Velocity>,
-    /// What loads alone accelerate each body at, by rank [m/s², rad/s²]; and the loads themselves, of those whose
+    /// What loads alone accelerate each body at, by rank (m/s², rad/s²); and the loads themselves, of those whose
     /// mass is not the same in all directions.
     pub(crate) accelerations: Vec<Velocity>,
     pub(crate) loads: Vec<Wrench>,
     /// How long before its position the velocity of each body belongs to, by rank, or the negative of that where it is
-    /// taken to be as if all its (sub-)steps were as long as this one [s].
+    /// taken to be as if all its (sub-)steps were as long as this one (s).
     pub(crate) behind_s: Vec<f64>,
     /// The most that any point of a body may move at in this step, by rank, and what of it acceleration and
-    /// rotation add [m/s].
+    /// rotation add (m/s).
     pub(crate) fastest_mps: Vec<f64>,
     pub(crate) room_mps: Vec<f64>,
     pub(crate) islands: Vec<Island>,
@@ -134,7 +134,7 @@ pub struct Workspace {
     pub(crate) trials: Vec<Trial>,
     /// Earth-fixed inverse mass by rank.
     pub(crate) inverses: Vec<InverseMatrix>,
-    /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank [J].
+    /// Stored energy that nothing holds, of each body's contacts with what is fixed, by rank (J).
     pub(crate) unheld_j: Vec<f64>,
 }
 
@@ -268,14 +268,14 @@ impl Workspace {
 
     /// How far each body went in the last step by [`crate::advance`], one a body: what a load works along.
     #[must_use]
-    pub fn motions(&self) -> &[Motion] {
+    pub fn displacements(&self) -> &[Displacement] {
         &self.motions
     }
 
     /// Whether steps report their contacts one by one in [`Workspace::contacts`], as they do if not told
     /// otherwise. Wrenches, states, motions, events and what is remembered are the same to the bit without, and
     /// come somewhat sooner.
-    pub fn tell_contacts(&mut self, told: bool) {
+    pub fn report_contacts(&mut self, told: bool) {
         self.contacts_told = told;
     }
 
@@ -286,7 +286,7 @@ impl Workspace {
     }
 
     /// Sum of the contact forces on each body in the last step, one a body: means over the step, by which bodies are
-    /// moved. [`Workspace::tell_peaks`] has what was there at the worst moment.
+    /// moved. [`Workspace::peak_wrenches_into`] has what was there at the worst moment.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.wrenches
@@ -297,7 +297,7 @@ impl Workspace {
     /// sub-step, [`Workspace::wrenches`]. Size fenders and structures by it, but move no body: a force that falls off
     /// within a long step is this large for a part of it. Of a fixed body that floating ones touch which do not touch
     /// each other, what it is where they are greatest at one time.
-    pub fn tell_peaks(&self, into: &mut Vec<Wrench>) {
+    pub fn peak_wrenches_into(&self, into: &mut Vec<Wrench>) {
         peaks::tell(&self.peaks, &self.wrenches, into);
     }
 

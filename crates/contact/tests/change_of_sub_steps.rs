@@ -171,7 +171,7 @@ fn the_impulse_on_concrete_behind_a_fender_is_the_change_of_momentum_at_any_time
             let mut run = Run::new(model(behind, 0.5), gap_m, 1.0, 0.0);
             let mut impulse_ns = 0.0;
             for _ in 0..(15.0 / step_s) as u32 {
-                impulse_ns += run.step(step_s).iter().map(|c| c.normal_impulse_ns).sum::<f64>();
+                impulse_ns += run.step(step_s).iter().map(|c| c.impulse.normal_ns).sum::<f64>();
             }
             let right_ns = MASS_KG * (1.0 - run.states[0].velocity_mps.x);
             let case = format!("{behind:?}, Δt {step_s}, {gap_m} m");

@@ -44,7 +44,7 @@ fn check(a: &[Vec2], a_pose: Pose, b: &[Vec2], b_pose: Pose) -> ExactOverlap {
     exact
 }
 
-/// An overlap of 300 m by the rounding of a vertex [m²].
+/// An overlap of 300 m by the rounding of a vertex (m²).
 const NEGLIGIBLE_M2: f64 = 300.0 * 1e-13;
 
 fn extent_m(exact: &ExactOverlap) -> f64 {

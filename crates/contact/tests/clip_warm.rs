@@ -73,7 +73,7 @@ impl Twice {
     }
 }
 
-/// Rounding of a vertex of 300 m, some operations on [m].
+/// Rounding of a vertex of 300 m, some operations on (m).
 const SLACK_M: f64 = 4e-13;
 
 fn same_bits(one: Option<Clip>, two: Option<Clip>) -> bool {
@@ -84,7 +84,7 @@ fn same_bits(one: Option<Clip>, two: Option<Clip>) -> bool {
     one.map(bits) == two.map(bits)
 }
 
-/// Of any vertex of either ring from the other ring's boundary [m].
+/// Of any vertex of either ring from the other ring's boundary (m).
 fn least_distance(a: &[Vec2], b: &[Vec2]) -> f64 {
     let one_way = |from: &[Vec2], to: &[Vec2]| {
         let ends = to.iter().zip(to.iter().cycle().skip(1));

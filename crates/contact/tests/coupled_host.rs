@@ -103,7 +103,7 @@ fn ship_off_two_fenders() -> (Model, Vec<BodyState>) {
         Outline::new(&[vec2(-x, -y), vec2(x, -y), vec2(x, y), vec2(-x, y)]).expect("a rectangle").0
     };
     let mut builder = Model::builder();
-    let afloat = Mobility::Afloat { surge_kg: 9.2e7, sway_kg: 1.5e8, yaw_inertia_kgm2: 8e11 };
+    let afloat = Mobility::SurgeSway { surge_kg: 9.2e7, sway_kg: 1.5e8, yaw_inertia_kgm2: 8e11 };
     let mut body = |name: &str, key: u64, outline: Outline, mobility: Mobility| {
         builder.body(Body { name: name.into(), key, outline, mobility })
     };
@@ -134,7 +134,7 @@ fn ship_off_two_fenders() -> (Model, Vec<BodyState>) {
             material: rubber,
         });
     }
-    builder.every_other_pair(rubber);
+    builder.all_other_pairs(rubber);
     // Her side at 34 m less the half of her beam: a metre off the fenders' faces.
     let ship = BodyState { position_m: vec2(0.0, 11.0 + 23.0 + 1.0), ..BodyState::default() };
     (builder.build().expect("a good model"), vec![BodyState::default(), ship])

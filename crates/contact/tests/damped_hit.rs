@@ -127,7 +127,7 @@ fn hit(buffer: Buffer, ratio: f64, step_s: f64, gap_m: f64) -> Hit {
         for contact in work.contacts() {
             found.depth_m = found.depth_m.max(contact.peak_depth_m);
             peak_n += contact.peak_normal_force_n;
-            found.impulse += contact.normal_impulse_ns;
+            found.impulse += contact.impulse.normal_ns;
         }
         found.peak_n = found.peak_n.max(peak_n);
     }
@@ -137,7 +137,7 @@ fn hit(buffer: Buffer, ratio: f64, step_s: f64, gap_m: f64) -> Hit {
     found
 }
 
-/// Steps of the engine [s], and how far off the barge begins as a share of what she goes in a step: the first touch
+/// Steps of the engine (s), and how far off the barge begins as a share of what she goes in a step: the first touch
 /// falls anywhere.
 const STEPS_S: [f64; 8] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0];
 

@@ -98,7 +98,7 @@ fn pressed_up_to(
     // Body 1 is the quay: the force on the ship is +N n.
     let force = contact.normal * (contact.parts.spring_n + contact.parts.stop_n);
     let moment = contact.arm_2_m.cross(force);
-    Some((contact.stored_j, [force.x, force.y, moment]))
+    Some((contact.energy.stored_j, [force.x, force.y, moment]))
 }
 
 /// Poses in which the ship's side, bow or stern is on the fender: her side is along the quay at 90°.

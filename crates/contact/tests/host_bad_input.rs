@@ -1,12 +1,12 @@
-//! What a host can get wrong towards a `FollowingHost`: numbers that are none, wrong counts, another
+//! What a host can get wrong towards a `CoSimHost`: numbers that are none, wrong counts, another
 //! model, bodies put elsewhere. Errors change nothing.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
 
 use fenderline_contact::{
-    BodyState, EventKind, FollowingHost, HostIntegration, HostSettings, HostWorkspace, StepError,
-    Vec2, Wrench, vec2,
+    BodyState, CoSimHost, EventKind, HostIntegration, HostSettings, HostWorkspace, StepError, Vec2,
+    Wrench, vec2,
 };
 use master::{Master, ship_on_two_fenders, tug_against_a_ship, tug_at_a_wall};
 
@@ -84,15 +84,16 @@ fn a_step_that_fails_within_leaves_what_was_reckoned() {
     let story = tug_at_a_wall(1.0, 0.0, 0.1);
     let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
     let (mut host, mut work) =
-        (FollowingHost::new(&story.model, settings), HostWorkspace::new(&story.model));
+        (CoSimHost::new(&story.model, settings), HostWorkspace::new(&story.model));
     host.step(&story.model, &mut work, &story.states, None, STEP_S).expect("good states");
-    let (before, present, loads) = (host.clone(), work.present().to_vec(), work.loads().to_vec());
+    let (before, present, loads) =
+        (host.clone(), work.estimated_states().to_vec(), work.loads().to_vec());
     // The way that she goes in the step that is not shown yet leads out of what the engine takes.
     let mut states = story.states.clone();
     states[0].position_m = vec2(1e9, 0.0);
     states[0].velocity_mps = vec2(1e6, 0.0);
     assert!(host.step(&story.model, &mut work, &states, None, STEP_S).is_err());
-    assert_eq!((&host, work.present(), work.loads()), (&before, &present[..], &loads[..]));
+    assert_eq!((&host, work.estimated_states(), work.loads()), (&before, &present[..], &loads[..]));
 }
 
 #[test]
@@ -123,7 +124,7 @@ fn a_copy_and_a_reset_replay_the_same_bits() {
         assert_eq!((&one.host, one.states()), (&two.host, two.states()));
     }
     one.host.reset(&one.story.model);
-    assert_eq!(one.host, FollowingHost::new(&one.story.model, one.host.settings()));
+    assert_eq!(one.host, CoSimHost::new(&one.story.model, one.host.settings()));
 }
 
 #[test]
@@ -157,7 +158,7 @@ fn a_velocity_set_anew_is_no_load_where_no_load_could_be_so_large() {
     let settings = HostSettings { delay_steps: 0, integration: HostIntegration::SemiImplicit };
     let story = tug_at_a_wall(100.0, 0.0, 0.1);
     let (mut host, mut work) =
-        (FollowingHost::new(&story.model, settings), HostWorkspace::new(&story.model));
+        (CoSimHost::new(&story.model, settings), HostWorkspace::new(&story.model));
     let mut states = story.states.clone();
     host.step(&story.model, &mut work, &states, None, 1e-6).expect("good states");
     states[0].velocity_mps = vec2(0.0, 1e4);
@@ -171,7 +172,7 @@ fn bodies_that_jump_about_get_finite_wrenches() {
     for integration in [HostIntegration::ForwardEuler, HostIntegration::SemiImplicit] {
         let story = ship_on_two_fenders(0.5);
         let settings = HostSettings { delay_steps: 2, integration };
-        let mut host = FollowingHost::new(&story.model, settings);
+        let mut host = CoSimHost::new(&story.model, settings);
         let mut work = HostWorkspace::new(&story.model);
         let mut states = story.states.clone();
         for k in 0..2000_u32 {

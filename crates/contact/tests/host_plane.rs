@@ -85,7 +85,7 @@ fn the_mean_wrench_alone_leaves_a_forward_euler_host_elsewhere() {
         let mut master = Master::new(story.clone(), integration, 0, Service::PlainTold);
         master.run(step_s, 30.0);
         let off = difference(&story, master.states(), &right);
-        // Five times what `FollowingHost` is held to.
+        // Five times what `CoSimHost` is held to.
         assert!(off > 0.05, "Δt {step_s}: {off}");
     }
 }

@@ -3,7 +3,7 @@
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;
 
-use fenderline_contact::{FollowingHost, HostIntegration, HostSettings, RestoreError};
+use fenderline_contact::{CoSimHost, HostIntegration, HostSettings, RestoreError};
 use master::{Master, Service, tug_against_a_ship, tug_at_a_wall};
 
 const STEP_S: f64 = 0.1;
@@ -29,7 +29,7 @@ fn a_run_goes_on_from_a_snapshot_bit_for_bit() {
             let mut two = in_contact(delay_steps, service);
             let model = one.story.model.clone();
             let bytes = one.host.snapshot(&model);
-            two.host = FollowingHost::new(&model, HostSettings::default());
+            two.host = CoSimHost::new(&model, HostSettings::default());
             two.host.restore(&model, &bytes).expect("a good snapshot");
             assert_eq!(two.host, one.host);
             assert_eq!(two.host.snapshot(&model), bytes);
@@ -55,9 +55,9 @@ fn bytes_that_were_changed_cut_or_made_for_another_model_change_nothing() {
         assert!(master.host.restore(&model, &good[..at]).is_err(), "cut at {at}");
     }
     let other = tug_at_a_wall(1.0, 1.0, 0.1).model;
-    let mut host = FollowingHost::new(&other, HostSettings::default());
+    let mut host = CoSimHost::new(&other, HostSettings::default());
     assert_eq!(host.restore(&other, &good), Err(RestoreError::OtherModel));
-    assert_eq!(host, FollowingHost::new(&other, HostSettings::default()));
+    assert_eq!(host, CoSimHost::new(&other, HostSettings::default()));
     let of_memory = master.host.memory().snapshot();
     assert_eq!(master.host.restore(&model, &of_memory), Err(RestoreError::NotASnapshot));
     assert_eq!(master.host, before);

@@ -4,8 +4,8 @@
 mod master;
 
 use fenderline_contact::{
-    Body, BodyId, BodyState, HostIntegration, HostSettings, HostWorkspace, Material, Memory,
-    Mobility, Model, Pair, PresentHost, Workspace, Wrench, advance, advance_on, vec2,
+    Body, BodyId, BodyState, DirectHost, HostIntegration, HostSettings, HostWorkspace, Material,
+    Memory, Mobility, Model, Pair, Workspace, Wrench, advance, advance_from_engine_states, vec2,
 };
 use master::{Master, Service, Story, rectangle};
 
@@ -91,11 +91,12 @@ fn two_stiff_ships_and_a_tug_that_pushes_do_not_chatter() {
 fn a_host_that_lets_the_engine_move_its_bodies_gets_the_bits_of_advance_on() {
     let Story { model, mut states, loads } = two_ships_and_a_tug(500e3, 1e7);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
-    let (mut host, mut host_work) = (PresentHost::new(&model), HostWorkspace::new(&model));
+    let (mut host, mut host_work) = (DirectHost::new(&model), HostWorkspace::new(&model));
     let mut next_s = frames(true);
     for _ in 0..300 {
         let step_s = next_s();
-        advance_on(&model, &mut memory, &mut work, &states, &loads, step_s).unwrap();
+        advance_from_engine_states(&model, &mut memory, &mut work, &states, &loads, step_s)
+            .unwrap();
         host.step(&model, &mut host_work, &states, &loads, step_s).unwrap();
         assert_eq!(work.wrenches(), host_work.wrenches());
         assert_eq!(work.states_after(), host_work.states_after());
@@ -109,7 +110,7 @@ fn a_host_that_lets_the_engine_move_its_bodies_gets_the_bits_of_advance_on() {
 fn a_body_that_answers_no_wrench_gets_the_forces_of_the_states_shown() {
     let Story { model, mut states, loads } = two_ships_and_a_tug(0.0, 1e6);
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
-    let (mut host, mut host_work) = (PresentHost::new(&model), HostWorkspace::new(&model));
+    let (mut host, mut host_work) = (DirectHost::new(&model), HostWorkspace::new(&model));
     for state in &mut states[1..] {
         state.velocity_mps.x = 0.0;
     }
@@ -119,8 +120,8 @@ fn a_body_that_answers_no_wrench_gets_the_forces_of_the_states_shown() {
         advance(&model, &mut memory, &mut work, &states, &loads, 0.1).unwrap();
         host.step(&model, &mut host_work, &states, &loads, 0.1).unwrap();
         assert_eq!(work.wrenches(), host_work.wrenches());
-        let way_m = states[2].velocity_mps * 0.1;
-        states[2].position_m += way_m;
+        let translation_m = states[2].velocity_mps * 0.1;
+        states[2].position_m += translation_m;
     }
     assert!(work.wrenches()[2].force_n.length() > 1e5);
 }
@@ -136,7 +137,7 @@ fn a_host_of_the_present_goes_on_from_a_snapshot_bit_for_bit_and_knows_other_byt
             if saves && k % 10 == 0 {
                 let model = &master.story.model;
                 let bytes = master.present.snapshot(model);
-                let mut other = PresentHost::new(model);
+                let mut other = DirectHost::new(model);
                 other.restore(model, &bytes).expect("its own bytes");
                 assert_eq!(other, master.present);
                 for cut in [0, 7, 30, bytes.len() - 1] {

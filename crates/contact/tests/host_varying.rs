@@ -6,7 +6,7 @@
 mod master;
 
 use fenderline_contact::{
-    BodyState, EventKind, FollowingHost, HostIntegration, HostSettings, HostWorkspace, Memory,
+    BodyState, CoSimHost, EventKind, HostIntegration, HostSettings, HostWorkspace, Memory,
     Mobility, Workspace, Wrench, advance, advance_in_place, vec2,
 };
 use master::{Master, Service, Story, model, rectangle, rubber, tug_at_a_wall};
@@ -124,7 +124,7 @@ fn berthing(mass_kg: f64, speed_mps: f64, restitution: f64) -> Story {
     }
 }
 
-/// Largest wrench, largest peak told of the ship and of a contact [N], and the speed at which she leaves [m/s].
+/// Largest wrench, largest peak told of the ship and of a contact (N), and the speed at which she leaves (m/s).
 fn berthed(mut master: Master, mut next_s: impl FnMut() -> f64) -> [f64; 4] {
     let (mut largest_n, mut peak_n, mut of_contact_n, mut time_s) = (0.0_f64, 0.0_f64, 0.0, 0.0);
     while time_s < 90.0 {
@@ -134,7 +134,7 @@ fn berthed(mut master: Master, mut next_s: impl FnMut() -> f64) -> [f64; 4] {
         largest_n = largest_n.max(master.work.wrenches()[0].force_n.length());
         let peaks = master.work.contacts().iter().map(|contact| contact.peak_normal_force_n);
         of_contact_n = peaks.fold(of_contact_n, f64::max);
-        let of_bodies = master.work.peaks();
+        let of_bodies = master.work.peak_wrenches();
         peak_n = peak_n.max(of_bodies[0].force_n.length());
         let sum_n = (of_bodies[0].force_n + of_bodies[1].force_n).length();
         assert!(sum_n <= 1e-9 * peak_n, "as much on the wall: {of_bodies:?}");
@@ -246,7 +246,7 @@ fn a_host_that_moves_a_tug_with_another_mass_is_told_so_once() {
                     master.story.loads.clone_from(&story.loads);
                     master.step(frames.next_s());
                     let kinds = master.work.events().iter().map(|event| event.kind);
-                    told += kinds.filter(|kind| *kind == EventKind::MassDiffers).count();
+                    told += kinds.filter(|kind| *kind == EventKind::MassMismatch).count();
                     events += master.work.events().len();
                 }
                 let who = format!("{mass_factor}, {push_n} N, {integration:?}, {delay_steps}");
@@ -346,7 +346,7 @@ fn a_run_of_frames_goes_on_from_a_snapshot_bit_for_bit() {
             if k % 10 == 0 {
                 let model = &one.story.model;
                 let settings = HostSettings { delay_steps, integration };
-                let mut two = FollowingHost::new(model, settings);
+                let mut two = CoSimHost::new(model, settings);
                 two.restore(model, &one.host.snapshot(model)).expect("its own bytes");
                 assert_eq!(one.host, two);
                 one.host = two;

@@ -23,7 +23,7 @@ fn tugs_at_a_quay(count: u64) -> (Model, Vec<BodyState>) {
     builder.body(body(100, &quay, false));
     states.push(at(0.0, 0.0, 0.0));
     let material = builder.material(PAPER);
-    builder.every_other_pair(material);
+    builder.all_other_pairs(material);
     (builder.build().expect("a good model"), states)
 }
 
@@ -42,7 +42,7 @@ fn tugs_between_quays(count: u64) -> (Model, Vec<BodyState>) {
         states.push(at(0.0, y_m, 0.0));
     }
     let material = builder.material(PAPER);
-    builder.every_other_pair(material);
+    builder.all_other_pairs(material);
     (builder.build().expect("a good model"), states)
 }
 
@@ -159,7 +159,7 @@ fn a_quay_that_moves_goes_once_however_its_islands_go() {
         // Another number of sub-steps for the first of them.
         run.states[0].velocity_mps.y = fast_mps;
         run.step();
-        (run.states.clone(), run.work.motions()[3])
+        (run.states.clone(), run.work.displacements()[3])
     };
     let (alike, moved) = after(0.0);
     let (apart, moved_apart) = after(40.0);
@@ -167,7 +167,7 @@ fn a_quay_that_moves_goes_once_however_its_islands_go() {
     for (state, motion) in [(alike[3], moved), (apart[3], moved_apart)] {
         // To rounding: sub-steps add up.
         assert!((state.position_m - went_m).length() < 1e-15, "{state:?}");
-        assert!((motion.way_m - went_m).length() < 1e-15, "{motion:?}");
+        assert!((motion.translation_m - went_m).length() < 1e-15, "{motion:?}");
         assert!((state.heading_rad - 1e-4).abs() < 1e-18);
     }
     assert_eq!(alike[1..3], apart[1..3]);
@@ -176,7 +176,7 @@ fn a_quay_that_moves_goes_once_however_its_islands_go() {
 /// It was refused for most of these headings: momenta that turn with their bodies did so ever faster.
 #[test]
 fn a_step_of_days_within_a_contact_is_finite() {
-    let mobility = Mobility::Afloat { surge_kg: 1e6, sway_kg: 1.5e6, yaw_inertia_kgm2: 5e7 };
+    let mobility = Mobility::SurgeSway { surge_kg: 1e6, sway_kg: 1.5e6, yaw_inertia_kgm2: 5e7 };
     for angle in 0..60 {
         let bodies = [0, 1].map(|key| Body { mobility, ..body(key, &rectangle(20.0, 8.0), true) });
         let states = vec![at(0.0, 0.0, 0.0), at(0.0, 7.0, 0.0)];
@@ -245,9 +245,9 @@ fn a_quay_that_moves_goes_on_with_nothing_near() {
         run.states[1].yaw_rate_radps = 1e-3;
         run.step();
         let went_m = vec2(0.2, -0.3) * STEP_S;
-        let (state, motion) = (run.states[1], run.work.motions()[1]);
+        let (state, motion) = (run.states[1], run.work.displacements()[1]);
         assert!((state.position_m - went_m).length() < 1e-15, "{away_m} m: {state:?}");
-        assert!((motion.way_m - went_m).length() < 1e-15, "{away_m} m: {motion:?}");
+        assert!((motion.translation_m - went_m).length() < 1e-15, "{away_m} m: {motion:?}");
         assert!((state.heading_rad - 1e-4).abs() < 1e-18);
     }
 }

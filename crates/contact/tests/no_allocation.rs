@@ -8,7 +8,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use fenderline_contact::{
-    BodyState, EventKind, FollowingHost, Friction, HostIntegration, HostSettings, HostWorkspace,
+    BodyState, CoSimHost, EventKind, Friction, HostIntegration, HostSettings, HostWorkspace,
     Memory, Model, Vec2, Workspace, Wrench, advance, step, vec2,
 };
 
@@ -155,7 +155,7 @@ fn allocates_nothing(method: Method) {
 fn warm_steps_of_a_following_host_allocate_nothing() {
     let model = scene::berth(500e3);
     let settings = HostSettings { delay_steps: 2, integration: HostIntegration::ForwardEuler };
-    let (mut host, mut work) = (FollowingHost::new(&model, settings), HostWorkspace::new(&model));
+    let (mut host, mut work) = (CoSimHost::new(&model, settings), HostWorkspace::new(&model));
     let mut ship = BodyState { position_m: vec2(0.0, 0.8), ..BodyState::default() };
     let mut past = [ship; 3];
     let mut states = scene::states(ship);

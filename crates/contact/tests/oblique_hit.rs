@@ -70,8 +70,8 @@ fn lost(model: &Model, velocity_mps: Vec2, step_s: f64, gap_m: f64) -> f64 {
     for _ in 0..((gap_m / velocity_mps.x + 2.5) / step_s).ceil() as u32 + 1 {
         advance_in_place(model, &mut memory, &mut work, &mut states, &loads, step_s).unwrap();
         for contact in work.contacts() {
-            on_barge_ns += contact.normal * -contact.normal_impulse_ns
-                + contact.tangent() * contact.tangential_impulse_ns;
+            on_barge_ns += contact.normal * -contact.impulse.normal_ns
+                + contact.tangent() * contact.impulse.tangential_ns;
         }
     }
     assert!(work.contacts().is_empty(), "she has left");
@@ -80,7 +80,7 @@ fn lost(model: &Model, velocity_mps: Vec2, step_s: f64, gap_m: f64) -> f64 {
     1.0 - states[0].velocity_mps.length_squared() / velocity_mps.length_squared()
 }
 
-/// Off the quay's line [rad].
+/// Off the quay's line (rad).
 const GRAZING_RAD: f64 = 10.0 * PI / 180.0;
 
 /// She slides all along, so that μ_k times the normal impulse, 2 m v_n, is taken off her speed along the quay.
@@ -161,7 +161,10 @@ fn a_slide_is_not_held_like_what_stands_when_the_push_rises() {
     for step_s in [0.002, 0.005, 0.01, 0.02, 0.05, 0.1] {
         // The stretch of a spring that slid is that of the N of half a step ago. No more may be missing than she slides
         // in a step.
-        let (way_m, of_a_step_m) = (slid(step_s), 0.3 * step_s);
-        assert!((way_m - right_m).abs() < of_a_step_m, "Δt {step_s}: {way_m} m of {right_m} m");
+        let (translation_m, of_a_step_m) = (slid(step_s), 0.3 * step_s);
+        assert!(
+            (translation_m - right_m).abs() < of_a_step_m,
+            "Δt {step_s}: {translation_m} m of {right_m} m"
+        );
     }
 }

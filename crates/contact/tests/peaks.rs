@@ -4,12 +4,12 @@
 mod master;
 
 use fenderline_contact::{
-    Body, BodyId, BodyState, HostWorkspace, Memory, Mobility, Model, Pair, PresentHost, Vec2,
+    Body, BodyId, BodyState, DirectHost, HostWorkspace, Memory, Mobility, Model, Pair, Vec2,
     Workspace, Wrench, advance, vec2,
 };
 use master::{rectangle, rubber, tug_at_a_wall};
 
-/// v √(k m) of the tug at 0.5 m/s, against 6.5 MN/m [N].
+/// v √(k m) of the tug at 0.5 m/s, against 6.5 MN/m (N).
 fn peak_of_the_tug_n() -> f64 {
     0.5 * (6.5e6_f64 * 1e6).sqrt()
 }
@@ -21,7 +21,7 @@ fn a_hit_within_one_step_has_its_peak_told_beside_its_mean() {
     let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
     advance(&story.model, &mut memory, &mut work, &story.states, &story.loads, 4.0).unwrap();
     let mut peaks = Vec::new();
-    work.tell_peaks(&mut peaks);
+    work.peak_wrenches_into(&mut peaks);
     let (mean, peak) = (work.wrenches()[0].force_n, peaks[0].force_n);
     // 1 m/s of change of 1000 t in 4 s.
     assert!((mean.x + 0.25e6).abs() < 0.01e6, "{mean:?}");
@@ -30,19 +30,19 @@ fn a_hit_within_one_step_has_its_peak_told_beside_its_mean() {
     // A pause tells the same again.
     let (states, before) = (work.states_after().to_vec(), peaks.clone());
     advance(&story.model, &mut memory, &mut work, &states, &story.loads, 0.0).unwrap();
-    work.tell_peaks(&mut peaks);
+    work.peak_wrenches_into(&mut peaks);
     assert_eq!(peaks, before);
 }
 
 #[test]
 fn a_host_of_the_present_is_told_the_peak_too_and_moves_by_the_mean() {
     let story = tug_at_a_wall(1.0, 0.5, 1.0);
-    let (mut host, mut work) = (PresentHost::new(&story.model), HostWorkspace::new(&story.model));
+    let (mut host, mut work) = (DirectHost::new(&story.model), HostWorkspace::new(&story.model));
     let no_step = host.step(&story.model, &mut work, &story.states, &story.loads, 0.0);
     no_step.expect("a pause");
-    assert_eq!(work.peaks(), &[Wrench::default(); 2]);
+    assert_eq!(work.peak_wrenches(), &[Wrench::default(); 2]);
     host.step(&story.model, &mut work, &story.states, &story.loads, 4.0).expect("a good step");
-    let peak_n = work.peaks()[0].force_n.x;
+    let peak_n = work.peak_wrenches()[0].force_n.x;
     assert!((peak_n / -peak_of_the_tug_n() - 1.0).abs() < 0.01, "{peak_n} N");
     assert!(work.wrenches()[0].force_n.x > -0.3e6, "{:?}", work.wrenches());
 }
@@ -56,7 +56,7 @@ fn the_peak_of_a_short_step_is_its_mean_to_the_bit() {
     let mut peaks = Vec::new();
     for _ in 0..30 {
         advance(&story.model, &mut memory, &mut work, &story.states, &story.loads, 0.01).unwrap();
-        work.tell_peaks(&mut peaks);
+        work.peak_wrenches_into(&mut peaks);
         assert_eq!(peaks, work.wrenches());
         story.states.copy_from_slice(work.states_after());
     }
@@ -88,7 +88,7 @@ fn a_quay_that_two_barges_hit_is_told_of_both_their_peaks() {
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
     advance(&model, &mut memory, &mut work, &states, &loads, 4.0).unwrap();
     let mut peaks = Vec::new();
-    work.tell_peaks(&mut peaks);
+    work.peak_wrenches_into(&mut peaks);
     for (barge, mass_kg) in [(0, 2e5_f64), (2, 2e7)] {
         let right_n = 0.5 * (10e6 * mass_kg).sqrt();
         let peak_n = -peaks[barge].force_n.x;

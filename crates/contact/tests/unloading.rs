@@ -104,7 +104,7 @@ fn returned(law: &FenderLaw, unloading: &Unloading, speed_mps: f64, step_s: f64)
     (run.speed_mps() / speed_mps).powi(2)
 }
 
-/// Δt [s], and how far the energy returned may be from its share of the energy taken. In long steps it is the error of
+/// Δt (s), and how far the energy returned may be from its share of the energy taken. In long steps it is the error of
 /// sub-steps of 0.15 rad: 0.3 %, a curve's corners and the turn from one curve to the other included.
 const STEPS: [(f64, f64); 5] = [(0.02, 1e-4), (0.1, 1e-3), (0.5, 4e-3), (1.0, 4e-3), (2.0, 4e-3)];
 
@@ -178,7 +178,7 @@ fn gradient_holds(
             work.contacts().iter().find(|c| c.fender.is_some() && c.depth_m <= 1.2).copied()?;
         let force = contact.normal * (contact.parts.spring_n + contact.parts.stop_n);
         let moment = contact.arm_2_m.cross(force);
-        Some((contact.stored_j, contact.hysteresis_j, [-force.x, force.y, moment]))
+        Some((contact.energy.stored_j, contact.energy.hysteresis_j, [-force.x, force.y, moment]))
     };
     let mut memory = Memory::new(&model);
     if look(&mut memory, pose).is_none() {
@@ -289,7 +289,7 @@ fn a_following_host_leaves_with_the_root_of_the_returned_energy() {
     let model = model(FenderLaw::linear(2e6), Unloading::ReturnedEnergy(0.55));
     let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
     for step_s in [0.05, 0.2] {
-        let mut host = FollowingHost::new(&model, settings);
+        let mut host = CoSimHost::new(&model, settings);
         let mut work = HostWorkspace::new(&model);
         let mut barge = BodyState {
             position_m: vec2(10.1, 0.0),

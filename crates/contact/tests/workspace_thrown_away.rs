@@ -6,8 +6,8 @@ mod support;
 
 use fenderline_contact::{
     BodyId, BodyState, Contact, Event, Fender, FenderLaw, Material, MaterialId, Memory, Mobility,
-    Model, ReactionFactors, Vec2, Workspace, Wrench, advance, advance_in_place, advance_on, step,
-    vec2,
+    Model, ReactionFactors, Vec2, Workspace, Wrench, advance, advance_from_engine_states,
+    advance_in_place, step, vec2,
 };
 use support::harbour::{PAPER, at, body};
 use support::shapes::{ellipse, hull, points, rectangle, stepped_ship};
@@ -44,7 +44,7 @@ fn crowd() -> (Model, Vec<BodyState>, Vec<Wrench>) {
     for number in 0..8_u64 {
         builder.fender(fender(quay, material, number));
     }
-    builder.every_other_pair(material);
+    builder.all_other_pairs(material);
     (builder.build().expect("a good model"), states, loads)
 }
 
@@ -85,7 +85,7 @@ enum Work {
 fn run(one_step: OneStep, with: Work) -> Vec<Found> {
     let (model, mut states, loads) = crowd();
     let (mut memory, mut work) = (Memory::new(&model), Workspace::new(&model));
-    work.tell_contacts(with != Work::Brief);
+    work.report_contacts(with != Work::Brief);
     (0..STEPS)
         .map(|_| {
             if with == Work::ThrownAway {
@@ -143,7 +143,8 @@ fn by_the_coupled_method(
     states: &mut [BodyState],
     loads: &[Wrench],
 ) {
-    advance_on(model, memory, work, states, loads, STEP_S).expect("good states and loads");
+    advance_from_engine_states(model, memory, work, states, loads, STEP_S)
+        .expect("good states and loads");
     states.copy_from_slice(work.states_after());
 }
 
@@ -224,7 +225,7 @@ fn a_workspace_used_otherwise_in_between_changes_no_bit() {
                 advance(&model, memory, work, &states, &loads, STEP_S)
                     .expect("good states and loads");
                 let told = (work.contacts(), work.wrenches(), work.events());
-                format!("{told:?} {:?} {:?} {memory:?}", work.states_after(), work.motions())
+                format!("{told:?} {:?} {:?} {memory:?}", work.states_after(), work.displacements())
             });
         assert!(found[0] == found[1], "step {index}");
         states.copy_from_slice(own.states_after());
@@ -248,7 +249,7 @@ fn bodies_moved_in_place_go_where_they_go_otherwise() {
             by_the_coupled_method(&model, &mut memory, &mut own, &mut moved, &loads);
         }
         by_the_coupled_method(&model, &mut same_memory, &mut other, &mut states, &loads);
-        assert_eq!((&moved, own.motions()), (&states, other.motions()), "step {index}");
+        assert_eq!((&moved, own.displacements()), (&states, other.displacements()), "step {index}");
         assert_eq!(memory, same_memory, "step {index}");
     }
 }
@@ -285,7 +286,7 @@ fn berth(backwards: bool, more: u64) -> (Model, Vec<BodyState>) {
         let position_m = vec2(along_m, -10.0);
         builder.fender(Fender { position_m, ..fender(quay, soft, key) });
     }
-    builder.every_other_pair(soft);
+    builder.all_other_pairs(soft);
     (builder.build().expect("a good model"), states)
 }
 
@@ -329,7 +330,11 @@ fn a_workspace_shared_with_the_same_model_in_another_order_changes_no_bit() {
                 [(&mut same, &mut own), (&mut *memory, &mut shared)].map(|(memory, work)| {
                     advance(model, memory, work, states, &loads, STEP_S).expect("good states");
                     let told = (work.contacts(), work.wrenches(), work.events());
-                    format!("{told:?} {:?} {:?} {memory:?}", work.states_after(), work.motions())
+                    format!(
+                        "{told:?} {:?} {:?} {memory:?}",
+                        work.states_after(),
+                        work.displacements()
+                    )
                 });
             assert_eq!(found[0], found[1], "step {index}");
             states.copy_from_slice(shared.states_after());
@@ -346,7 +351,7 @@ fn errors_in_a_row_leave_the_results_of_the_last_good_step() {
     advance(&model, &mut memory, &mut work, &states, &loads, STEP_S).expect("good states");
     let results = |work: &Workspace| {
         let told = (work.contacts(), work.wrenches(), work.events());
-        format!("{told:?} {:?} {:?}", work.states_after(), work.motions())
+        format!("{told:?} {:?} {:?}", work.states_after(), work.displacements())
     };
     let before = (results(&work), memory.snapshot());
     let mut bad = states.clone();

@@ -21,9 +21,9 @@ use crate::settings::Settings;
 /// let mut builder = EngineBuilder::new();
 /// let rubber = builder.material("rubber", Material { stiffness_npm2: 500e3, damping_nspm2: 0.0,
 ///     shear_stiffness_npm: 3e6, friction_static: 0.5, friction_dynamic: 0.5, restitution: 0.1 })?;
-/// let tug = builder.body(&BodyParts { name: "tug", outline_m: &square, mass: Some(mass),
+/// let tug = builder.body(&BodyDef { name: "tug", outline_m: &square, mass: Some(mass),
 ///     position_m: vec2(0.0, 0.0), heading_rad: 0.0 })?;
-/// let quay = builder.body(&BodyParts { name: "quay", outline_m: &square, mass: None,
+/// let quay = builder.body(&BodyDef { name: "quay", outline_m: &square, mass: None,
 ///     position_m: vec2(9.9, 0.0), heading_rad: 0.0 })?;
 /// builder.pair([tug, quay], rubber)?;
 /// let mut engine = builder.build(&Settings::default())?;
@@ -39,33 +39,33 @@ pub struct EngineBuilder {
 
 /// A body to be added.
 #[derive(Clone, Copy, Debug)]
-pub struct BodyParts<'a> {
+pub struct BodyDef<'a> {
     /// Unique name.
     pub name: &'a str,
-    /// Outline, x forward and y to starboard of the centre of gravity [m]; in either direction.
+    /// Outline, x forward and y to starboard of the centre of gravity (m); in either direction.
     pub outline_m: &'a [Vec2],
     /// Mass and added mass; `None` for a fixed body.
     pub mass: Option<MassProperties>,
-    /// Where a fixed body stands and a floating one begins: north, east [m].
+    /// Where a fixed body stands and a floating one begins: north, east (m).
     pub position_m: Vec2,
-    /// Its heading there [rad].
+    /// Its heading there (rad).
     pub heading_rad: f64,
 }
 
 /// A fender to be added: see [`fenderline_contact::Fender`].
 #[derive(Clone, Debug)]
-pub struct FenderParts<'a> {
+pub struct FenderDef<'a> {
     /// Unique name.
     pub name: &'a str,
     /// Index of the body that carries it.
     pub body: usize,
-    /// Middle of the line where it is mounted, in the body's frame [m].
+    /// Middle of the line where it is mounted, in the body's frame (m).
     pub position_m: Vec2,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of the face [m].
+    /// Width of the face (m).
     pub width_m: f64,
-    /// From the mounting to the face, uncompressed [m].
+    /// From the mounting to the face, uncompressed (m).
     pub projection_m: f64,
     /// Reaction from deflection.
     pub law: FenderLaw,
@@ -73,7 +73,7 @@ pub struct FenderParts<'a> {
     pub unloading: Option<Unloading>,
     /// Index of its material: friction, restitution, damping and, for an area law, stiffness.
     pub material: usize,
-    /// The deflection that it is made for [m]; `None`: its projection. Reaction curves only.
+    /// The deflection that it is made for (m); `None`: its projection. Reaction curves only.
     pub rated_deflection_m: Option<f64>,
     /// Where it stiffens to a stop; `None` for a law that stiffens by itself.
     pub stop: Option<Stop>,
@@ -99,7 +99,7 @@ impl EngineBuilder {
                 bodies: Vec::new(),
                 materials: Vec::new(),
                 pairs: Vec::new(),
-                every_other_pair: None,
+                all_other_pairs: None,
                 fenders: Vec::new(),
                 berthing: None,
                 loads: Vec::new(),
@@ -123,7 +123,7 @@ impl EngineBuilder {
     ///
     /// # Errors
     /// A name that is empty or stands twice, an outline that is none.
-    pub fn body(&mut self, parts: &BodyParts<'_>) -> Result<usize, EngineError> {
+    pub fn body(&mut self, parts: &BodyDef<'_>) -> Result<usize, EngineError> {
         let bodies = &mut self.setup.bodies;
         check_name("body", parts.name, bodies.iter().map(|other| other.name.as_str()))?;
         let name = parts.name.to_owned();
@@ -146,7 +146,7 @@ impl EngineBuilder {
     ///
     /// # Errors
     /// A name that is empty or stands twice, no such body or material, a rated deflection of an area law.
-    pub fn fender(&mut self, parts: &FenderParts<'_>) -> Result<usize, EngineError> {
+    pub fn fender(&mut self, parts: &FenderDef<'_>) -> Result<usize, EngineError> {
         let names = self.setup.fenders.iter().map(|other| other.name.as_str());
         check_name("fender", parts.name, names)?;
         self.check_body(parts.body)?;
@@ -197,9 +197,9 @@ impl EngineBuilder {
     ///
     /// # Errors
     /// No such material.
-    pub fn every_other_pair(&mut self, material: usize) -> Result<(), EngineError> {
+    pub fn all_other_pairs(&mut self, material: usize) -> Result<(), EngineError> {
         self.check_material(material)?;
-        self.setup.every_other_pair = Some(material);
+        self.setup.all_other_pairs = Some(material);
         Ok(())
     }
 

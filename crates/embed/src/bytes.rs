@@ -1,8 +1,8 @@
 //! Numbers, states and contacts as bytes: little-endian, bit for bit.
 
 use fenderline_contact::{
-    BodyId, BodyState, Contact, ContactWork, Event, EventKind, FenderId, ForceParts, Friction,
-    RestoreError, Vec2, Wrench, vec2,
+    BodyId, BodyState, Contact, ContactImpulse, ContactWork, EnergyParts, Event, EventKind,
+    FenderId, ForceParts, Friction, RestoreError, Vec2, Wrench, vec2,
 };
 
 use crate::results::numbers;
@@ -63,11 +63,11 @@ impl Writer {
             EventKind::Contained => (4, NONE),
             EventKind::DeepOverlap => (5, NONE),
             EventKind::Teleported => (6, NONE),
-            EventKind::FenderOverRated(fender) => (7, fender.0),
+            EventKind::FenderRatingExceeded(fender) => (7, fender.0),
             EventKind::FenderFailed(fender) => (8, fender.0),
             EventKind::NotConverged => (9, NONE),
-            EventKind::PutInto => (10, NONE),
-            EventKind::MassDiffers => (11, NONE),
+            EventKind::PlacedInOverlap => (10, NONE),
+            EventKind::MassMismatch => (11, NONE),
         };
         self.word32(kind);
         self.word32(fender);
@@ -168,11 +168,11 @@ impl<'a> Reader<'a> {
         let [arm_2_m, normal] = [self.vector()?, self.vector()?];
         let [area_m2, depth_m, v_normal_mps, v_tangential_mps, shear_m] = self.numbers()?;
         let [normal_force_n, tangential_force_n] = self.numbers()?;
-        let [normal_impulse_ns, tangential_impulse_ns] = self.numbers()?;
+        let [normal_ns, tangential_ns] = self.numbers()?;
         let [peak_normal_force_n, peak_depth_m] = self.numbers()?;
         let [spring_n, stop_n, damper_n, limiter_n] = self.numbers()?;
         let [normal_j, tangential_j, damper_j, limiter_j] = self.numbers()?;
-        let [factor, tilt_rad, stored_j, peak_loaded_j, shear_stored_j] = self.numbers()?;
+        let [factor, tilt_rad, stored_j, peak_absorbed_j, shear_stored_j] = self.numbers()?;
         let [hysteresis_j, hysteresis_at_start_j] = self.numbers()?;
         Ok(Contact {
             body_1,
@@ -190,8 +190,7 @@ impl<'a> Reader<'a> {
             shear_m,
             normal_force_n,
             tangential_force_n,
-            normal_impulse_ns,
-            tangential_impulse_ns,
+            impulse: ContactImpulse { normal_ns, tangential_ns },
             friction: if flags & 1 == 1 { Friction::Slip } else { Friction::Stick },
             limited: flags & 2 == 2,
             peak_normal_force_n,
@@ -200,11 +199,13 @@ impl<'a> Reader<'a> {
             work: ContactWork { normal_j, tangential_j, damper_j, limiter_j },
             factor,
             tilt_rad,
-            stored_j,
-            peak_loaded_j,
-            hysteresis_j,
-            hysteresis_at_start_j,
-            shear_stored_j,
+            energy: EnergyParts {
+                stored_j,
+                peak_absorbed_j,
+                hysteresis_j,
+                hysteresis_at_start_j,
+                shear_stored_j,
+            },
         })
     }
 
@@ -219,11 +220,11 @@ impl<'a> Reader<'a> {
             (4, None) => EventKind::Contained,
             (5, None) => EventKind::DeepOverlap,
             (6, None) => EventKind::Teleported,
-            (7, Some(fender)) => EventKind::FenderOverRated(fender),
+            (7, Some(fender)) => EventKind::FenderRatingExceeded(fender),
             (8, Some(fender)) => EventKind::FenderFailed(fender),
             (9, None) => EventKind::NotConverged,
-            (10, None) => EventKind::PutInto,
-            (11, None) => EventKind::MassDiffers,
+            (10, None) => EventKind::PlacedInOverlap,
+            (11, None) => EventKind::MassMismatch,
             _ => return Err(RestoreError::Content),
         };
         Ok(Event { bodies, kind })

@@ -4,15 +4,15 @@ use std::mem;
 use std::sync::Arc;
 
 use fenderline_contact::{
-    self as contact, BodyId, BodyState, FollowingHost, HostWorkspace, Memory, Mobility, Model,
-    PresentHost, StepError, Workspace, Wrench,
+    self as contact, BodyId, BodyState, CoSimHost, DirectHost, HostWorkspace, Memory, Mobility,
+    Model, StepError, Workspace, Wrench,
 };
 use fenderline_scenario::Scenario;
 use fenderline_sim::{Integrator, Method, Setup};
 
 use crate::error::EngineError;
-use crate::results::{Results, Saved, of_following, of_paper, of_present};
-use crate::settings::{Host, MOST_DELAY_STEPS, Settings, Turning};
+use crate::results::{Results, Saved, of_cosim, of_direct, of_paper};
+use crate::settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 
 /// The contact engine with its model, its memory and what the host has shown and told. Cloning it branches
 /// the run; clones share the model.
@@ -52,12 +52,12 @@ pub(crate) enum Core {
         memory: Memory,
         work: Box<Workspace>,
     },
-    Present {
-        host: PresentHost,
+    Direct {
+        host: DirectHost,
         work: Box<HostWorkspace>,
     },
-    Following {
-        host: FollowingHost,
+    CoSimulation {
+        host: CoSimHost,
         work: Box<HostWorkspace>,
     },
 }
@@ -93,22 +93,22 @@ impl Engine {
         let method = settings.method.unwrap_or(setup.method);
         setup.method = method;
         match settings.host {
-            Host::Present { turning: None } => {}
-            Host::Present { turning: Some(Turning::Engine) } => {
+            Host::Direct { coriolis: None } => {}
+            Host::Direct { coriolis: Some(CoriolisTerms::ByEngine) } => {
                 setup.integrator = Integrator::SemiImplicit;
             }
             // What a following host's loads are observed to be holds the turning terms.
-            Host::Present { turning: Some(Turning::Loads) } | Host::Following(_) => {
+            Host::Direct { coriolis: Some(CoriolisTerms::InLoads) } | Host::CoSimulation(_) => {
                 setup.integrator = Integrator::Euler;
             }
         }
-        if let Host::Following(host) = settings.host {
+        if let Host::CoSimulation(host) = settings.host {
             if method == Method::Paper {
                 return Err(EngineError::Settings(
                     "the paper's method cannot follow a host: take the coupled method",
                 ));
             }
-            if host.delay_steps > MOST_DELAY_STEPS {
+            if host.delay_steps > MAX_DELAY_STEPS {
                 return Err(EngineError::Settings("a host may be at most 1000 steps late"));
             }
         }
@@ -126,15 +126,15 @@ impl Engine {
         let model = &plan.model;
         let count = plan.initial.len();
         let core = match plan.host {
-            Host::Present { .. } if plan.method == Method::Paper => {
+            Host::Direct { .. } if plan.method == Method::Paper => {
                 Core::Paper { memory: Memory::new(model), work: Box::new(Workspace::new(model)) }
             }
-            Host::Present { .. } => Core::Present {
-                host: PresentHost::new(model),
+            Host::Direct { .. } => Core::Direct {
+                host: DirectHost::new(model),
                 work: Box::new(HostWorkspace::new(model)),
             },
-            Host::Following(settings) => Core::Following {
-                host: FollowingHost::new(model, settings),
+            Host::CoSimulation(settings) => Core::CoSimulation {
+                host: CoSimHost::new(model, settings),
                 work: Box::new(HostWorkspace::new(model)),
             },
         };
@@ -249,21 +249,21 @@ impl Engine {
 
     /// Says that the host has put a body where it shows it in the next step, rather than moved it there: its contacts
     /// start afresh, no load is read from it, and where it lies within another body it is pressed out slowly
-    /// ([`fenderline_contact::EventKind::PutInto`]). Without it the engine finds out where the way is longer than
+    /// ([`fenderline_contact::EventKind::PlacedInOverlap`]). Without it the engine finds out where the way is longer than
     /// the body's velocities lead it, by a tenth of its radius.
     ///
     /// # Errors
     /// There is no such body.
-    pub fn place(&mut self, body: usize) -> Result<(), EngineError> {
+    pub fn mark_teleported(&mut self, body: usize) -> Result<(), EngineError> {
         let count = self.states.len();
         if body >= count {
             return Err(EngineError::NoSuch { what: "body", index: body, count });
         }
         let (model, id) = (&self.plan.model, BodyId(body as u32));
         match &mut self.core {
-            Core::Paper { memory, .. } => memory.place(model, id),
-            Core::Present { host, .. } => host.place(model, id),
-            Core::Following { host, .. } => host.place(model, id),
+            Core::Paper { memory, .. } => memory.mark_teleported(model, id),
+            Core::Direct { host, .. } => host.mark_teleported(model, id),
+            Core::CoSimulation { host, .. } => host.mark_teleported(model, id),
         }
         Ok(())
     }
@@ -296,7 +296,7 @@ impl Engine {
         let mut bodies = self.plan.model.bodies().iter().zip(&self.shown);
         let unseen = bodies.find(|(body, shown)| !**shown && body.mobility != Mobility::Fixed);
         if let Some((body, _)) = unseen {
-            return Err(EngineError::NotShown { body: body.name.clone() });
+            return Err(EngineError::StateNotSet { body: body.name.clone() });
         }
         let Engine { plan, core, spare, states, loads, no_loads, .. } = self;
         spare.take_step(core, plan, states, loads.as_deref(), no_loads, step_s)?;
@@ -364,7 +364,7 @@ impl Engine {
 
     fn check_loads(&self, loads: &[Wrench]) -> Result<(), EngineError> {
         if self.plan.method == Method::Paper {
-            return Err(EngineError::NotHere("the paper's method knows no loads"));
+            return Err(EngineError::NotAvailable("the paper's method knows no loads"));
         }
         self.check_count(loads.len())?;
         for (body, load) in loads.iter().enumerate() {
@@ -404,11 +404,11 @@ impl Core {
                 memory.copy_from(now);
                 contact::step(model, memory, work, states, step_s)?;
             }
-            (Core::Present { host, work }, Core::Present { host: now, .. }) => {
+            (Core::Direct { host, work }, Core::Direct { host: now, .. }) => {
                 host.copy_from(now);
                 host.step(model, work, states, told.unwrap_or(no_loads), step_s)?;
             }
-            (Core::Following { host, work }, Core::Following { host: now, .. }) => {
+            (Core::CoSimulation { host, work }, Core::CoSimulation { host: now, .. }) => {
                 host.copy_from(now);
                 host.step(model, work, states, told, step_s)?;
             }
@@ -421,8 +421,8 @@ impl Core {
     fn results(&self) -> Results<'_> {
         match self {
             Core::Paper { work, .. } => of_paper(work),
-            Core::Present { work, .. } => of_present(work),
-            Core::Following { work, .. } => of_following(work),
+            Core::Direct { work, .. } => of_direct(work),
+            Core::CoSimulation { work, .. } => of_cosim(work),
         }
     }
 }

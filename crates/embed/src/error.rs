@@ -50,14 +50,14 @@ pub enum EngineError {
     /// A step whose forces or states are not finite: far too long for the states that were shown.
     NotFinite,
     /// A step before the state of a floating body was shown.
-    NotShown {
+    StateNotSet {
         /// The body.
         body: String,
     },
     /// Results before the first step.
     NoStepYet,
     /// Something that engines of these settings do not have.
-    NotHere(&'static str),
+    NotAvailable(&'static str),
     /// Bytes that are no saved engine, or that of another model.
     Restore(RestoreError),
     /// A saved engine of the same model with other settings.
@@ -69,7 +69,7 @@ impl fmt::Display for EngineError {
         match self {
             EngineError::Setup(error) => error.fmt(f),
             EngineError::Outline { body, error } => write!(f, "outline of body `{body}`: {error}"),
-            EngineError::Settings(why) | EngineError::NotHere(why) => f.write_str(why),
+            EngineError::Settings(why) | EngineError::NotAvailable(why) => f.write_str(why),
             EngineError::Name { what, name, why } => write!(f, "the {what} name `{name}` {why}"),
             EngineError::NoSuch { what, index, count } => {
                 write!(f, "there is no {what} {index}: there are {count}, counted from 0")
@@ -79,7 +79,7 @@ impl fmt::Display for EngineError {
             EngineError::NotFinite => f.write_str(
                 "the step gives forces or states that are not finite: it is far too long for these states",
             ),
-            EngineError::NotShown { body } => {
+            EngineError::StateNotSet { body } => {
                 write!(f, "the state of body `{body}` was never shown")
             }
             EngineError::NoStepYet => f.write_str("there are no results: no step was taken"),

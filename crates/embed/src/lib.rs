@@ -34,11 +34,11 @@ mod results;
 mod settings;
 mod snapshot;
 
-pub use builder::{BodyParts, EngineBuilder, FenderParts};
+pub use builder::{BodyDef, EngineBuilder, FenderDef};
 pub use engine::Engine;
 pub use error::EngineError;
-pub use results::{Reckoned, Results};
-pub use settings::{Host, MOST_DELAY_STEPS, Settings, Turning};
+pub use results::{HostEstimate, Results};
+pub use settings::{CoriolisTerms, Host, MAX_DELAY_STEPS, Settings};
 
 /// The guide's snippets, as tests.
 #[cfg(doctest)]

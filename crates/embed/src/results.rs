@@ -1,7 +1,7 @@
 //! What a step found.
 
 use fenderline_contact::{
-    BodyState, Contact, ContactWork, Event, HostWorkspace, Workspace, Wrench,
+    BodyState, Contact, ContactImpulse, ContactWork, Event, HostWorkspace, Workspace, Wrench,
 };
 
 /// What the last step found, or what it had found when the engine was saved. One entry a body, in the order
@@ -13,8 +13,8 @@ pub struct Results<'a> {
     /// keeps it beside the engine; for a following host the wrench that takes it where the engine went.
     pub wrenches: &'a [Wrench],
     /// The greatest contact wrench within the step, of which the host's is a mean: see
-    /// [`fenderline_contact::Workspace::tell_peaks`]. Size fenders by it, and move bodies by `wrenches`.
-    pub peaks: &'a [Wrench],
+    /// [`fenderline_contact::Workspace::peak_wrenches_into`]. Size fenders by it, and move bodies by `wrenches`.
+    pub peak_wrenches: &'a [Wrench],
     /// The touching patches, in a fixed order.
     pub contacts: &'a [Contact],
     /// What happened in the step.
@@ -23,13 +23,13 @@ pub struct Results<'a> {
     /// empty by the paper's method and for a following host, who move the bodies themselves. Velocities are those of half
     /// a step before (of half of the last sub-step, where contacts needed several), as a leapfrog has them.
     pub states_after: &'a [BodyState],
-    /// What was reckoned of a following host; `None` for a host of the present.
-    pub reckoned: Option<Reckoned<'a>>,
+    /// What was host_estimate of a following host; `None` for a host of the present.
+    pub host_estimate: Option<HostEstimate<'a>>,
 }
 
 /// What an engine takes a following host to be doing now.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reckoned<'a> {
+pub struct HostEstimate<'a> {
     /// The host's present states, which it will show when they are old enough.
     pub states: &'a [BodyState],
     /// The loads, told or observed.
@@ -46,10 +46,11 @@ impl Results<'_> {
                 & s.yaw_rate_radps.is_finite()
         };
         let of_wrench = |w: &Wrench| w.force_n.is_finite() & w.moment_nm.is_finite();
-        self.wrenches.iter().chain(self.peaks).all(of_wrench)
+        self.wrenches.iter().chain(self.peak_wrenches).all(of_wrench)
             && self.states_after.iter().all(of_state)
-            && self.reckoned.is_none_or(|reckoned| {
-                reckoned.states.iter().all(of_state) && reckoned.loads.iter().all(of_wrench)
+            && self.host_estimate.is_none_or(|host_estimate| {
+                host_estimate.states.iter().all(of_state)
+                    && host_estimate.loads.iter().all(of_wrench)
             })
             && self.contacts.iter().all(|contact| numbers(contact).iter().all(|n| n.is_finite()))
     }
@@ -74,8 +75,8 @@ pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
         c.shear_m,
         c.normal_force_n,
         c.tangential_force_n,
-        c.normal_impulse_ns,
-        c.tangential_impulse_ns,
+        c.impulse.normal_ns,
+        c.impulse.tangential_ns,
         c.peak_normal_force_n,
         c.peak_depth_m,
         p.spring_n,
@@ -88,11 +89,11 @@ pub(crate) fn numbers(c: &Contact) -> [f64; CONTACT_NUMBERS] {
         w.limiter_j,
         c.factor,
         c.tilt_rad,
-        c.stored_j,
-        c.peak_loaded_j,
-        c.shear_stored_j,
-        c.hysteresis_j,
-        c.hysteresis_at_start_j,
+        c.energy.stored_j,
+        c.energy.peak_absorbed_j,
+        c.energy.shear_stored_j,
+        c.energy.hysteresis_j,
+        c.energy.hysteresis_at_start_j,
     ]
 }
 
@@ -103,11 +104,11 @@ pub(crate) const CONTACT_NUMBERS: usize = 34;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Saved {
     pub(crate) wrenches: Vec<Wrench>,
-    pub(crate) peaks: Vec<Wrench>,
+    pub(crate) peak_wrenches: Vec<Wrench>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) events: Vec<Event>,
     pub(crate) states_after: Vec<BodyState>,
-    pub(crate) reckoned: Option<(Vec<BodyState>, Vec<Wrench>)>,
+    pub(crate) host_estimate: Option<(Vec<BodyState>, Vec<Wrench>)>,
 }
 
 impl Saved {
@@ -116,7 +117,7 @@ impl Saved {
         self.events.clear();
         for contact in &mut self.contacts {
             contact.work = ContactWork::default();
-            (contact.normal_impulse_ns, contact.tangential_impulse_ns) = (0.0, 0.0);
+            contact.impulse = ContactImpulse::default();
         }
         if !self.states_after.is_empty() {
             self.states_after.copy_from_slice(states);
@@ -126,11 +127,14 @@ impl Saved {
     pub(crate) fn view(&self) -> Results<'_> {
         Results {
             wrenches: &self.wrenches,
-            peaks: &self.peaks,
+            peak_wrenches: &self.peak_wrenches,
             contacts: &self.contacts,
             events: &self.events,
             states_after: &self.states_after,
-            reckoned: self.reckoned.as_ref().map(|(states, loads)| Reckoned { states, loads }),
+            host_estimate: self
+                .host_estimate
+                .as_ref()
+                .map(|(states, loads)| HostEstimate { states, loads }),
         }
     }
 }
@@ -139,33 +143,33 @@ impl Saved {
 pub(crate) fn of_paper(work: &Workspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
-        peaks: work.wrenches(),
+        peak_wrenches: work.wrenches(),
         contacts: work.contacts(),
         events: work.events(),
         states_after: &[],
-        reckoned: None,
+        host_estimate: None,
     }
 }
 
 /// Of a host of the present, by the coupled method.
-pub(crate) fn of_present(work: &HostWorkspace) -> Results<'_> {
+pub(crate) fn of_direct(work: &HostWorkspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
-        peaks: work.peaks(),
+        peak_wrenches: work.peak_wrenches(),
         contacts: work.contacts(),
         events: work.events(),
         states_after: work.states_after(),
-        reckoned: None,
+        host_estimate: None,
     }
 }
 
-pub(crate) fn of_following(work: &HostWorkspace) -> Results<'_> {
+pub(crate) fn of_cosim(work: &HostWorkspace) -> Results<'_> {
     Results {
         wrenches: work.wrenches(),
-        peaks: work.peaks(),
+        peak_wrenches: work.peak_wrenches(),
         contacts: work.contacts(),
         events: work.events(),
         states_after: &[],
-        reckoned: Some(Reckoned { states: work.present(), loads: work.loads() }),
+        host_estimate: Some(HostEstimate { states: work.estimated_states(), loads: work.loads() }),
     }
 }

@@ -15,7 +15,7 @@
 //! Results are saved too, so that a restored engine tells what the saved one told.
 
 use fenderline_contact::{
-    FollowingHost, HostIntegration, HostSettings, Memory, RestoreError, SNAPSHOT_VERSION,
+    CoSimHost, HostIntegration, HostSettings, Memory, RestoreError, SNAPSHOT_VERSION,
 };
 use fenderline_sim::Method;
 
@@ -35,8 +35,8 @@ impl Engine {
         let plan = &*self.plan;
         let own = match &self.core {
             Core::Paper { memory, .. } => memory.snapshot(),
-            Core::Present { host, .. } => host.snapshot(&plan.model),
-            Core::Following { host, .. } => host.snapshot(&plan.model),
+            Core::Direct { host, .. } => host.snapshot(&plan.model),
+            Core::CoSimulation { host, .. } => host.snapshot(&plan.model),
         };
         let mut out = Writer::default();
         out.0.extend_from_slice(MAGIC);
@@ -105,8 +105,8 @@ fn read(engine: &mut Engine, bytes: &[u8]) -> Result<(), EngineError> {
     let own = input.take(length)?;
     match &mut engine.core {
         Core::Paper { memory, .. } => *memory = restored_memory(&plan, own)?,
-        Core::Present { host, .. } => host.restore(model, own)?,
-        Core::Following { host, .. } => *host = restored_host(&plan, host.settings(), own)?,
+        Core::Direct { host, .. } => host.restore(model, own)?,
+        Core::CoSimulation { host, .. } => *host = restored_host(&plan, host.settings(), own)?,
     }
     for body in 0..input.bodies {
         let state = input.state()?;
@@ -147,8 +147,8 @@ fn restored_host(
     plan: &Plan,
     settings: HostSettings,
     bytes: &[u8],
-) -> Result<FollowingHost, RestoreError> {
-    let mut host = FollowingHost::new(&plan.model, settings);
+) -> Result<CoSimHost, RestoreError> {
+    let mut host = CoSimHost::new(&plan.model, settings);
     host.restore(&plan.model, bytes)?;
     // The settings stand twice in the bytes: here and without.
     if host.settings() == settings { Ok(host) } else { Err(RestoreError::Content) }
@@ -174,8 +174,8 @@ fn settings_words(plan: &Plan) -> [u32; 4] {
         Method::Paper => 1,
     };
     let (kind, host) = match plan.host {
-        Host::Present { .. } => (0, HostSettings::default()),
-        Host::Following(settings) => (1, settings),
+        Host::Direct { .. } => (0, HostSettings::default()),
+        Host::CoSimulation(settings) => (1, settings),
     };
     let integration = match host.integration {
         HostIntegration::ForwardEuler => 0,
@@ -186,15 +186,15 @@ fn settings_words(plan: &Plan) -> [u32; 4] {
 
 fn write_results(out: &mut Writer, results: &Results<'_>) {
     out.word32(1);
-    results.wrenches.iter().chain(results.peaks).for_each(|wrench| out.wrench(wrench));
+    results.wrenches.iter().chain(results.peak_wrenches).for_each(|wrench| out.wrench(wrench));
     out.word32(results.contacts.len() as u32);
     results.contacts.iter().for_each(|contact| out.contact(contact));
     out.word32(results.events.len() as u32);
     results.events.iter().for_each(|event| out.event(event));
     results.states_after.iter().for_each(|state| out.state(state));
-    if let Some(reckoned) = results.reckoned {
-        reckoned.states.iter().for_each(|state| out.state(state));
-        reckoned.loads.iter().for_each(|load| out.wrench(load));
+    if let Some(host_estimate) = results.host_estimate {
+        host_estimate.states.iter().for_each(|state| out.state(state));
+        host_estimate.loads.iter().for_each(|load| out.wrench(load));
     }
 }
 
@@ -203,20 +203,20 @@ fn read_results(input: &mut Reader<'_>, plan: &Plan) -> Result<Saved, RestoreErr
     let bodies = input.bodies;
     let mut saved = Saved {
         wrenches: (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?,
-        peaks: (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?,
+        peak_wrenches: (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?,
         contacts: input.list(Reader::contact)?,
         events: input.list(Reader::event)?,
         ..Saved::default()
     };
     match plan.host {
-        Host::Present { .. } if plan.method == Method::Coupled => {
+        Host::Direct { .. } if plan.method == Method::Coupled => {
             saved.states_after = (0..bodies).map(|_| input.state()).collect::<Result<_, _>>()?;
         }
-        Host::Present { .. } => {}
-        Host::Following(_) => {
+        Host::Direct { .. } => {}
+        Host::CoSimulation(_) => {
             let states = (0..bodies).map(|_| input.state()).collect::<Result<_, _>>()?;
             let loads = (0..bodies).map(|_| input.wrench()).collect::<Result<_, _>>()?;
-            saved.reckoned = Some((states, loads));
+            saved.host_estimate = Some((states, loads));
         }
     }
     Ok(saved)

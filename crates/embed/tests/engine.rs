@@ -4,7 +4,7 @@ use fenderline_contact::{
     BodyState, HostIntegration, HostSettings, Material, RestoreError, StepError, Wrench, vec2,
 };
 use fenderline_embed::{
-    BodyParts, Engine, EngineBuilder, EngineError, Host, Results, Settings, Turning,
+    BodyDef, CoriolisTerms, Engine, EngineBuilder, EngineError, Host, Results, Settings,
 };
 use fenderline_scenario::Scenario;
 use fenderline_sim::{MassProperties, Method, Simulation};
@@ -23,7 +23,7 @@ fn engine(name: &str, settings: &Settings) -> Engine {
 
 fn following(delay_steps: u32) -> Settings {
     let host = HostSettings { delay_steps, integration: HostIntegration::ForwardEuler };
-    Settings { host: Host::Following(host), ..Settings::default() }
+    Settings { host: Host::CoSimulation(host), ..Settings::default() }
 }
 
 /// Some steps of the tug, by a host that moves her as the tug's model says.
@@ -85,14 +85,14 @@ fn calls_out_of_order_are_errors_and_change_nothing() {
     let mut engine = engine(TUG, &Settings::default());
     let fresh = engine.save();
     assert_eq!(engine.results(), Err(EngineError::NoStepYet));
-    let ship = || EngineError::NotShown { body: "ship".into() };
+    let ship = || EngineError::StateNotSet { body: "ship".into() };
     assert_eq!(engine.step(0.1), Err(ship()));
     let states = engine.initial_states().to_vec();
     engine.set_state(1, &states[1]).expect("a good state");
     assert_eq!(engine.step(0.1), Err(ship()));
     assert!(matches!(engine.set_state(2, &states[1]), Err(EngineError::NoSuch { .. })));
     let loads = [Wrench::default(); 2];
-    assert!(matches!(engine.set_loads(Some(&loads)), Err(EngineError::NotHere(_))));
+    assert!(matches!(engine.set_loads(Some(&loads)), Err(EngineError::NotAvailable(_))));
     engine.set_state(0, &states[0]).expect("a good state");
     let bad_step = StepError::BadTimeStep { step_s: -0.1 };
     assert_eq!(engine.step(-0.1), Err(EngineError::Input(bad_step)));
@@ -179,10 +179,10 @@ fn a_step_that_gives_no_numbers_is_refused_and_changes_nothing() {
         let position_m = vec2(0.0, east_m);
         let mass = MassProperties { mass_kg, yaw_inertia_kgm2: 5e7, ..MassProperties::default() };
         let mass = Some(mass);
-        let body = BodyParts { name, outline_m: &hull, mass, position_m, heading_rad: 0.0 };
+        let body = BodyDef { name, outline_m: &hull, mass, position_m, heading_rad: 0.0 };
         builder.body(&body).expect("a good body");
     }
-    builder.every_other_pair(rubber).expect("it is there");
+    builder.all_other_pairs(rubber).expect("it is there");
     let mut engine = builder.build(&Settings::default()).expect("a good model");
     let states = engine.initial_states().to_vec();
     let mut loads = [Wrench::default(); 3];
@@ -207,7 +207,7 @@ fn a_fixed_body_need_not_be_shown() {
 
 #[test]
 fn a_restored_engine_tells_what_the_saved_one_told_and_goes_on_with_the_same_bits() {
-    let present = Host::Present { turning: Some(Turning::Loads) };
+    let present = Host::Direct { coriolis: Some(CoriolisTerms::InLoads) };
     let coupled = Settings { method: Some(Method::Coupled), host: present };
     let followed = Settings { method: Some(Method::Coupled), ..following(2) };
     for settings in [Settings::default(), coupled, followed] {
@@ -289,22 +289,22 @@ fn the_peaks_of_a_step_stand_beside_its_means() {
         let mut states = engine.initial_states().to_vec();
         states[1].position_m.y += 1.0;
         engine.advance(&states, None, 4.0).expect("a good step");
-        let Results { wrenches, peaks, .. } = engine.results().expect("stepped");
+        let Results { wrenches, peak_wrenches: peaks, .. } = engine.results().expect("stepped");
         let (mean_n, peak_n) = (wrenches[1].force_n.length(), peaks[1].force_n.length());
         assert!(peak_n > 3.0 * mean_n && mean_n > 0.0, "{host:?}: {peak_n} N, {mean_n} N");
         let peaks = peaks.to_vec();
         let saved = engine.save();
         engine.advance(&states, None, 0.0).expect("a pause");
-        assert_eq!(engine.results().expect("stepped").peaks, peaks);
+        assert_eq!(engine.results().expect("stepped").peak_wrenches, peaks);
         engine.reset();
         engine.restore(&saved).expect("its own bytes");
-        assert_eq!(engine.results().expect("stepped").peaks, peaks);
+        assert_eq!(engine.results().expect("stepped").peak_wrenches, peaks);
     }
     // By the paper's method there are no sub-steps.
     let mut engine = engine(TUG, &Settings::default());
     let mut states = engine.initial_states().to_vec();
     states[1].position_m.y += 3.0;
     engine.advance(&states, None, 0.1).expect("a good step");
-    let Results { wrenches, peaks, .. } = engine.results().expect("stepped");
+    let Results { wrenches, peak_wrenches: peaks, .. } = engine.results().expect("stepped");
     assert!(wrenches == peaks && wrenches[1].force_n.length() > 0.0);
 }

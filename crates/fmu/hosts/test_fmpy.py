@@ -100,7 +100,7 @@ def test_states_are_got_set_and_serialised(fenderline, kind, fmi):
     """Back to a saved state, and on from its bytes in another instance: the same bits each time."""
     path = fenderline.fmu(TUG, kind, fmi)
     names = [f"body.tug.{c}" for c in WRENCH]
-    inputs = {"engine": "body.tug.y_m", "simulation": "body.tug.extra_y_n"}[kind]
+    inputs = {"engine": "body.tug.y_m", "simulation": "body.tug.external_y_n"}[kind]
     value = {"engine": lambda n: -41.0 + 0.2 * n, "simulation": lambda n: 1e4 * n}[kind]
 
     def play(fmu, first, last):
@@ -169,7 +169,7 @@ def test_controls_by_hand(fenderline):
     path = fenderline.fmu(PORT, "simulation")
     with Fmu(path) as fmu:
         fmu.initialize()
-        fmu.set_all({"vessel.ship.by_hand": True, "vessel.ship.rudder_order_rad": 0.3, "vessel.ship.engine_order": 0.5})
+        fmu.set_all({"vessel.ship.external_control": True, "vessel.ship.rudder_order_rad": 0.3, "vessel.ship.engine_order": 0.5})
         for n in range(600):
             fmu.step(0.1 * n, 0.1)
         rudder, shaft = fmu.get("vessel.ship.rudder_rad", "vessel.ship.shaft_rps")
@@ -211,7 +211,7 @@ def test_a_tug_that_is_counted_as_put_into_a_ship_leaves_slowly(fenderline, fmi)
         for n in range(400):
             if n == 10:
                 y_m, v_mps = -38.5, 0.0
-                engine.set_all({"body.tug.placed": 1})
+                engine.set_all({"body.tug.reposition_count": 1})
             engine.set_all({"body.tug.y_m": y_m, "body.tug.velocity_y_mps": v_mps})
             engine.step(0.1 * n, 0.1)
             force_n, peak_n = engine.get("body.tug.force_y_n", "body.tug.peak_force_y_n")

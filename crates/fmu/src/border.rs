@@ -15,7 +15,7 @@ use crate::registry::Status;
 
 /// Most values in one call: a longer array is a mistake.
 const MOST_VALUES: usize = 1 << 20;
-/// Longest state that is taken [bytes].
+/// Longest state that is taken (bytes).
 const MOST_BYTES: usize = 1 << 30;
 /// Category of all messages, as the model description names it.
 pub(crate) const CATEGORY: &CStr = c"logStatusError";
@@ -138,7 +138,7 @@ pub(crate) unsafe fn text(pointer: *const c_char, name: &str) -> Outcome<String>
     text.to_str().map(str::to_owned).map_err(|_| format!("{name} is not UTF-8"))
 }
 
-/// Bundles above this size are not read: a scenario and the files that it names have less [bytes].
+/// Bundles above this size are not read: a scenario and the files that it names have less (bytes).
 const LARGEST_BUNDLE: u64 = 1 << 30;
 
 /// An instance of the FMU whose resources lie in a folder.

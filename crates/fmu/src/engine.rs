@@ -59,7 +59,7 @@ impl EngineRun {
             HostIntegration::SemiImplicit
         };
         let host = if following {
-            Host::Following(HostSettings { delay_steps, integration })
+            Host::CoSimulation(HostSettings { delay_steps, integration })
         } else {
             Host::default()
         };
@@ -120,7 +120,7 @@ impl EngineRun {
         // What a refused step had been told is untold with it.
         let mut engine = self.engine.clone();
         for &(body, _) in &placed {
-            engine.place(body).map_err(|error| error.to_string())?;
+            engine.mark_teleported(body).map_err(|error| error.to_string())?;
         }
         advance(&mut engine, &states, loads, step_s)?;
         self.engine = engine;
@@ -137,8 +137,8 @@ impl EngineRun {
     pub(crate) fn read(&self, plan: &Plan, values: &mut [f64]) {
         let results = self.engine.results();
         let nothing: (&[Wrench], &[Wrench], &[Contact]) = (&[], &[], &[]);
-        let (wrenches, peaks, contacts) =
-            results.map_or(nothing, |results| (results.wrenches, results.peaks, results.contacts));
+        let (wrenches, peaks, contacts) = results
+            .map_or(nothing, |results| (results.wrenches, results.peak_wrenches, results.contacts));
         let states = self.engine.states();
         let body_fixed = self.body_fixed;
         let view = View { states, wrenches, peaks, contacts, body_fixed, simulation: None };

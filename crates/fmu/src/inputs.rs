@@ -8,7 +8,7 @@ use fenderline_sim::{BodySetup, Setup};
 use crate::table::{Causality, Class, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
-/// The largest load that the engine takes [N, N·m].
+/// The largest load that the engine takes (N, N·m).
 const LARGEST_LOAD: f64 = 1e15;
 
 /// What an input stands for.
@@ -100,17 +100,17 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
         table.group("AngularDisplacement", format!("{name}.heading"), &[heading]);
         table.group("LinearVelocity", format!("{name}.velocity"), &velocity);
         table.group("AngularVelocity", format!("{name}.rate_of_turn"), &[turn]);
-        let what = "how often the master has put the body somewhere rather than moved it there: where it \
-                    is another number than in the last step, the state of this one is where the body was \
-                    put; its contacts start afresh, and out of another body it is pressed slowly";
+        let what = "counter of repositionings. Increase it when the master sets the body to a new position \
+                    instead of moving it there: the state of that step is then the new position, its \
+                    contacts start anew, and overlapping bodies are pushed apart slowly";
         let input = Input::Placed(body);
         let range = Some([0.0, f64::from(i32::MAX)]);
-        let name_of = format!("body.{name}.placed");
+        let name_of = format!("body.{name}.reposition_count");
         let row =
             Row { name: name_of, description: what, unit: Unit::One, start: 0.0, range, input };
         add(table, row);
-        let about = "all that acts on the body besides contact; of use where host.tells_loads, or \
-                     where not host.following";
+        let about = "all forces on the body other than contact; read where host.loads_connected is true or \
+                     host.following is false";
         add_loads(table, (body, of), "load", about);
     }
 }
@@ -119,7 +119,7 @@ pub(crate) fn add_states(table: &mut Table, setup: &Setup) {
 pub(crate) fn add_extra_loads(table: &mut Table, setup: &Setup) {
     for (body, of) in setup.bodies.iter().enumerate() {
         if of.mass.is_some() {
-            add_loads(table, (body, of), "extra", "acts besides what the scenario has");
+            add_loads(table, (body, of), "external", "acts in addition to the scenario's loads");
         }
     }
 }
@@ -159,8 +159,9 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
             let name = format!("vessel.{body}.{field}");
             add(table, Row { name, description, unit, start, range, input });
         };
-        let what = "the inputs below are the orders; else the scenario's orders and pilots are";
-        row("by_hand", what, one, None, 0.0, Input::ByHand(index));
+        let what =
+            "true: the inputs below control the vessel; false: the scenario's orders and pilots do";
+        row("external_control", what, one, None, 0.0, Input::ByHand(index));
         // An input that nothing on her carries out would do nothing.
         if OrderName::Rudder.spec().gear.is_on(index, setup) {
             let what = "rudder ordered, positive turns to starboard";
@@ -213,16 +214,16 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
             let name = format!("tug.{}.{field}", tug.tug.name);
             add(table, Row { name, description, unit, start: 0.0, range, input });
         };
-        let what = "the inputs below are the order; else the scenario's orders are";
-        row("by_hand", what, one, None, Input::TugByHand(index));
+        let what = "true: the inputs below control the tug; false: the scenario's orders do";
+        row("external_control", what, one, None, Input::TugByHand(index));
         let what = "force ordered; 0 is to stand by";
         let range = limits(OrderName::Push, "force");
         row("force_order_n", what, Unit::Newton, range, Input::TugForce(index));
         let what = "direction of the force ordered, from the ship's bow, positive to starboard";
         let range = limits(OrderName::Push, "direction");
         row("direction_order_rad", what, radian, range, Input::TugDirection(index));
-        let what = "she pulls on her line; else she pushes";
-        row("pulls", what, one, None, Input::TugPulls(index));
+        let what = "true: the tug pulls on her line; false: she pushes";
+        row("pull", what, one, None, Input::TugPulls(index));
     }
 }
 

@@ -5,7 +5,7 @@
 //! further forces go in, states and forces come out, the same bits as `fenderline run`.
 //!
 //! [`Bundle`] is a scenario with all that it names, the one resource of an FMU. Of it [`Table`] is made: each
-//! variable with its unit, its start value and what it stands for. [`pack`] writes the model description from
+//! variable with its unit, its start value and what it stands for. [`pack()`] writes the model description from
 //! the table and puts bundle, description and shared library together; an instance reads and writes values
 //! by the same table. The C functions (`fmi2`, `fmi3`) are a border, as in `fenderline-capi`: components and
 //! saved states are numbers that are looked up, never followed as pointers, and no panic crosses.

@@ -131,7 +131,7 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
             v.on_fender(f).fold(0.0, |sum, c| sum + c.tangential_force_n)
         }),
         ("stored_j", "stored in spring and stop at the start of the step", Joule, |v, [f, _]| {
-            v.on_fender(f).fold(0.0, |sum, c| sum + c.stored_j)
+            v.on_fender(f).fold(0.0, |sum, c| sum + c.energy.stored_j)
         }),
         ("tilt_rad", "largest angle between its face and the hull", Radian, |v, [f, _]| {
             v.on_fender(f).fold(0.0, |most, c| greater(most, c.tilt_rad.abs()))
@@ -208,7 +208,7 @@ fn outline_pairs(setup: &Setup) -> Vec<[usize; 2]> {
     let count = setup.bodies.len();
     let all = (0..count).flat_map(|one| (one + 1..count).map(move |two| [one, two]));
     all.filter(|&[one, two]| {
-        (floats(one) || floats(two)) && (setup.every_other_pair.is_some() || named(one, two))
+        (floats(one) || floats(two)) && (setup.all_other_pairs.is_some() || named(one, two))
     })
     .collect()
 }

@@ -117,7 +117,7 @@ pub(crate) fn add_fenders(table: &mut Table, setup: &Setup) {
         name: "returned_energy",
         description: "share of the energy taken that its rubber gives back",
         unit: Unit::One,
-        range: Some([Unloading::LEAST_RETURNED, 1.0]),
+        range: Some([Unloading::MIN_RETURNED_SHARE, 1.0]),
         read: |fender: &FenderSetup| match fender.unloading {
             Some(Unloading::ReturnedEnergy(share)) => share,
             _ => 1.0,

@@ -44,7 +44,7 @@ impl fmt::Display for PlanError {
             PlanError::Setup(error) => write!(f, "error: {error}"),
             PlanError::Providers => f.write_str(
                 "error: the scenario starts providers, which an FMU cannot: leave them out and \
-                 connect their forces to the inputs `body.NAME.extra_x_n` and so on",
+                 connect their forces to the inputs `body.NAME.external_x_n` and so on",
             ),
         }
     }
@@ -98,47 +98,47 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
     let rows = [
         (
             "following",
-            "the engine follows a host that moves its bodies by itself, and steers it by wrenches; \
-             else wrenches are the mean contact forces of a step that begins with the states shown",
+            "true: the host integrates its bodies with the engine's wrenches, and the engine steers them along \
+             its own solution; false: wrenches are the mean contact forces of a step that starts at the \
+             input states",
             Setting::Following,
             coupled,
         ),
         (
             "delay_steps",
-            "where following: age of the states shown when the wrench begins to act, in steps; 1 \
-             where a master steps all its FMUs at the same time, 0 where it steps the engine first",
+            "if host.following: age of the input states when the wrench starts to act, in steps; 1 \
+             if the master steps all FMUs at the same time, 0 if it steps the engine first",
             Setting::DelaySteps,
             1.0,
         ),
         (
             "skip_steps",
-            "where following with a delay: first steps in which nothing is looked at and no wrench is \
-             given; masters show zeros until all their FMUs have made a step, and a wrench between \
-             bodies that lie upon each other at the origin could not be taken back",
+            "if host.following with a delay: number of first steps without a wrench. Masters send zeros \
+             until every FMU has made a step, and bodies that overlap at the origin would get a wrench",
             Setting::SkipSteps,
             1.0,
         ),
         (
             "forward_euler",
-            "where following: the host moves positions with the old velocities; else with the new",
+            "if host.following: true: the host moves positions with the old velocities; false: with the new ones",
             Setting::ForwardEuler,
             1.0,
         ),
         (
-            "tells_loads",
-            "where following: the load inputs are set; else the engine finds the loads itself",
+            "loads_connected",
+            "if host.following: true: the load inputs are connected; false: the engine estimates the loads from the motion",
             Setting::TellsLoads,
             0.0,
         ),
         (
             "body_fixed",
-            "velocities, loads and wrenches are in the bodies' axes; else earth-fixed",
+            "true: velocities, loads and wrenches in the bodies' axes; false: earth-fixed",
             Setting::BodyFixed,
             0.0,
         ),
         (
             "step_s",
-            "where following: the communication step, for the wrench at the start",
+            "if host.following: the communication step, for the wrench at the start",
             Setting::StepS,
             scenario.setup.step_s,
         ),
@@ -146,7 +146,7 @@ fn add_settings(table: &mut Table, scenario: &Scenario) {
     for (name, description, setting, start) in rows {
         let (class, unit, range) = match setting {
             Setting::DelaySteps | Setting::SkipSteps => {
-                let most = f64::from(fenderline_embed::MOST_DELAY_STEPS);
+                let most = f64::from(fenderline_embed::MAX_DELAY_STEPS);
                 (Class::Integer, Unit::One, Some([0.0, most]))
             }
             Setting::StepS => (Class::Real, Unit::Second, Some([1e-6, 1e3])),

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | 8, 4 | `fndrlfmu`; version of this form |
 //! | 8 | FNV-1a of the token: of this FMU and no other |
-//! | 4, 8, 8, 8 | phase; start, stop (or the bits of infinity) and time [s] |
+//! | 4, 8, 8, 8 | phase; start, stop (or the bits of infinity) and time (s) |
 //! | 4 + 8 each | the values of all variables |
 //! | 4 | 0: not initialized; 1: an engine; 2: a simulation |
 //! | 4, 4 each | an engine: steps to wait, or all bits where it has begun; how often each body was put somewhere |

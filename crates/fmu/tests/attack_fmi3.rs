@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 use fenderline_fmu::{Kind, fmi3};
 use support::{OK, Unpacked};
 
-/// A call that takes longer has hung [s of computing], and so much longer for each second that it
+/// A call that takes longer has hung (seconds of computing), and so much longer for each second that it
 /// simulates, in steps of 0.1 s.
 const LONGEST_CALL_S: [f64; 2] = [20.0, 1e-3];
 
@@ -242,7 +242,7 @@ fn setting(name: &str, otherwise: u64) -> u64 {
     std::env::var(name).map_or(otherwise, |text| text.parse().expect("a whole number"))
 }
 
-/// What this thread has computed [s], where the system tells; else a clock's time. A call beside other work of the machine
+/// What this thread has computed (s), where the system tells; else a clock's time. A call beside other work of the machine
 /// takes longer and has not hung.
 fn busy_s(since: Instant) -> f64 {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();

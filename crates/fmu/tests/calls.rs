@@ -175,7 +175,7 @@ fn instances_that_cannot_be_made() {
 fn several_instances_in_several_threads_do_not_touch_each_other() {
     let fmu = Unpacked::new(Kind::Simulation, "threads");
     let y = fmu.reference("body.tug.y_m");
-    let push = fmu.reference("body.tug.extra_y_n");
+    let push = fmu.reference("body.tug.external_y_n");
     let play = |force_n: f64| {
         let log = Messages::default();
         let tug = fmu.two(&log).initialized();

@@ -11,9 +11,9 @@ use fenderline_fmu::{Kind, fmi2, fmi3};
 use support::{ERROR, Messages, OK, Two, Unpacked};
 
 const STEP_S: f64 = 0.1;
-/// What the engine has her weigh along her keel, which points at the quay [kg].
+/// What the engine has her weigh along her keel, which points at the quay (kg).
 const SURGE_KG: f64 = 930e3 * 1.08;
-/// Her bow touches the quay there [m].
+/// Her bow touches the quay there (m).
 const TOUCH_M: f64 = 4.0;
 
 /// An engine of either version of the standard.
@@ -124,8 +124,8 @@ struct Master<'e, E> {
 
 impl<'e, E: Engine> Master<'e, E> {
     fn new(fmu: &Unpacked, engine: &'e E, east_m: f64, east_mps: f64) -> Master<'e, E> {
-        let references =
-            ["y_m", "velocity_y_mps", "force_y_n", "placed"].map(|field| reference(fmu, field));
+        let references = ["y_m", "velocity_y_mps", "force_y_n", "reposition_count"]
+            .map(|field| reference(fmu, field));
         let shown = [east_m, east_mps];
         Master { engine, references, east_m, east_mps, shown, steps: 0 }
     }
@@ -193,8 +193,8 @@ fn a_saved_state_knows_what_was_counted() {
     let fmu = Unpacked::new(Kind::Engine, "counted");
     let log = Messages::default();
     let two = fmu.two(&log).initialized();
-    let [y, v, force, placed] =
-        ["y_m", "velocity_y_mps", "force_y_n", "placed"].map(|field| reference(&fmu, field));
+    let [y, v, force, placed] = ["y_m", "velocity_y_mps", "force_y_n", "reposition_count"]
+        .map(|field| reference(&fmu, field));
     let play = |tug: &Two, from: u32| -> Vec<u64> {
         (from..from + 12)
             .map(|step| {
@@ -232,7 +232,7 @@ fn a_saved_state_knows_what_was_counted() {
     assert_eq!(play(&two, 12), put);
     // Less than nothing is no count.
     assert_eq!(two.set_integer(placed, -1), ERROR);
-    assert!(log.last().contains("body.tug.placed"));
+    assert!(log.last().contains("body.tug.reposition_count"));
 }
 
 /// The peak of a hit within one step, beside the mean that moves her.

@@ -11,7 +11,7 @@ use support::{ERROR, Messages, OK, Two, Unpacked};
 
 const KINDS: [(Kind, &str, &str); 2] = [
     (Kind::Engine, "body.tug.y_m", "engine"),
-    (Kind::Simulation, "body.tug.extra_y_n", "simulation"),
+    (Kind::Simulation, "body.tug.external_y_n", "simulation"),
 ];
 
 fn value(kind: Kind, step: u32) -> f64 {

@@ -42,7 +42,7 @@ pub struct Alarm {
 #[derive(Clone, Debug, PartialEq)]
 struct Entry {
     alarm: Alarm,
-    /// When it came, or grew to an alarm [s].
+    /// When it came, or grew to an alarm (s).
     since_s: f64,
     stands: bool,
     acknowledged: bool,

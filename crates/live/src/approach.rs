@@ -3,7 +3,7 @@
 use fenderline_contact::number::greater;
 use serde::Serialize;
 
-/// The deceleration that a ship is allowed on her way to the fenders [m/s²].
+/// The deceleration that a ship is allowed on her way to the fenders (m/s²).
 const SLOWING_MPS2: f64 = 0.002;
 /// From this share of the limit on it is a caution.
 const CAUTION_SHARE: f64 = 2.0 / 3.0;
@@ -12,7 +12,7 @@ const CAUTION_SHARE: f64 = 2.0 / 3.0;
 /// touches with v₀. Our choice, no port's rule and no standard's; pilot and instructor may set another v₀.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ApproachLimit {
-    /// v₀, at the fenders [m/s].
+    /// v₀, at the fenders (m/s).
     pub at_fenders_mps: f64,
 }
 
@@ -36,10 +36,10 @@ impl Default for ApproachLimit {
 }
 
 impl ApproachLimit {
-    /// The least and the greatest limit at the fenders [m/s].
+    /// The least and the greatest limit at the fenders (m/s).
     pub const LIMITS_MPS: [f64; 2] = [0.05, 1.0];
 
-    /// The limit at a distance from the fenders [m/s].
+    /// The limit at a distance from the fenders (m/s).
     #[must_use]
     pub fn at_mps(self, off_m: f64) -> f64 {
         let v0 = self.at_fenders_mps;

@@ -9,7 +9,7 @@ use crate::cast::Cast;
 use crate::info::pair;
 use crate::message::{BerthEnd, BerthInfo, BerthNow, Lamp};
 
-/// Fenders belong to one berth where they face the same way to within this angle [rad].
+/// Fenders belong to one berth where they face the same way to within this angle (rad).
 const SAME_WAY_RAD: f64 = 0.1;
 /// The flat of a ship's side: where she is at least this part of her greatest half breadth.
 const FLAT: f64 = 0.98;
@@ -20,23 +20,23 @@ const FLAT: f64 = 0.98;
 pub struct Berth {
     /// Index of that body.
     pub body: usize,
-    /// One end of it [m].
+    /// One end of it (m).
     pub from_m: Vec2,
     /// The other.
     pub to_m: Vec2,
     /// Unit vector to where the water is.
     pub facing: Vec2,
-    /// From one fender to the next, in the mean [m]; `None` for a single one.
+    /// From one fender to the next, in the mean (m); `None` for a single one.
     pub apart_m: Option<f64>,
 }
 
 /// The two ends of the flat of a ship's side, on the side that the berth is on, and the berth's directions there.
 pub(crate) struct Ends {
-    /// Bow and stern, in the world [m].
+    /// Bow and stern, in the world (m).
     pub(crate) at_m: [Vec2; 2],
-    /// How far along the berth each is, from the end that `from_m` is [m].
+    /// How far along the berth each is, from the end that `from_m` is (m).
     pub(crate) along_m: [f64; 2],
-    /// Its length along the berth [m].
+    /// Its length along the berth (m).
     pub(crate) length_m: f64,
 }
 

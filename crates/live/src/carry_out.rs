@@ -18,9 +18,9 @@ use crate::session::Now;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ManualControl(BTreeSet<Target>);
 
-/// The fastest current that may be set [m/s].
+/// The fastest current that may be set (m/s).
 const FASTEST_CURRENT_MPS: f64 = 15.0;
-/// The largest angle that is taken as a direction [rad].
+/// The largest angle that is taken as a direction (rad).
 const LARGEST_ANGLE_RAD: f64 = 100.0;
 
 /// Carries a command out, from the next step on. True where it is the first manual order to a control that the scenario
@@ -84,7 +84,7 @@ fn order(action: SimAction, now: &mut Now) -> Result<bool, Refusal> {
         return Ok(false);
     }
     let mut dropped = false;
-    simulation.keep_orders(|other| {
+    simulation.retain_orders(|other| {
         let keep = other.action.target() != target || *other == order;
         dropped |= !keep;
         keep

@@ -7,7 +7,7 @@ use crate::action::{Action, OtherAction};
 use crate::named_order::NamedOrder;
 use crate::request::Control;
 
-/// A vessel is a tug where she goes by azimuth units alone and is no longer than this [m]. The longest harbour
+/// A vessel is a tug where she goes by azimuth units alone and is no longer than this (m). The longest harbour
 /// and escort tugs are about 50 m (recalled); our choice.
 const LONGEST_TUG_M: f64 = 60.0;
 

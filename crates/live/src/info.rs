@@ -2,7 +2,7 @@
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
-use fenderline_sim::mooring::{Holding, LineKind};
+use fenderline_sim::mooring::{InboardEnd, LineKind};
 use fenderline_sim::order::{SidePlace, Word, towline};
 use fenderline_sim::{LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
 
@@ -37,7 +37,7 @@ pub struct Info {
     pub places: Vec<&'static str>,
     /// The berth that distances are to.
     pub berth: Option<Berth>,
-    /// Depth of the water [m].
+    /// Depth of the water (m).
     pub depth_m: Option<f64>,
 }
 
@@ -146,7 +146,7 @@ fn line_info(line: &MooringSetup) -> LineInfo {
         },
         breaking_n,
         working_n: WORKING_SHARE * breaking_n,
-        has_winch: matches!(line.line.holding, Holding::Winch(_)),
+        has_winch: matches!(line.line.inboard_end, InboardEnd::Winch(_)),
     }
 }
 

@@ -3,11 +3,11 @@
 
 use std::fmt;
 
-/// The largest recording [bytes]. All that the limits below allow comes to some 300 MiB.
+/// The largest recording (bytes). All that the limits below allow comes to some 300 MiB.
 pub const LARGEST_RECORDING_BYTES: u64 = 512 << 20;
-/// The longest first line [bytes]: a scenario with all the files that it names.
+/// The longest first line (bytes): a scenario with all the files that it names.
 pub(crate) const LONGEST_HEADER_BYTES: u64 = 64 << 20;
-/// The longest line of the others [bytes]; a page's message is a quarter of that at most.
+/// The longest line of the others (bytes); a page's message is a quarter of that at most.
 pub(crate) const LONGEST_LINE_BYTES: u64 = 64 << 10;
 /// The most commands that a session takes: ten a second for a day.
 pub(crate) const MOST_COMMANDS: usize = 864_000;

@@ -21,7 +21,7 @@ impl Session {
         let vessel = self.cast().own?;
         let mut simulation = self.simulation().clone();
         // Nothing is ordered: neither by a hand nor by the scenario.
-        simulation.keep_orders(|order| order.at_s < simulation_time(self));
+        simulation.retain_orders(|order| order.at_s < simulation_time(self));
         let body = simulation.setup().world.vessels[vessel].body;
         Some(Prediction { simulation, tick: self.tick(), vessel, body })
     }

@@ -55,7 +55,7 @@ pub struct Session {
     now: Now,
     checkpoints: Checkpoints<Now>,
     writer: Writer,
-    /// Texts of events since the owner last took them, with their time [s].
+    /// Texts of events since the owner last took them, with their time (s).
     events: Vec<(f64, String)>,
 }
 
@@ -416,7 +416,7 @@ impl Session {
         self.writer.end_line()
     }
 
-    /// Length of the recording so far, without its end [bytes].
+    /// Length of the recording so far, without its end (bytes).
     #[must_use]
     pub fn recorded_bytes(&self) -> u64 {
         self.writer.bytes()
@@ -427,7 +427,7 @@ impl Session {
         self.writer = writer;
     }
 
-    /// What happened since this was asked last: time [s] and text.
+    /// What happened since this was asked last: time (s) and text.
     pub fn take_events(&mut self) -> Vec<(f64, String)> {
         std::mem::take(&mut self.events)
     }

@@ -6,7 +6,7 @@ mod support;
 use fenderline_live::message::{BerthEnd, BerthNow, Role, RunState};
 use fenderline_live::{AlarmBook, Info, Session};
 
-/// The line of the fenders of the scenario is at this east coordinate [m], and the concrete 1.9 m behind it.
+/// The line of the fenders of the scenario is at this east coordinate (m), and the concrete 1.9 m behind it.
 const FENDERS_M: f64 = 28.5;
 /// The eight fenders are from −98 m to 42 m, 20 m apart: with her midship here her parallel side lies at them.
 const MIDDLE_M: f64 = 0.0;

@@ -19,9 +19,12 @@ fn interfaces(text: &str) -> BTreeMap<String, Vec<(String, bool)>> {
         let name = rest.split([' ', '{']).next().expect("a name").to_owned();
         let body = &rest[rest.find('{').expect("a body") + 1..];
         let mut fields = Vec::new();
-        for line in body.lines().map(str::trim).take_while(|line| !line.starts_with('}')) {
-            // Only what stands at the start of a line is a field of the interface itself.
-            let Some((key, _)) = line.split_once(':') else { continue };
+        for line in body.lines().take_while(|line| !line.starts_with('}')) {
+            // The formatter indents the interface's own fields by two spaces, nested ones by more.
+            let Some((key, _)) = line.strip_prefix("  ").and_then(|line| line.split_once(':'))
+            else {
+                continue;
+            };
             if key.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '?') {
                 fields.push((key.trim_end_matches('?').to_owned(), key.ends_with('?')));
             }

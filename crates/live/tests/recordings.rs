@@ -229,7 +229,7 @@ fn a_recording_that_somebody_forged_is_told_at_its_line() {
     let why = forge("\"angle_rad\":", "\"angle\":").expect_err("no such field");
     assert!(why.contains("line 2: no session says this"), "{why}");
     let why = forge("\"fenderline_session\":3", "\"fenderline_session\":2").expect_err("old");
-    assert!(why.contains("format 1, but this program reads 2"), "{why}");
+    assert!(why.contains("format 2, but this program reads 3"), "{why}");
     let more = text.clone() + "{}";
     assert_eq!(fault(more.as_bytes()).1, RecordingFault::AfterEnd);
     let long = text.lines().next().expect("a line").to_owned() + "\n" + &"x".repeat(100_000);

@@ -12,15 +12,15 @@ pub struct PositionReport {
     pub mmsi: u32,
     /// Navigational status: 0 under way with her engine, 5 moored, 8 under sail, 15 not defined.
     pub status: u8,
-    /// Rate of turn, positive to starboard [rad/s].
+    /// Rate of turn, positive to starboard (rad/s).
     pub turn_radps: f64,
-    /// Speed over ground [m/s].
+    /// Speed over ground (m/s).
     pub speed_mps: f64,
     /// Place of her antenna.
     pub place: GeoPoint,
-    /// Course over ground [rad].
+    /// Course over ground (rad).
     pub course_rad: f64,
-    /// Heading from true north [rad].
+    /// Heading from true north (rad).
     pub heading_rad: f64,
     /// Second of UTC's minute, 0 to 59.
     pub second: u8,
@@ -41,13 +41,13 @@ pub struct ShipData {
     pub name: String,
     /// Type of ship and cargo: 52 a tug, 70 a cargo ship, 80 a tanker.
     pub kind: u8,
-    /// From the antenna to bow, stern, port and starboard side [m].
+    /// From the antenna to bow, stern, port and starboard side (m).
     pub extent_m: [f64; 4],
     /// Position fixing device: 1 GPS, 0 undefined.
     pub device: u8,
     /// Estimated time of arrival: month, day, hour, minute; (0, 0, 24, 60): not available.
     pub arrival: (u8, u8, u8, u8),
-    /// Draught [m].
+    /// Draught (m).
     pub draught_m: f64,
     /// Up to 20 letters.
     pub destination: String,

@@ -5,9 +5,9 @@ use core::fmt;
 /// A place on WGS 84.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeoPoint {
-    /// North positive [°].
+    /// North positive (°).
     pub latitude_deg: f64,
-    /// East positive, from −180 up to 180 [°].
+    /// East positive, from −180 up to 180 (°).
     pub longitude_deg: f64,
 }
 
@@ -41,7 +41,7 @@ impl fmt::Display for OutOfChart {
 
 impl std::error::Error for OutOfChart {}
 
-/// Semi-major axis [m] and flattening of WGS 84.
+/// Semi-major axis (m) and flattening of WGS 84.
 const AXIS_M: f64 = 6_378_137.0;
 const FLATTENING: f64 = 1.0 / 298.257_223_563;
 

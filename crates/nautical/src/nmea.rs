@@ -45,7 +45,7 @@ impl Moment {
 pub struct Shaft {
     /// Its number; 0 for the only one.
     pub number: u32,
-    /// Revolutions, negative astern [1/s].
+    /// Revolutions, negative astern (1/s).
     pub rps: f64,
 }
 
@@ -56,23 +56,23 @@ pub struct Instruments {
     pub at: Moment,
     /// Place of the ship's antenna.
     pub place: GeoPoint,
-    /// Heading from true north [rad].
+    /// Heading from true north (rad).
     pub heading_rad: f64,
-    /// Rate of turn, positive to starboard [rad/s].
+    /// Rate of turn, positive to starboard (rad/s).
     pub turn_radps: f64,
-    /// Ahead and to starboard over ground [m/s].
+    /// Ahead and to starboard over ground (m/s).
     pub ground_mps: [f64; 2],
-    /// Ahead and to starboard through the water [m/s].
+    /// Ahead and to starboard through the water (m/s).
     pub water_mps: [f64; 2],
-    /// At the stern, to starboard through the water and over ground [m/s].
+    /// At the stern, to starboard through the water and over ground (m/s).
     pub stern_mps: [f64; 2],
-    /// Wind over the deck: from where, clockwise from the bow [rad], and its speed [m/s].
+    /// Wind over the deck: from where, clockwise from the bow (rad), and its speed (m/s).
     pub wind_over_deck: (f64, f64),
-    /// True wind: from where, clockwise from the bow [rad], and its speed [m/s].
+    /// True wind: from where, clockwise from the bow (rad), and its speed (m/s).
     pub true_wind: (f64, f64),
-    /// Water under the transducer, and how far the keel is below it [m]; `None` where the water is deep.
+    /// Water under the transducer, and how far the keel is below it (m); `None` where the water is deep.
     pub depth_m: Option<(f64, f64)>,
-    /// Rudder, positive to starboard [rad]; `None` without one.
+    /// Rudder, positive to starboard (rad); `None` without one.
     pub rudder_rad: Option<f64>,
     /// Shafts.
     pub shafts: Vec<Shaft>,

@@ -37,7 +37,7 @@ const FIELDS: [(&str, char); 33] = [
     ("factor", 'f'),
     ("tilt_rad", 'f'),
     ("stored_j", 'f'),
-    ("peak_loaded_j", 'f'),
+    ("peak_absorbed_j", 'f'),
     ("hysteresis_j", 'f'),
     ("shear_stored_j", 'f'),
     ("arm_1_north_m", 'f'),
@@ -75,10 +75,10 @@ fn words(c: &Contact) -> [u64; FIELDS.len()] {
         f(c.work.tangential_j),
         f(c.factor),
         f(c.tilt_rad),
-        f(c.stored_j),
-        f(c.peak_loaded_j),
-        f(c.hysteresis_j),
-        f(c.shear_stored_j),
+        f(c.energy.stored_j),
+        f(c.energy.peak_absorbed_j),
+        f(c.energy.hysteresis_j),
+        f(c.energy.shear_stored_j),
         f(c.arm_1_m.x),
         f(c.arm_1_m.y),
     ]
@@ -108,10 +108,10 @@ pub(crate) fn contacts_array<'py>(
 #[pyclass(frozen, get_all, module = "fenderline")]
 #[derive(Clone, Debug)]
 pub(crate) struct StepEvent {
-    /// What, as `summary.json` has it: `contact_began`, `fender_over_rated`, ...
+    /// What, as `summary.json` has it: `contact_began`, `fender_rating_exceeded`, ...
     kind: &'static str,
     /// Whom it is about: names of bodies, or of a vessel, a tug or a line.
-    who: Vec<String>,
+    subjects: Vec<String>,
     /// Name of the fender that it is about.
     fender: Option<String>,
 }
@@ -120,19 +120,19 @@ pub(crate) struct StepEvent {
 impl StepEvent {
     fn __repr__(&self) -> String {
         let fender = self.fender.as_ref().map_or(String::new(), |name| format!(", fender {name}"));
-        format!("<fenderline.StepEvent {} of {}{fender}>", self.kind, self.who.join(" and "))
+        format!("<fenderline.StepEvent {} of {}{fender}>", self.kind, self.subjects.join(" and "))
     }
 }
 
 /// An event of contact, told by names.
 pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]) -> StepEvent {
     let fender = match event.kind {
-        EventKind::FenderOverRated(id) | EventKind::FenderFailed(id) => Some(id),
+        EventKind::FenderRatingExceeded(id) | EventKind::FenderFailed(id) => Some(id),
         _ => None,
     };
     StepEvent {
         kind: event_key(event.kind),
-        who: event.bodies.iter().map(|body| bodies[body.0 as usize].clone()).collect(),
+        subjects: event.bodies.iter().map(|body| bodies[body.0 as usize].clone()).collect(),
         fender: fender.map(|id| fenders[id.0 as usize].clone()),
     }
 }
@@ -149,5 +149,5 @@ pub(crate) fn world_event(event: &WorldEvent, [vessels, tugs, lines]: [&[String]
         | WorldEventKind::LineRenders => lines,
     };
     let kind = world_event_key(event.kind);
-    StepEvent { kind, who: vec![names[event.who].clone()], fender: None }
+    StepEvent { kind, subjects: vec![names[event.who].clone()], fender: None }
 }

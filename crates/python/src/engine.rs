@@ -1,7 +1,7 @@
 //! The contact engine alone.
 
 use fenderline_contact::{BodyState, HostIntegration, HostSettings, Mobility, Wrench};
-use fenderline_embed::{self as embed, EngineError, Host, Settings, Turning};
+use fenderline_embed::{self as embed, CoriolisTerms, EngineError, Host, Settings};
 use fenderline_sim::Method;
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
@@ -18,14 +18,14 @@ use crate::scenario::Scenario;
 /// The contact engine for a simulator that moves its own bodies: write `states` and, where there are any, `loads`,
 /// call `step`, add `wrenches` to your forces.
 ///
-/// `method` is `"coupled"` or `"paper"` (the scenario's where not given). `host="present"` shows the states of the
-/// step's beginning and tells its loads; `turning` then says whose a body's Coriolis terms are, `"engine"` or
-/// `"loads"`. `host="following"` moves its bodies with the wrenches by `integration` (`"semi_implicit"` or
+/// `method` is `"coupled"` or `"paper"` (the scenario's where not given). `host="direct"` shows the states of the
+/// step's beginning and tells its loads; `coriolis` then says whose a body's Coriolis terms are, `"engine"` or
+/// `"loads"`. `host="cosimulation"` moves its bodies with the wrenches by `integration` (`"semi_implicit"` or
 /// `"forward_euler"`), may show states that are `delay_steps` old, and need not tell loads.
 ///
 /// >>> import fenderline
 /// >>> tug_at_speed = fenderline.example("tug_4kn").with_set({"contact.method": "coupled"})
-/// >>> engine = fenderline.Engine(tug_at_speed, host="following")
+/// >>> engine = fenderline.Engine(tug_at_speed, host="cosimulation")
 /// >>> engine.bodies
 /// ['ship', 'tug']
 /// >>> engine.states[1, 1] = -38.5  # half a metre into the ship's side
@@ -37,11 +37,11 @@ pub(crate) struct Engine {
     engine: embed::Engine,
     bodies: Vec<String>,
     fenders: Vec<String>,
-    tells_loads: bool,
+    uses_loads: bool,
     states: Shared,
     loads: Shared,
     wrenches: Shown,
-    peaks: Shown,
+    peak_wrenches: Shown,
     states_after: Shown,
     /// Buffers of a step.
     state_rows: Vec<BodyState>,
@@ -52,7 +52,7 @@ pub(crate) struct Engine {
 impl Engine {
     #[new]
     #[pyo3(signature = (
-        scenario, *, method=None, host="present", turning=None, delay_steps=0,
+        scenario, *, method=None, host="direct", coriolis=None, delay_steps=0,
         integration="semi_implicit",
     ))]
     fn new(
@@ -60,7 +60,7 @@ impl Engine {
         scenario: &Scenario,
         method: Option<&str>,
         host: &str,
-        turning: Option<&str>,
+        coriolis: Option<&str>,
         delay_steps: u32,
         integration: &str,
     ) -> PyResult<Engine> {
@@ -70,11 +70,11 @@ impl Engine {
             Some("paper") => Some(Method::Paper),
             Some(other) => return Err(no_choice("method", other, "coupled, paper")),
         };
-        let turning = match turning {
+        let coriolis = match coriolis {
             None => None,
-            Some("engine") => Some(Turning::Engine),
-            Some("loads") => Some(Turning::Loads),
-            Some(other) => return Err(no_choice("turning", other, "engine, loads")),
+            Some("engine") => Some(CoriolisTerms::ByEngine),
+            Some("loads") => Some(CoriolisTerms::InLoads),
+            Some(other) => return Err(no_choice("coriolis", other, "engine, loads")),
         };
         let integration = match integration {
             "semi_implicit" => HostIntegration::SemiImplicit,
@@ -84,17 +84,17 @@ impl Engine {
             }
         };
         let host = match host {
-            "present" if delay_steps == 0 => Host::Present { turning },
-            "present" => {
-                return Err(PyValueError::new_err("delay_steps is for host=\"following\""));
+            "direct" if delay_steps == 0 => Host::Direct { coriolis },
+            "direct" => {
+                return Err(PyValueError::new_err("delay_steps is for host=\"cosimulation\""));
             }
-            "following" if turning.is_none() => {
-                Host::Following(HostSettings { delay_steps, integration })
+            "cosimulation" if coriolis.is_none() => {
+                Host::CoSimulation(HostSettings { delay_steps, integration })
             }
-            "following" => {
-                return Err(PyValueError::new_err("turning is for host=\"present\""));
+            "cosimulation" => {
+                return Err(PyValueError::new_err("coriolis is for host=\"direct\""));
             }
-            other => return Err(no_choice("host", other, "present, following")),
+            other => return Err(no_choice("host", other, "direct, cosimulation")),
         };
         let settings = Settings { method, host };
         let checked = (*scenario.checked).clone();
@@ -103,13 +103,13 @@ impl Engine {
         Engine::around(py, engine)
     }
 
-    /// One step of `step_s` seconds from `states`, under `loads` where `tells_loads`: fills `wrenches`, and
+    /// One step of `step_s` seconds from `states`, under `loads` where `uses_loads`: fills `wrenches`, and
     /// `states_after` where the engine moves the bodies. Steps may be of any lengths; in one of 0 s, a pause, nothing
     /// goes on.
     fn step(&mut self, py: Python<'_>, step_s: f64) -> PyResult<()> {
         let Engine { engine, state_rows, load_rows, .. } = self;
         self.states.read(py, |numbers| read_states(numbers, state_rows))??;
-        let loads = match self.tells_loads {
+        let loads = match self.uses_loads {
             true => {
                 self.loads.read(py, |numbers| read_wrenches(numbers, load_rows))??;
                 Some(load_rows.as_slice())
@@ -121,22 +121,22 @@ impl Engine {
     }
 
     /// Says that you have put the body of a name where `states` has it in the next step, rather than moved it there:
-    /// its contacts start afresh, and where it lies within another one it is pressed out slowly (event `put_into`).
-    fn place(&mut self, py: Python<'_>, body: &str) -> PyResult<()> {
+    /// its contacts start afresh, and where it lies within another one it is pressed out slowly (event `placed_in_overlap`).
+    fn mark_teleported(&mut self, py: Python<'_>, body: &str) -> PyResult<()> {
         let Engine { engine, .. } = self;
-        let placed = engine.body_named(body).and_then(|index| engine.place(index));
+        let placed = engine.body_named(body).and_then(|index| engine.mark_teleported(index));
         placed.map_err(|error| errors::of_engine(py, &error))
     }
 
-    /// States that the next step begins from, one row a body: north and east [m], heading [rad], velocity north
-    /// and east [m/s], rate of turn [rad/s]. Write into it.
+    /// States that the next step begins from, one row a body: north and east (m), heading (rad), velocity north
+    /// and east (m/s), rate of turn (rad/s). Write into it.
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.states.array(py)
     }
 
-    /// All that acts on each body besides contact, one row a body: force north and east [N], moment about the
-    /// centre of gravity [N·m]. Write into it; it counts where `tells_loads`.
+    /// All that acts on each body besides contact, one row a body: force north and east (N), moment about the
+    /// centre of gravity (N·m). Write into it; it counts where `uses_loads`.
     #[getter]
     fn loads(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.loads.array(py)
@@ -144,25 +144,25 @@ impl Engine {
 
     /// Whether `loads` is told to the engine in each step.
     #[getter]
-    fn tells_loads(&self) -> bool {
-        self.tells_loads
+    fn uses_loads(&self) -> bool {
+        self.uses_loads
     }
 
     #[setter]
-    fn set_tells_loads(&mut self, py: Python<'_>, tells_loads: bool) -> PyResult<()> {
-        if tells_loads && self.engine.method() == Method::Paper {
-            let error = EngineError::NotHere("the paper's method knows no loads");
+    fn set_uses_loads(&mut self, py: Python<'_>, uses_loads: bool) -> PyResult<()> {
+        if uses_loads && self.engine.method() == Method::Paper {
+            let error = EngineError::NotAvailable("the paper's method knows no loads");
             return Err(errors::of_engine(py, &error));
         }
-        if !tells_loads {
+        if !uses_loads {
             let untold = self.engine.set_loads(None);
             untold.map_err(|error| errors::of_engine(py, &error))?;
         }
-        self.tells_loads = tells_loads;
+        self.uses_loads = uses_loads;
         Ok(())
     }
 
-    /// What to add to each body's forces for the step: force north and east [N], moment [N·m]; means over the step.
+    /// What to add to each body's forces for the step: force north and east (N), moment (N·m); means over the step.
     /// Read-only, and filled anew by each step.
     #[getter]
     fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {
@@ -173,8 +173,8 @@ impl Engine {
     /// bodies by `wrenches`, which are means over the step. `contacts["peak_normal_force_n"]` has that of each contact.
     /// Read-only, and filled anew by each step.
     #[getter]
-    fn peaks(&self, py: Python<'_>) -> Py<PyAny> {
-        self.peaks.view(py)
+    fn peak_wrenches(&self, py: Python<'_>) -> Py<PyAny> {
+        self.peak_wrenches.view(py)
     }
 
     /// Where the engine brought the bodies by the end of the step, in rows as `states`. Read-only, filled anew by
@@ -183,12 +183,12 @@ impl Engine {
     #[getter]
     fn states_after(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         if self.engine.method() == Method::Coupled
-            && matches!(self.engine.host(), Host::Present { .. })
+            && matches!(self.engine.host(), Host::Direct { .. })
         {
             return Ok(self.states_after.view(py));
         }
         let why = "the host moves the bodies itself: there are no states after";
-        Err(errors::of_engine(py, &EngineError::NotHere(why)))
+        Err(errors::of_engine(py, &EngineError::NotAvailable(why)))
     }
 
     /// The touching patches of the last step: a structured array of its own.
@@ -256,7 +256,7 @@ impl Engine {
         self.states.read(py, |numbers| read_states(numbers, state_rows))??;
         let refused = |error: EngineError| errors::of_engine(py, &error);
         engine.set_states(state_rows).map_err(refused)?;
-        if self.tells_loads {
+        if self.uses_loads {
             self.loads.read(py, |numbers| read_wrenches(numbers, load_rows))??;
             engine.set_loads(Some(load_rows)).map_err(refused)?;
         }
@@ -266,7 +266,7 @@ impl Engine {
     /// Becomes what `save` saved, of an engine of the same scenario and settings. Any bytes may be given.
     fn restore(&mut self, py: Python<'_>, saved: &[u8]) -> PyResult<()> {
         self.engine.restore(saved).map_err(|error| errors::of_engine(py, &error))?;
-        self.tells_loads = self.engine.loads().is_some();
+        self.uses_loads = self.engine.loads().is_some();
         self.follow(py)
     }
 
@@ -276,7 +276,7 @@ impl Engine {
         let mut engine = self.engine.clone();
         engine.restore(saved.as_bytes()).map_err(|error| errors::of_engine(py, &error))?;
         let mut copy = Engine::around(py, engine)?;
-        copy.tells_loads = self.tells_loads;
+        copy.uses_loads = self.uses_loads;
         copy.follow(py)?;
         Ok(copy)
     }
@@ -300,13 +300,13 @@ impl Engine {
         let bodies: Vec<String> = model.bodies().iter().map(|body| body.name.clone()).collect();
         let fenders = model.fenders().iter().map(|fender| fender.name.clone()).collect();
         let count = bodies.len();
-        let present = matches!(engine.host(), Host::Present { .. });
+        let present = matches!(engine.host(), Host::Direct { .. });
         let made = Engine {
-            tells_loads: present && engine.method() == Method::Coupled,
+            uses_loads: present && engine.method() == Method::Coupled,
             states: Shared::zeros(py, count, STATE),
             loads: Shared::zeros(py, count, WRENCH),
             wrenches: Shown::zeros(py, count, &[WRENCH])?,
-            peaks: Shown::zeros(py, count, &[WRENCH])?,
+            peak_wrenches: Shown::zeros(py, count, &[WRENCH])?,
             states_after: Shown::zeros(py, count, &[STATE])?,
             state_rows: engine.initial_states().to_vec(),
             load_rows: vec![Wrench::default(); count],
@@ -322,10 +322,10 @@ impl Engine {
     /// Shows the results of the last step.
     fn show(&self, py: Python<'_>) -> PyResult<()> {
         let Ok(results) = self.engine.results() else {
-            self.peaks.write(py, |rows| rows.fill(0.0))?;
+            self.peak_wrenches.write(py, |rows| rows.fill(0.0))?;
             return self.wrenches.write(py, |rows| rows.fill(0.0));
         };
-        self.peaks.write(py, |rows| write_wrenches(results.peaks, rows))?;
+        self.peak_wrenches.write(py, |rows| write_wrenches(results.peak_wrenches, rows))?;
         self.wrenches.write(py, |rows| write_wrenches(results.wrenches, rows))?;
         self.states_after.write(py, |rows| write_states(results.states_after, rows))
     }
@@ -350,7 +350,7 @@ fn no_choice(what: &str, given: &str, known: &str) -> PyErr {
 pub(crate) fn seconds_of_steps(engine: &Engine, step_s: f64, count: u64) -> PyResult<f64> {
     let mut own = engine.engine.clone();
     let states = own.states().to_vec();
-    let loads = engine.tells_loads.then_some(engine.load_rows.as_slice());
+    let loads = engine.uses_loads.then_some(engine.load_rows.as_slice());
     let start = std::time::Instant::now();
     for _ in 0..count {
         let taken = own.advance(&states, loads, step_s);

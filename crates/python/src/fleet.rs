@@ -138,7 +138,7 @@ impl Fleet {
         self.states.view(py)
     }
 
-    /// Time of each simulation [s]. Read-only, and filled anew by each step.
+    /// Time of each simulation (s). Read-only, and filled anew by each step.
     #[getter]
     fn times_s(&self, py: Python<'_>) -> Py<PyAny> {
         self.times.view(py)
@@ -151,7 +151,7 @@ impl Fleet {
         self.energy_shares.view(py)
     }
 
-    /// Reaction of each fender in the last step [N], (simulations, fenders). Read-only, and filled anew by each step.
+    /// Reaction of each fender in the last step (N), (simulations, fenders). Read-only, and filled anew by each step.
     #[getter]
     fn fender_reactions_n(&self, py: Python<'_>) -> Py<PyAny> {
         self.reactions.view(py)
@@ -182,7 +182,7 @@ impl Fleet {
         self.common.base.setup.fenders.iter().map(|fender| fender.name.clone()).collect()
     }
 
-    /// Δt [s] of the scenario.
+    /// Δt (s) of the scenario.
     #[getter]
     fn step_s(&self) -> f64 {
         self.common.base.setup.step_s

@@ -29,7 +29,7 @@ impl std::fmt::Display for CannotRun {
             CannotRun::Setup(error) => error.fmt(f),
             CannotRun::Providers => f.write_str(
                 "the scenario has a [[provider]], which only the program `fenderline` starts: take it \
-                 out and set `external` before each step",
+                 out and set `external_wrenches` before each step",
             ),
         }
     }

@@ -131,13 +131,13 @@ impl Scenario {
         self.checked.notices.iter().map(ToString::to_string).collect()
     }
 
-    /// Δt [s].
+    /// Δt (s).
     #[getter]
     fn step_s(&self) -> f64 {
         self.checked.setup.step_s
     }
 
-    /// Length of the run [s].
+    /// Length of the run (s).
     #[getter]
     fn duration_s(&self) -> f64 {
         self.checked.setup.duration_s

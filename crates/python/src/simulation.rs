@@ -40,7 +40,7 @@ pub(crate) struct Simulation {
     tables: Option<Tables<InMemory>>,
     events: Vec<StepEvent>,
     controls: Py<PyArray1<f64>>,
-    external: Shared,
+    external_wrenches: Shared,
     external_rows: Vec<Wrench>,
     states: Shown,
     wrenches: Shown,
@@ -143,13 +143,13 @@ impl Simulation {
         self.run.simulation.order(read).map_err(|error| errors::of_setup(py, &error))
     }
 
-    /// Time reached [s].
+    /// Time reached (s).
     #[getter]
     fn time_s(&self) -> f64 {
         self.run.simulation.time_s()
     }
 
-    /// Δt [s].
+    /// Δt (s).
     #[getter]
     fn step_s(&self) -> f64 {
         self.run.simulation.setup().step_s
@@ -198,22 +198,22 @@ impl Simulation {
         self.controls.clone_ref(py)
     }
 
-    /// What the host puts on each body, one row a body: force north and east [N], moment about the centre of gravity
-    /// [N·m]. Write into it; it counts until it is changed.
+    /// What the host puts on each body, one row a body: force north and east (N), moment about the centre of gravity
+    /// (N·m). Write into it; it counts until it is changed.
     #[getter]
-    fn external(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
-        self.external.array(py)
+    fn external_wrenches(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
+        self.external_wrenches.array(py)
     }
 
-    /// States now, one row a body: north and east [m], heading [rad], velocity north and east [m/s], rate of turn
-    /// [rad/s]. Read-only, and filled anew by each step. By the coupled method with the integrator `semi_implicit`
+    /// States now, one row a body: north and east (m), heading (rad), velocity north and east (m/s), rate of turn
+    /// (rad/s). Read-only, and filled anew by each step. By the coupled method with the integrator `semi_implicit`
     /// velocities are those of half a step ago (of half of the last sub-step, where contacts needed several).
     #[getter]
     fn states(&self, py: Python<'_>) -> Py<PyAny> {
         self.states.view(py)
     }
 
-    /// Contact wrenches of the last step, one row a body: force north and east [N], moment [N·m]. Read-only, and
+    /// Contact wrenches of the last step, one row a body: force north and east (N), moment (N·m). Read-only, and
     /// filled anew by each step.
     #[getter]
     fn wrenches(&self, py: Python<'_>) -> Py<PyAny> {
@@ -232,7 +232,7 @@ impl Simulation {
         self.events.clone()
     }
 
-    /// The energy ledger now [J].
+    /// The energy ledger now (J).
     #[getter]
     fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let e = self.run.simulation.energy();
@@ -256,7 +256,7 @@ impl Simulation {
         for (name, work_j) in e.loads.parts() {
             dict.set_item(format!("{name}_work_j"), work_j)?;
         }
-        dict.set_item("turned_over_j", e.turned_over_j())?;
+        dict.set_item("exchanged_j", e.exchanged_j())?;
         Ok(dict)
     }
 
@@ -284,7 +284,7 @@ impl Simulation {
     fn save(&self, py: Python<'_>) -> PyResult<SimulationState> {
         self.refuse_recording(py, "saved")?;
         let mut external = self.external_rows.clone();
-        self.external.read(py, |numbers| read_wrenches(numbers, &mut external))??;
+        self.external_wrenches.read(py, |numbers| read_wrenches(numbers, &mut external))??;
         Ok(SimulationState {
             names: Arc::clone(&self.names),
             run: self.run.clone(),
@@ -358,7 +358,7 @@ impl Simulation {
             tables,
             events: Vec::new(),
             controls,
-            external: Shared::zeros(py, count, WRENCH),
+            external_wrenches: Shared::zeros(py, count, WRENCH),
             external_rows: vec![Wrench::default(); count],
             states: Shown::zeros(py, count, &[STATE])?,
             wrenches: Shown::zeros(py, count, &[WRENCH])?,
@@ -379,7 +379,7 @@ impl Simulation {
         }
         let rows = &mut self.external_rows;
         let is_finite = |w: &Wrench| w.force_n.is_finite() && w.moment_nm.is_finite();
-        self.external.read(py, |numbers| read_wrenches(numbers, rows))??;
+        self.external_wrenches.read(py, |numbers| read_wrenches(numbers, rows))??;
         if let Some(body) = rows.iter().position(|wrench| !is_finite(wrench)) {
             let body = &self.names.bodies[body];
             return Err(errors::refused(
@@ -419,7 +419,7 @@ impl Simulation {
             return Err(PyValueError::new_err("the array of controls has another length"));
         }
         values.copy_from_slice(&state.controls);
-        self.external.write(py, |rows| write_wrenches(&state.external, rows))?;
+        self.external_wrenches.write(py, |rows| write_wrenches(&state.external, rows))?;
         self.run = state.run.clone();
         self.events.clone_from(&state.events);
         self.show(py)

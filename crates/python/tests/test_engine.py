@@ -32,7 +32,7 @@ def test_the_engine_moves_the_bodies_as_the_simulation_does() -> None:
 
 
 def test_a_host_that_moves_its_bodies_itself() -> None:
-    engine = Engine(coupled_tug(), host="following", integration="semi_implicit")
+    engine = Engine(coupled_tug(), host="cosimulation", integration="semi_implicit")
     tug = engine.bodies.index("tug")
     mass_kg = TUG_MASS_KG * 1.086
     largest = 0.0
@@ -91,8 +91,8 @@ def test_contacts_are_a_structured_array() -> None:
     assert contacts["depth_m"][0] == pytest.approx(0.5)
     parts = contacts["spring_n"] + contacts["stop_n"] + contacts["damper_n"]
     assert contacts["normal_force_n"] == pytest.approx(parts - contacts["limiter_n"])
-    assert [event.kind for event in engine.events] == ["contact_began", "put_into"]
-    assert engine.events[0].who == ["ship", "tug"]
+    assert [event.kind for event in engine.events] == ["contact_began", "placed_in_overlap"]
+    assert engine.events[0].subjects == ["ship", "tug"]
 
 
 def test_refused_calls_change_nothing() -> None:
@@ -117,8 +117,8 @@ def test_refused_calls_change_nothing() -> None:
     assert engine.save() == saved
 
 
-@pytest.mark.parametrize("host", ["present", "following"])
-def test_a_pause_changes_nothing_and_is_good(host: Literal["present", "following"]) -> None:
+@pytest.mark.parametrize("host", ["direct", "cosimulation"])
+def test_a_pause_changes_nothing_and_is_good(host: Literal["direct", "cosimulation"]) -> None:
     engine = Engine(coupled_tug(), host=host)
     engine.step(0.0)
     assert not engine.wrenches.any()
@@ -128,7 +128,7 @@ def test_a_pause_changes_nothing_and_is_good(host: Literal["present", "following
     wrenches, saved = engine.wrenches.copy(), engine.save()
     engine.step(0.0)
     assert np.array_equal(engine.wrenches, wrenches) and not engine.events
-    if host == "present":
+    if host == "direct":
         assert np.array_equal(engine.states_after, engine.states)
     engine.restore(saved)
     engine.step(0.0)
@@ -140,9 +140,9 @@ def test_a_tug_that_is_put_into_a_ship_is_pressed_out_slowly() -> None:
     engine.states[1, 3:] = 0.0
     engine.step(0.1)
     engine.states[1, 1] = -36.0  # three metres into her side
-    engine.place("tug")
+    engine.mark_teleported("tug")
     engine.step(0.1)
-    assert {"teleported", "put_into"} <= {event.kind for event in engine.events}
+    assert {"teleported", "placed_in_overlap"} <= {event.kind for event in engine.events}
     fastest_mps = 0.0
     for _ in range(600):
         engine.states[:] = engine.states_after
@@ -151,23 +151,23 @@ def test_a_tug_that_is_put_into_a_ship_is_pressed_out_slowly() -> None:
     assert 0.07 < fastest_mps < 0.1
     assert not len(engine.contacts)
     with pytest.raises(EngineError, match="barge"):
-        engine.place("barge")
+        engine.mark_teleported("barge")
 
 
 def test_the_peaks_of_a_step_stand_beside_its_means() -> None:
     engine = Engine(coupled_tug())
-    assert (engine.peaks == 0.0).all()
+    assert (engine.peak_wrenches == 0.0).all()
     engine.states[1, 1] += 1.0
     engine.step(4.0)
-    assert engine.peaks[1, 1] < 3.0 * engine.wrenches[1, 1] < 0.0
-    assert abs(engine.peaks[0, 1] / engine.peaks[1, 1] + 1.0) < 1e-9
-    assert not engine.peaks.flags.writeable
-    saved, peaks = engine.save(), engine.peaks.copy()
+    assert engine.peak_wrenches[1, 1] < 3.0 * engine.wrenches[1, 1] < 0.0
+    assert abs(engine.peak_wrenches[0, 1] / engine.peak_wrenches[1, 1] + 1.0) < 1e-9
+    assert not engine.peak_wrenches.flags.writeable
+    saved, peaks = engine.save(), engine.peak_wrenches.copy()
     other = Engine(coupled_tug())
     other.restore(saved)
-    assert (other.peaks == peaks).all()
+    assert (other.peak_wrenches == peaks).all()
     engine.reset()
-    assert (engine.peaks == 0.0).all()
+    assert (engine.peak_wrenches == 0.0).all()
 
 
 def test_save_restore_and_copy() -> None:
@@ -219,15 +219,15 @@ def test_reset_begins_anew() -> None:
 def test_settings_that_do_not_go_together(scenarios: Path) -> None:
     scenario = fenderline.example("tug_4kn")
     with pytest.raises(EngineError, match="paper"):
-        Engine(scenario, host="following")
+        Engine(scenario, host="cosimulation")
     with pytest.raises(ValueError, match="delay_steps"):
         Engine(scenario, delay_steps=1)
     with pytest.raises(ValueError, match="present, following"):
         Engine(scenario, host="absent")  # type: ignore[arg-type]
     paper = Engine(scenario)
-    assert (paper.method, paper.tells_loads) == ("paper", False)
+    assert (paper.method, paper.uses_loads) == ("paper", False)
     with pytest.raises(EngineError, match="knows no loads"):
-        paper.tells_loads = True
+        paper.uses_loads = True
     with pytest.raises(EngineError, match="states after"):
         paper.states_after  # noqa: B018
     berth = Scenario.load(scenarios / "berth" / "alongside_with_two_tugs.toml")

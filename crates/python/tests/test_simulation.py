@@ -109,7 +109,7 @@ def test_what_cannot_be_set_is_refused(scenarios: Path) -> None:
     with pytest.raises(SimulationError, match=r"ship\.engine must be between -1 and 1"):
         simulation.step()
     simulation.controls[1] = 0.0
-    simulation.external[0, 0] = np.nan
+    simulation.external_wrenches[0, 0] = np.nan
     with pytest.raises(SimulationError, match="external wrench of ship"):
         simulation.step()
     assert simulation.time_s == 0.0
@@ -117,7 +117,7 @@ def test_what_cannot_be_set_is_refused(scenarios: Path) -> None:
 
 def test_external_forces_push(scenarios: Path) -> None:
     one, other = Simulation(berth(scenarios)), Simulation(berth(scenarios))
-    one.external[0] = [1e6, 0.0, 0.0]
+    one.external_wrenches[0] = [1e6, 0.0, 0.0]
     one.step(100)
     other.step(100)
     assert one.states[0, 3] > other.states[0, 3]

@@ -15,9 +15,9 @@ pub fn event_key(kind: EventKind) -> &'static str {
         EventKind::DeepOverlap => "deep_overlap",
         EventKind::Teleported => "teleported",
         EventKind::NotConverged => "not_converged",
-        EventKind::PutInto => "put_into",
-        EventKind::MassDiffers => "mass_differs",
-        EventKind::FenderOverRated(_) => "fender_over_rated",
+        EventKind::PlacedInOverlap => "placed_in_overlap",
+        EventKind::MassMismatch => "mass_mismatch",
+        EventKind::FenderRatingExceeded(_) => "fender_rating_exceeded",
         EventKind::FenderFailed(_) => "fender_failed",
     }
 }

@@ -16,15 +16,29 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod accuracy;
 mod columns;
 mod events;
 mod memory;
+mod outcome;
+mod provider_notices;
+mod summary;
 mod tables;
 mod touched;
+mod verdict;
 mod world_tables;
+mod world_totals;
 
+pub use accuracy::{ACCURACY, EstimateError, accuracy, accuracy_json, source_json};
 pub use columns::{Column, List, Names, Value};
 pub use events::{event_key, world_event_key};
 pub use memory::{InMemory, KeptColumn, KeptTable, KeptValues, NotFinite, TableInMemory};
+pub use outcome::{Interrupted, Outcome, WrittenFile};
+pub use provider_notices::{ProviderNotice, ProviderNotices, provider_event_key};
+pub use summary::{Events, SummaryNotFinite, integrator_text, is_plain, method_text, summary};
 pub use tables::{Medium, Table, Tables};
 pub use touched::{TouchedFender, add_parts, touched};
+pub use verdict::{Verdict, most_used, utilisation, worst_first};
+pub use world_totals::{
+    LineTotals, LineVerdict, TugTotals, VesselTotals, Who, WorldEvents, WorldTotals,
+};

@@ -125,7 +125,7 @@ impl<M: Medium> Tables<M> {
         for (body, (state, wrench)) in step.states.iter().zip(step.wrenches).enumerate() {
             self.bodies.push(&BodyRow::new(t_s, body, state, wrench))?;
         }
-        let mut works = ContactWorks::of(step.books);
+        let mut works = ContactWorks::of(step.contact_energies);
         for contact in step.contacts {
             let work_j = works.take(contact);
             self.contacts.push(&ContactRow { t_s, contact: *contact, work_j })?;

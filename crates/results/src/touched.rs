@@ -8,15 +8,15 @@ use fenderline_contact::{Contact, ForceParts};
 /// One touched fender in one step; hulls and patches that press on it together are one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TouchedFender {
-    /// Deflection at the start of the step [m].
+    /// Deflection at the start of the step (m).
     pub deflection_m: f64,
-    /// Largest deflection within the step [m].
+    /// Largest deflection within the step (m).
     pub peak_deflection_m: f64,
-    /// Mean reaction along its axis over the step [N].
+    /// Mean reaction along its axis over the step (N).
     pub reaction_n: f64,
-    /// Largest reaction along its axis within the step [N].
+    /// Largest reaction along its axis within the step (N).
     pub peak_reaction_n: f64,
-    /// Stored in spring and stop at the start of the step [J].
+    /// Stored in spring and stop at the start of the step (J).
     pub stored_j: f64,
     /// What the mean normal force is made of, along that force.
     pub parts: ForceParts,
@@ -35,7 +35,7 @@ pub fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
         let along_axis = libm::cos(contact.tilt_rad);
         fender.reaction_n += contact.normal_force_n * along_axis;
         fender.peak_reaction_n += contact.peak_normal_force_n * along_axis;
-        fender.stored_j += contact.stored_j;
+        fender.stored_j += contact.energy.stored_j;
         add_parts(&mut fender.parts, &contact.parts);
     }
     fenders

@@ -18,8 +18,8 @@ use fenderline_contact::{Material, Outline, Vec2};
 use fenderline_sim::environment::wind::ShipWindage;
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{
-    BodySetup, BodyVelocity, FenderSetup, Integrator, Load, MassProperties, Method, NamedMaterial,
-    Order, PairSetup, Setup, WorldSetup,
+    BodySetup, BodyVelocity, FenderSetup, Integrator, Load, MassProperties, NamedMaterial, Order,
+    PairSetup, Setup, WorldSetup,
 };
 
 use crate::checked::{Item, Table};
@@ -92,11 +92,11 @@ pub(crate) fn setup(
         step_s,
         duration_s,
         integrator,
-        method: method(file.given("contact").table()),
+        method: file.given("contact").table().given("method").choice(),
         bodies,
         materials,
         pairs: pairs.named,
-        every_other_pair: pairs.every_other,
+        all_other_pairs: pairs.every_other,
         fenders,
         berthing,
         loads,
@@ -113,14 +113,6 @@ pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Chec
     let assembly = Assembly { sources, files: &files, notices: &mut notices };
     let names = Names::new(&setup.bodies, &setup.materials);
     assembly.order(table, &OrderNames::new(setup, &names))
-}
-
-fn method(contact: &Table) -> Method {
-    match contact.given("method").choice() {
-        0 => Method::Coupled,
-        1 => Method::Paper,
-        other => unreachable!("the key table has no method {other}"),
-    }
 }
 
 /// The names that pairs and loads refer to.
@@ -191,13 +183,7 @@ impl Assembly<'_, '_> {
             let error = self.sources.error(&duration.span, "time.duration", message);
             return Err(error.with_help("take a longer step or a shorter run"));
         }
-        let integrator = match time.given("integrator").choice() {
-            0 => Integrator::Euler,
-            1 => Integrator::SemiImplicit,
-            2 => Integrator::Rk4,
-            other => unreachable!("the key table has no integrator {other}"),
-        };
-        Ok((step_s, duration_s, integrator))
+        Ok((step_s, duration_s, time.given("integrator").choice()))
     }
 
     fn materials(&mut self, materials: &[(String, Table)]) -> Checked<Vec<NamedMaterial>> {

@@ -34,7 +34,7 @@ pub enum FileFault {
     NotRegular(&'static str),
     /// It is larger than the caller reads.
     TooLarge {
-        /// The size up to which it is read [bytes].
+        /// The size up to which it is read (bytes).
         largest_bytes: u64,
     },
     /// It is no UTF-8 text.

@@ -4,6 +4,7 @@
 
 use fenderline_contact::Vec2;
 
+use crate::choices::Word;
 use crate::key_path;
 use crate::sources::Span;
 use crate::spec::TableSpec;
@@ -38,8 +39,7 @@ pub(crate) enum Value {
     Text(String),
     Texts(Vec<String>),
     Flag(bool),
-    /// Index into the spec's words.
-    Choice(usize),
+    Choice(Word),
     /// In SI.
     Number(f64),
     /// In SI.
@@ -83,6 +83,24 @@ impl Table {
     }
 }
 
+impl Item {
+    /// The word of a key of the kind Choice.
+    pub(crate) fn word(&self) -> &'static str {
+        match &self.value {
+            Value::Choice(word) => word.word,
+            other => unreachable!("{} holds {other:?}", self.name),
+        }
+    }
+
+    /// What the word of a key of the kind Choice stands for.
+    pub(crate) fn choice<T: Copy + 'static>(&self) -> T {
+        match &self.value {
+            Value::Choice(word) => word.value(),
+            other => unreachable!("{} holds {other:?}", self.name),
+        }
+    }
+}
+
 macro_rules! getters {
     ($($method:ident: $variant:ident -> $type:ty;)*) => {
         impl Item {
@@ -103,7 +121,6 @@ getters! {
     text: Text -> str;
     texts: Texts -> [String];
     flag: Flag -> bool;
-    choice: Choice -> usize;
     number: Number -> f64;
     vector: Vector -> Vec2;
     outline: Outline -> [Vec2];

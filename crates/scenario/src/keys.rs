@@ -8,18 +8,22 @@ mod environment;
 mod fender;
 pub(crate) mod order;
 mod provider;
+mod standing;
 mod vessel;
 pub(crate) mod windage;
 mod world;
 
+use fenderline_sim::{Integrator, Method};
 use serde_json::json;
 
+use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 // What vessel files share with scenarios.
 pub(crate) use azimuth::AZIMUTH;
+pub(crate) use standing::STANDINGS;
 pub(crate) use vessel::{STABILITY, THRUSTER};
 pub(crate) use windage::WINDAGE;
 pub(crate) use world::{LENGTH as LENGTH_M, PLACE as FORWARD_M, key};
@@ -184,14 +188,19 @@ static TIME: TableSpec = TableSpec {
     rules: None,
 };
 
-/// In the order that [`crate::assemble`] relies on.
-static INTEGRATORS: Choices = Choices {
-    words: &[
-        ("euler", "forward Euler, as in the paper: positions with the old velocities"),
-        ("semi_implicit", "velocities first, then positions with the new velocities"),
-        ("rk4", "classical fourth-order Runge-Kutta"),
-    ],
-};
+static INTEGRATORS: Choices<Integrator> = Choices(&[
+    Choice {
+        word: "euler",
+        value: Integrator::Euler,
+        doc: "forward Euler, as in the paper: positions with the old velocities",
+    },
+    Choice {
+        word: "semi_implicit",
+        value: Integrator::SemiImplicit,
+        doc: "velocities first, then positions with the new velocities",
+    },
+    Choice { word: "rk4", value: Integrator::Rk4, doc: "classical fourth-order Runge-Kutta" },
+]);
 
 static CONTACT: TableSpec = TableSpec {
     what: "a contact table",
@@ -206,13 +215,18 @@ static CONTACT: TableSpec = TableSpec {
     rules: None,
 };
 
-/// In the order that [`crate::assemble`] relies on.
-static METHODS: Choices = Choices {
-    words: &[
-        ("coupled", "one solve for all contacts of a step with the loads in it, and sub-steps"),
-        ("paper", "the paper's impulse-momentum limiter, each pair by itself"),
-    ],
-};
+static METHODS: Choices<Method> = Choices(&[
+    Choice {
+        word: "coupled",
+        value: Method::Coupled,
+        doc: "one solve for all contacts of a step with the loads in it, and sub-steps",
+    },
+    Choice {
+        word: "paper",
+        value: Method::Paper,
+        doc: "the paper's impulse-momentum limiter, each pair by itself",
+    },
+]);
 
 static MATERIAL: TableSpec = TableSpec {
     what: "a material",

@@ -57,6 +57,7 @@
 mod assemble;
 mod bounded_file;
 mod checked;
+mod choices;
 mod csv;
 mod error;
 mod files;

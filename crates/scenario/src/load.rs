@@ -8,7 +8,7 @@ use crate::error::ScenarioError;
 use crate::overrides::Override;
 use crate::scenario::Scenario;
 
-/// Files above this size are not read [bytes].
+/// Files above this size are not read (bytes).
 const LARGEST_FILE: u64 = 16 << 20;
 
 /// A scenario that could not be had from the disk.

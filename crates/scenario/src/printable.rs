@@ -3,7 +3,7 @@
 use core::fmt::Write as _;
 use std::borrow::Cow;
 
-use fenderline_contact::Shown;
+use fenderline_contact::DisplayNumber;
 
 /// What stands for a character that is not shown.
 const REPLACED: char = '\u{FFFD}';
@@ -51,7 +51,7 @@ pub fn escaped_json(text: &str) -> Cow<'_, str> {
 /// A number in the shortest form that reads back to it, by powers of ten where its digits would run away.
 #[must_use]
 pub fn printable_number(value: f64) -> String {
-    Shown(value).to_string()
+    DisplayNumber(value).to_string()
 }
 
 /// One character as it is printed in a snippet of a file: a tab is a space there, so that marks stay below what

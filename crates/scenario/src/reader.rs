@@ -6,10 +6,11 @@ use toml::Spanned;
 use toml::de::{DeArray, DeString, DeTable, DeValue};
 
 use crate::checked::{Item, Table, Value};
+use crate::choices::{AnyChoices, Word};
 use crate::error::ScenarioError;
 use crate::key_path;
 use crate::sources::{Sources, Span, quoted};
-use crate::spec::{Absent, Choices, CurveSpec, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{Absent, CurveSpec, KeySpec, Kind, Quantity, TableSpec};
 use crate::suggest::nearest;
 use crate::units;
 
@@ -83,7 +84,7 @@ fn read_value(sources: &Sources<'_>, key: &KeySpec, path: &str, node: &Node<'_>)
     match &key.kind {
         Kind::Text | Kind::FileName => text(sources, path, node).map(Value::Text),
         Kind::Flag => flag(sources, path, node).map(Value::Flag),
-        Kind::Choice(choices) => choice(sources, choices, path, node).map(Value::Choice),
+        Kind::Choice(choices) => choice(sources, *choices, path, node).map(Value::Choice),
         Kind::Quantity(quantity) => number(sources, quantity, path, node).map(Value::Number),
         Kind::Vector(quantity) => {
             vector(sources, quantity, path, node, ["north", "east"]).map(Value::Vector)
@@ -202,20 +203,24 @@ fn flag(sources: &Sources<'_>, path: &str, node: &Node<'_>) -> Read<bool> {
     }
 }
 
-fn choice(sources: &Sources<'_>, choices: &Choices, path: &str, node: &Node<'_>) -> Read<usize> {
-    let words = || choices.words.iter().map(|(word, _)| *word);
-    let all = words().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
+fn choice(
+    sources: &Sources<'_>,
+    choices: &'static dyn AnyChoices,
+    path: &str,
+    node: &Node<'_>,
+) -> Read<Word> {
+    let words = choices.words();
+    let all = words.iter().map(|word| format!("\"{}\"", word.word)).collect::<Vec<_>>().join(", ");
     let DeValue::String(text) = node.get_ref() else {
         return Err(wrong_type(sources, &format!("one of {all}"), path, node));
     };
-    if let Some(index) = words().position(|word| word == text) {
-        return Ok(index);
+    if let Some(word) = words.iter().find(|word| word.word == text) {
+        return Ok(*word);
     }
     let message = format!("`{path}` is {all}, not {}", quoted(text));
-    let message =
-        if choices.words.len() > 1 { message.replacen("is ", "is one of ", 1) } else { message };
+    let message = if words.len() > 1 { message.replacen("is ", "is one of ", 1) } else { message };
     let error = sources.error(&node.span(), path, message);
-    Err(match nearest(text, words()) {
+    Err(match nearest(text, words.iter().map(|word| word.word)) {
         Some(word) => error.with_help(format!("did you mean \"{word}\"?")),
         None => error,
     })

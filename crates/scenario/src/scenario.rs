@@ -25,7 +25,7 @@ pub struct Scenario {
     pub notices: Vec<Notice>,
 }
 
-/// What all files together may have that a scenario names [bytes].
+/// What all files together may have that a scenario names (bytes).
 const LARGEST_TOTAL: usize = 256 << 20;
 
 impl Scenario {

@@ -3,9 +3,10 @@
 use serde_json::{Map, Value as Json, json};
 use toml::de::DeValue;
 
+use crate::choices::{AnyChoices, Word};
 use crate::keys::SCENARIO;
 use crate::library::FENDER_FILE;
-use crate::spec::{Absent, Choices, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{Absent, KeySpec, Kind, Quantity, TableSpec};
 use crate::vessels::VESSEL_FILE;
 
 /// A number and a unit, roughly: the reader checks the unit itself.
@@ -103,7 +104,7 @@ fn kind(kind: &Kind) -> Map<String, Json> {
     match kind {
         Kind::Text | Kind::FileName | Kind::MaterialName | Kind::BodyName => object(name()),
         Kind::Flag => object(json!({ "type": "boolean" })),
-        Kind::Choice(choices) => choice(choices),
+        Kind::Choice(choices) => choice(*choices),
         Kind::Quantity(value) => quantity(value),
         Kind::Vector(value) | Kind::Point(value) => object(two(&Json::Object(quantity(value)))),
         Kind::Texts => object(json!({ "type": "array", "items": name() })),
@@ -129,13 +130,13 @@ fn kind(kind: &Kind) -> Map<String, Json> {
     }
 }
 
-fn choice(choices: &Choices) -> Map<String, Json> {
-    let words: Vec<Json> = choices
-        .words
+fn choice(choices: &'static dyn AnyChoices) -> Map<String, Json> {
+    let words = choices.words();
+    let all: Vec<&str> = words.iter().map(|word| word.word).collect();
+    let words: Vec<Json> = words
         .iter()
-        .map(|(word, meaning)| json!({ "const": word, "description": meaning }))
+        .map(|Word { word, doc, .. }| json!({ "const": word, "description": doc }))
         .collect();
-    let all: Vec<&str> = choices.words.iter().map(|(word, _)| *word).collect();
     object(json!({ "type": "string", "enum": all, "oneOf": words }))
 }
 

@@ -3,6 +3,7 @@
 
 use serde_json::Value as Json;
 
+use crate::choices::AnyChoices;
 use crate::units::Measure;
 
 /// A table of keys.
@@ -60,7 +61,7 @@ pub(crate) enum Kind {
     /// `true` or `false`.
     Flag,
     /// One of several words.
-    Choice(&'static Choices),
+    Choice(&'static dyn AnyChoices),
     /// A number with a unit.
     Quantity(Quantity),
     /// Two of the same kind: north and east.
@@ -110,11 +111,4 @@ pub(crate) struct CurveSpec {
     pub(crate) to: (&'static str, Quantity),
     /// The least number of rows.
     pub(crate) fewest: usize,
-}
-
-/// The words that a key may hold.
-#[derive(Debug)]
-pub(crate) struct Choices {
-    /// Word and meaning of each.
-    pub(crate) words: &'static [(&'static str, &'static str)],
 }

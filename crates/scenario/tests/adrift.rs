@@ -7,11 +7,11 @@ use fenderline_sim::Simulation;
 
 /// What became of a ship of 130 m adrift for two hours in a sea of Hs 2 m.
 struct Adrift {
-    /// Her wave force at the start, forward and to starboard [N].
+    /// Her wave force at the start, forward and to starboard (N).
     first_n: [f64; 2],
-    /// Her greatest speed over the ground while her bow was within 5° of the waves [m/s]; 0 where it never was.
+    /// Her greatest speed over the ground while her bow was within 5° of the waves (m/s); 0 where it never was.
     bow_on_mps: f64,
-    /// Her speed over the ground at the end [m/s], and the wave force there [N].
+    /// Her speed over the ground at the end (m/s), and the wave force there (N).
     last_mps: f64,
     last_n: f64,
 }
@@ -79,7 +79,7 @@ fn a_ship_adrift_in_a_head_sea_of_two_metres_goes_slowly_astern() {
     }
 }
 
-/// ρg Hs²/16 · L: all waves turned back, on all of her length [N].
+/// ρg Hs²/16 · L: all waves turned back, on all of her length (N).
 const ALL_TURNED_BACK_N: f64 = 1025.0 * 9.806_65 * 4.0 / 16.0 * 130.0;
 
 /// Abeam it is up to 0.69 m/s in long crests, 0.64 m/s in the short ones of a sea under wind.

@@ -198,7 +198,7 @@ fn a_ship_adrift_goes_with_a_stream_as_it_sets_in() {
     let mut simulation = Simulation::new(setup).expect("a good set-up");
     while !simulation.is_done() {
         simulation.step().expect("a good step");
-        let (state, t_s) = (simulation.states()[0], simulation.velocities_t_s());
+        let (state, t_s) = (simulation.states()[0], simulation.velocity_time_s());
         let behind = state.velocity_mps - current.velocity(state.position_m, t_s, 9.0);
         assert!(behind.length() < 1e-9 && state.yaw_rate_radps.abs() < 1e-12, "{t_s}: {state:?}");
     }

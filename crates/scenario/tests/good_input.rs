@@ -57,7 +57,7 @@ fn defaults_and_file_order() {
     let names: Vec<_> = setup.materials.iter().map(|material| material.name.as_str()).collect();
     assert_eq!(names, ["soft", "hard"]);
     assert_eq!(setup.pairs, [PairSetup { bodies: [1, 0], material: 0 }]);
-    assert_eq!(setup.every_other_pair, Some(1));
+    assert_eq!(setup.all_other_pairs, Some(1));
     assert_eq!(setup.loads, []);
 
     let tug = &setup.bodies[0];

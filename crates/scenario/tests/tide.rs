@@ -145,7 +145,7 @@ fn a_falling_tide_sets_her_on_the_bottom_and_takes_her_off_again() {
     assert!(coarse_n < 20e3 && fine_n < 0.4 * coarse_n, "{coarse_n} {fine_n}");
 }
 
-/// The largest change of what water and bottom do to her from one step to the next [N].
+/// The largest change of what water and bottom do to her from one step to the next (N).
 fn adrift_in_a_falling_tide(step_s: f64) -> f64 {
     let mut simulation = simulation(
         &[

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use boon::{Compiler, Schemas};
 use fenderline_contact::vec2;
 use fenderline_scenario::{Scenario, Standing, VesselData, VesselLibrary, vessel_schema};
-use fenderline_sim::hydro::{HELD_AGAINST_SHIPS, Polynomial};
+use fenderline_sim::hydro::{Polynomial, VALIDATED_RATIOS};
 use fenderline_sim::{LineEnd, Simulation};
 use serde_json::{Value as Json, json};
 use toml::de::{DeTable, DeValue};
@@ -315,7 +315,7 @@ fn the_examples_of_the_guide_to_vessels_are_good() {
         simulation.step().expect("a good step");
     }
     // The table of the range is the program's.
-    for (ratio, [low, high]) in HELD_AGAINST_SHIPS {
+    for (ratio, [low, high]) in VALIDATED_RATIOS {
         let name = ratio.name().replace('_', " ").replace("length bp", "length");
         let row = format!("| {name} | {low} to {high} |");
         assert!(guide.contains(&row), "{row}");

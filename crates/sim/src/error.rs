@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use fenderline_contact::{ModelError, Shown, StepError};
+use fenderline_contact::{DisplayNumber, ModelError, StepError};
 
 use crate::berthing::BerthingError;
 use crate::environment::EnvironmentError;
@@ -63,7 +63,9 @@ impl fmt::Display for SetupError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SetupError::Model(error) => error.fmt(f),
-            SetupError::OutOfRange { field, value } => write!(f, "{field} is {}", Shown(*value)),
+            SetupError::OutOfRange { field, value } => {
+                write!(f, "{field} is {}", DisplayNumber(*value))
+            }
             SetupError::DuplicateName { what, name } => {
                 write!(f, "two {what} are named `{name}`")
             }
@@ -93,7 +95,7 @@ impl From<ModelError> for SetupError {
 /// A step that failed; the simulation is where it was before it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SimError {
-    /// Start of the step [s].
+    /// Start of the step (s).
     pub t_s: f64,
     /// Why.
     pub cause: StepError,

@@ -10,18 +10,18 @@ pub struct FenderSetup {
     pub name: String,
     /// Index of the body that carries it, in [`crate::Setup::bodies`].
     pub body: usize,
-    /// Middle of the line where it is mounted, in the body's frame [m].
+    /// Middle of the line where it is mounted, in the body's frame (m).
     pub position_m: Vec2,
-    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard [rad].
+    /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Width of its face along the berth [m].
+    /// Width of its face along the berth (m).
     pub width_m: f64,
-    /// Height of its face [m]; with the width the area that presses on the hull.
+    /// Height of its face (m); with the width the area that presses on the hull.
     pub height_m: f64,
-    /// Middle of its face above the still waterline [m], above datum where its body is fixed: where its force
+    /// Middle of its face above the still waterline (m), above datum where its body is fixed: where its force
     /// heels a vessel.
     pub above_water_m: f64,
-    /// From the mounting to the face, uncompressed [m].
+    /// From the mounting to the face, uncompressed (m).
     pub projection_m: f64,
     /// Reaction from deflection.
     pub law: FenderLaw,
@@ -35,19 +35,19 @@ pub struct FenderSetup {
     pub stop: Option<Stop>,
     /// Corrections of its reaction.
     pub factors: ReactionFactors,
-    /// Points (angle between face and hull [rad], factor on the energy that it can take): catalogues
+    /// Points (angle between face and hull (rad), factor on the energy that it can take): catalogues
     /// give another factor for the energy than for the reaction. Empty: that of the reaction.
     pub energy_by_angle: Vec<[f64; 2]>,
     /// How it presses on the hull.
     pub hull_pressure: HullPressure,
-    /// The pressure that the hull takes [N/m²].
+    /// The pressure that the hull takes (N/m²).
     pub hull_pressure_limit_npm2: Option<f64>,
     /// Where its data come from.
     pub source: Option<FenderSource>,
 }
 
 impl FenderSetup {
-    /// Pressure on the hull [N/m²] at a deflection [m] and a reaction [N]; `None` where nobody said how
+    /// Pressure on the hull (N/m²) at a deflection (m) and a reaction (N); `None` where nobody said how
     /// it presses.
     #[must_use]
     pub fn hull_pressure_npm2(&self, deflection_m: f64, reaction_n: f64) -> Option<f64> {
@@ -71,11 +71,11 @@ pub enum HullPressure {
     /// pressure at no deflection to the one at the rated deflection, and on beyond it. A gas that is pressed
     /// together rises ever faster, so the line is on the safe side up to the rated deflection, and not beyond.
     Inner {
-        /// At no deflection [N/m²].
+        /// At no deflection (N/m²).
         initial_npm2: f64,
-        /// At the rated deflection [N/m²].
+        /// At the rated deflection (N/m²).
         rated_npm2: f64,
-        /// Rated deflection [m].
+        /// Rated deflection (m).
         rated_deflection_m: f64,
     },
     /// Without a panel, and nobody said how hard.
@@ -85,11 +85,11 @@ pub enum HullPressure {
 /// A fender's rated performance, without corrections.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rated {
-    /// Deflection [m].
+    /// Deflection (m).
     pub deflection_m: f64,
-    /// Largest reaction up to the rated deflection [N].
+    /// Largest reaction up to the rated deflection (N).
     pub reaction_n: f64,
-    /// ∫ R dδ up to the rated deflection [J].
+    /// ∫ R dδ up to the rated deflection (J).
     pub energy_j: f64,
 }
 
@@ -120,28 +120,28 @@ pub struct FenderSource {
 pub struct FenderSummary {
     /// Index into [`crate::Setup::fenders`].
     pub fender: usize,
-    /// Start of the first step in which it was touched [s].
+    /// Start of the first step in which it was touched (s).
     pub first_touch_s: f64,
-    /// V_n in that step [m/s], positive approaching.
+    /// V_n in that step (m/s), positive approaching.
     pub approach_speed_mps: f64,
-    /// Angle between face and hull in that step [rad].
+    /// Angle between face and hull in that step (rad).
     pub approach_angle_rad: f64,
     /// The factor on its reaction at first touch: temperature, tolerance, speed and angle.
     pub factor: f64,
-    /// Largest deflection [m], and when [s].
+    /// Largest deflection (m), and when (s).
     pub peak_deflection_m: f64,
-    /// Start of the step of the largest deflection [s].
+    /// Start of the step of the largest deflection (s).
     pub peak_deflection_at_s: f64,
-    /// Largest reaction along its axis [N].
+    /// Largest reaction along its axis (N).
     pub peak_reaction_n: f64,
-    /// Start of the step of the largest reaction [s]; a fender that buckles has it before its largest
+    /// Start of the step of the largest reaction (s); a fender that buckles has it before its largest
     /// deflection.
     pub peak_reaction_at_s: f64,
-    /// Largest energy at a time that its loading curve takes to where it is [J], which catalogues rate.
+    /// Largest energy at a time that its loading curve takes to where it is (J), which catalogues rate.
     pub peak_energy_j: f64,
-    /// Largest pressure on the hull [N/m²], by [`FenderSetup::hull_pressure_npm2`].
+    /// Largest pressure on the hull (N/m²), by [`FenderSetup::hull_pressure_npm2`].
     pub peak_hull_pressure_npm2: Option<f64>,
-    /// Energy that it can take with its factors [J].
+    /// Energy that it can take with its factors (J).
     pub capacity_j: Option<f64>,
     /// Peak energy over that.
     pub share_of_rated_energy: Option<f64>,
@@ -153,9 +153,9 @@ pub struct FenderSummary {
     pub share_of_hull_pressure: Option<f64>,
     /// True where it was deflected beyond its stop, or beyond its projection.
     pub failed: bool,
-    /// Deflection and reaction in the last step; 0 where it is not touched then [m, N].
+    /// Deflection and reaction in the last step; 0 where it is not touched then (m, N).
     pub last_deflection_m: f64,
-    /// Reaction in the last step [N].
+    /// Reaction in the last step (N).
     pub last_reaction_n: f64,
 }
 
@@ -192,7 +192,7 @@ impl FenderSummaries {
             // Two hulls on one fender press together; of a tilted hull's force the fender's reaction is the
             // part along its axis.
             *reaction_n += contact.peak_normal_force_n * libm::cos(contact.tilt_rad);
-            *energy_j += contact.peak_loaded_j;
+            *energy_j += contact.energy.peak_absorbed_j;
             book_contact(summary, setup, contact, t_s);
             book_peaks(summary, setup, *reaction_n, *energy_j, t_s);
         }

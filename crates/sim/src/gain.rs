@@ -3,18 +3,18 @@
 use core::fmt;
 
 /// The least share of the energy that came into contacts that is told when contacts gave it on top.
-pub(crate) const TOLD_GAIN: f64 = 0.01;
+pub(crate) const REPORTED_GAIN: f64 = 0.01;
 
 /// What contacts gave the bodies more than they took from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gain {
-    /// Given on top [J].
+pub struct EnergyGain {
+    /// Given on top (J).
     pub gained_j: f64,
-    /// What came into contacts in the run [J].
+    /// What came into contacts in the run (J).
     pub taken_j: f64,
 }
 
-impl fmt::Display for Gain {
+impl fmt::Display for EnergyGain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let percent = 100.0 * self.gained_j / self.taken_j;
         write!(

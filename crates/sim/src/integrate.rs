@@ -14,7 +14,7 @@ pub(crate) struct Rate {
 }
 
 impl Rate {
-    /// Velocities that the step moves the body with [m/s, rad/s].
+    /// Velocities that the step moves the body with (m/s, rad/s).
     pub(crate) fn motion(&self) -> (Vec2, f64) {
         (self.velocity_mps, self.yaw_rate_radps)
     }

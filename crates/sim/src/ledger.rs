@@ -1,9 +1,9 @@
 //! The energy ledger: where every joule of a step came from.
 
 use fenderline_contact::number::greater;
-use fenderline_contact::{BodyState, Contact, ContactWork, Motion, Vec2, Wrench};
+use fenderline_contact::{BodyState, Contact, ContactWork, Displacement, Vec2, Wrench};
 
-use crate::record::{ContactBook, Energy, LoadWorks};
+use crate::record::{ContactEnergy, Energy, LoadWork};
 use crate::rigid_body::Inertia;
 
 /// Mean of the velocities before and after a step. A constant force times it is exactly the change
@@ -28,10 +28,10 @@ impl MeanVelocity {
     }
 
     /// That of the engine's motion, sub-steps included.
-    pub(crate) fn over(motion: &Motion, step_s: f64) -> MeanVelocity {
+    pub(crate) fn over(motion: &Displacement, step_s: f64) -> MeanVelocity {
         MeanVelocity {
-            velocity_mps: motion.way_m * (1.0 / step_s),
-            yaw_rate_radps: motion.turn_rad / step_s,
+            velocity_mps: motion.translation_m * (1.0 / step_s),
+            yaw_rate_radps: motion.rotation_rad / step_s,
         }
     }
 
@@ -49,18 +49,18 @@ impl MeanVelocity {
 pub(crate) enum WorkBy {
     /// The engine moved the bodies, and knows impulse and work of each of its sub-steps.
     Engine,
-    /// The mean forces act along the host's motion for a time [s].
+    /// The mean forces act along the host's motion for a time (s).
     Motion(f64),
 }
 
 /// One book a contact, from step to step.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Books {
+pub(crate) struct ContactTotals {
     /// By bodies and fender, as contacts come; those that let go stay for one step.
-    pub(crate) all: Vec<ContactBook>,
+    pub(crate) all: Vec<ContactEnergy>,
     /// For each book: is the contact there in this step, and its fender's stored energy at the start.
     seen: Vec<Seen>,
-    /// What contacts that are over gave more than they took [J].
+    /// What contacts that are over gave more than they took (J).
     gained_j: f64,
     is_under_way: bool,
 }
@@ -74,7 +74,7 @@ struct Seen {
     hysteresis_at_start_j: f64,
 }
 
-impl Books {
+impl ContactTotals {
     /// Opens a step: nothing has happened yet, and contacts that had let go are forgotten.
     pub(crate) fn open(&mut self, contacts: &[Contact]) {
         let mut index = 0;
@@ -90,22 +90,22 @@ impl Books {
         self.seen.clear();
         self.seen.resize(self.all.len(), Seen::default());
         for book in &mut self.all {
-            *book = ContactBook {
+            *book = ContactEnergy {
                 bodies: book.bodies,
                 fender: book.fender,
                 since_began_j: book.since_began_j,
                 stored_j: book.stored_j,
                 shear_stored_j: book.shear_stored_j,
-                ..ContactBook::default()
+                ..ContactEnergy::default()
             };
         }
         for contact in contacts {
             let index = self.index_of(contact);
             let seen = &mut self.seen[index];
             seen.now = true;
-            seen.stored_j += contact.stored_j;
-            seen.hysteresis_at_start_j += contact.hysteresis_at_start_j;
-            seen.shear_stored_j += contact.shear_stored_j;
+            seen.stored_j += contact.energy.stored_j;
+            seen.hysteresis_at_start_j += contact.energy.hysteresis_at_start_j;
+            seen.shear_stored_j += contact.energy.shear_stored_j;
         }
         // The books of contacts that go on against the fenders' potentials; those of contacts that are
         // no more are closed.
@@ -126,7 +126,7 @@ impl Books {
     pub(crate) fn add(&mut self, contacts: &[Contact], mean: &[MeanVelocity], by: WorkBy) {
         for contact in contacts {
             let (work, impulse_ns) = match by {
-                WorkBy::Engine => (contact.work, contact.normal_impulse_ns),
+                WorkBy::Engine => (contact.work, contact.impulse.normal_ns),
                 WorkBy::Motion(seconds) => {
                     (work_along(contact, mean, seconds), contact.normal_force_n * seconds)
                 }
@@ -136,7 +136,7 @@ impl Books {
             book.normal_impulse_ns += impulse_ns;
             book.normal_j += work.normal_j;
             book.tangential_j += work.tangential_j;
-            let hysteresis_j = contact.hysteresis_j - contact.hysteresis_at_start_j;
+            let hysteresis_j = contact.energy.hysteresis_j - contact.energy.hysteresis_at_start_j;
             book.hysteresis_j += hysteresis_j;
             book.damping_j -= work.damper_j;
             book.restitution_j += work.limiter_j;
@@ -154,7 +154,7 @@ impl Books {
         self.is_under_way = true;
     }
 
-    /// What contacts have given more than they took, those that go on included [J].
+    /// What contacts have given more than they took, those that go on included (J).
     fn gained_j(&self) -> f64 {
         self.all.iter().fold(self.gained_j, |sum_j, book| sum_j + greater(book.since_began_j, 0.0))
     }
@@ -162,11 +162,16 @@ impl Books {
     fn index_of(&mut self, contact: &Contact) -> usize {
         let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
         let fender = contact.fender.map(|id| id.0 as usize);
-        let same = |b: &ContactBook| b.bodies == bodies && b.fender == fender;
+        let same = |b: &ContactEnergy| b.bodies == bodies && b.fender == fender;
         self.all.iter().position(same).unwrap_or_else(|| {
             // Who is in contact at the start may have been put there with energy stored.
             let since_began_j = if self.is_under_way { 0.0 } else { f64::NEG_INFINITY };
-            self.all.push(ContactBook { bodies, fender, since_began_j, ..ContactBook::default() });
+            self.all.push(ContactEnergy {
+                bodies,
+                fender,
+                since_began_j,
+                ..ContactEnergy::default()
+            });
             self.seen.push(Seen { now: true, ..Seen::default() });
             self.all.len() - 1
         })
@@ -203,8 +208,8 @@ impl Ledger {
         Ledger { start_j: kinetic_j, energy: Energy { kinetic_j, ..Energy::default() } }
     }
 
-    /// Books one step.
-    pub(crate) fn book(&mut self, moved: Moved<'_>, loads: &LoadWorks, books: &Books) {
+    /// ContactTotals one step.
+    pub(crate) fn book(&mut self, moved: Moved<'_>, loads: &LoadWork, books: &ContactTotals) {
         let energy = &mut self.energy;
         energy.kinetic_j = kinetic_j(moved);
         energy.loads.add(loads);

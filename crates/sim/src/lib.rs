@@ -36,7 +36,7 @@
 //!         },
 //!     }],
 //!     pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
-//!     every_other_pair: None,
+//!     all_other_pairs: None,
 //!     fenders: vec![],
 //!     berthing: None,
 //!     loads: vec![],
@@ -82,10 +82,10 @@ mod world;
 
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, HullPressure, Rated};
-pub use gain::Gain;
+pub use gain::EnergyGain;
 pub use order::{Action, LineAction, Order, OrderError, OrderName, Station, VesselAction};
 pub use range::OutOfRange;
-pub use record::{ContactBook, Energy, LoadWorks, StepRecord};
+pub use record::{ContactEnergy, Energy, LoadWork, StepRecord};
 pub use setup::{
     BodySetup, BodyVelocity, Integrator, Load, MassProperties, Method, NamedMaterial, PairSetup,
     Setup,

@@ -5,7 +5,7 @@ use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 use crate::fixed_order::SumOrder;
 use crate::hydro::Force;
 use crate::ledger::MeanVelocity;
-use crate::record::LoadWorks;
+use crate::record::LoadWork;
 use crate::rigid_body::Inertia;
 use crate::world::{Carried, Mooring, TugAtWork, VesselForces, WorldSetup};
 
@@ -29,8 +29,8 @@ pub(crate) struct LoadedStep<'a> {
 
 impl LoadedStep<'_> {
     /// Force times way over the ground, load by load.
-    pub(crate) fn works(&self) -> LoadWorks {
-        let mut works = LoadWorks::default();
+    pub(crate) fn works(&self) -> LoadWork {
+        let mut works = LoadWork::default();
         for &body in self.order.bodies.iter().filter(|&&body| !self.inertias[body].fixed) {
             works.other_j += self.mean[body].power_w(&self.others[body]) * self.step_s;
         }
@@ -48,7 +48,7 @@ impl LoadedStep<'_> {
         works
     }
 
-    fn vessel(&self, index: usize, body: usize, works: &mut LoadWorks) {
+    fn vessel(&self, index: usize, body: usize, works: &mut LoadWork) {
         let (forces, carried) = (&self.forces[index], &self.carried[index]);
         // Munk's moment and the centripetal terms stand in a hull's coefficients; here they are taken out again, as
         // they belong to the momentum that turns with her.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use fenderline_contact::Shown;
+use fenderline_contact::DisplayNumber;
 
 /// A quantity that is not a number within its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct OutOfRange {
 impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let OutOfRange { quantity, value, low, high } = self;
-        let [low, high, value] = [*low, *high, *value].map(Shown);
+        let [low, high, value] = [*low, *high, *value].map(DisplayNumber);
         write!(f, "{quantity} must be between {low} and {high}, but is {value}")
     }
 }

@@ -9,7 +9,7 @@ use crate::world::{Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};
 pub struct StepRecord<'a> {
     /// Number of the step, from 0.
     pub index: u64,
-    /// Start of the step [s].
+    /// Start of the step (s).
     pub t_s: f64,
     /// States at the start of the step, one a body, in the order of the set-up.
     pub states: &'a [BodyState],
@@ -19,7 +19,7 @@ pub struct StepRecord<'a> {
     pub contacts: &'a [Contact],
     /// What contact did in this step, one entry a fender and its hull or a pair of outlines; also for
     /// those that touched in the last step and have just let go.
-    pub books: &'a [ContactBook],
+    pub contact_energies: &'a [ContactEnergy],
     /// Sum of contact forces on each body at the start of the step, one a body.
     pub wrenches: &'a [Wrench],
     /// Events of this step.
@@ -45,43 +45,43 @@ pub struct StepRecord<'a> {
 /// restitution_j`, and what they lose to the tangential force two: `-tangential_j = Δshear_stored +
 /// friction_j`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ContactBook {
+pub struct ContactEnergy {
     /// Indices of the bodies in the set-up, the smaller first.
     pub bodies: [usize; 2],
     /// Index of the fender in the set-up; `None`: outline on outline.
     pub fender: Option<usize>,
-    /// ∫ N dt [N·s].
+    /// ∫ N dt (N·s).
     pub normal_impulse_ns: f64,
-    /// Work of the normal force on the two bodies [J]: negative while it takes energy.
+    /// Work of the normal force on the two bodies (J): negative while it takes energy.
     pub normal_j: f64,
-    /// Work of the tangential force on the two bodies [J].
+    /// Work of the tangential force on the two bodies (J).
     pub tangential_j: f64,
-    /// Work of both on the two bodies since the contact began [J]: positive where it has given them more than it took;
+    /// Work of both on the two bodies since the contact began (J): positive where it has given them more than it took;
     /// −∞ for a contact that was there at the start, with who knows how much stored.
     pub since_began_j: f64,
-    /// Stored in spring and stop at the end of the step, and to be had back [J].
+    /// Stored in spring and stop at the end of the step, and to be had back (J).
     pub stored_j: f64,
-    /// Stored in the shear spring at the end of the step [J].
+    /// Stored in the shear spring at the end of the step (J).
     pub shear_stored_j: f64,
-    /// Turned into heat by a fender's unloading law [J].
+    /// Turned into heat by a fender's unloading law (J).
     pub hysteresis_j: f64,
-    /// Turned into heat by damping [J].
+    /// Turned into heat by damping (J).
     pub damping_j: f64,
-    /// What the springs gave back and the limiter kept from the bodies [J].
+    /// What the springs gave back and the limiter kept from the bodies (J).
     pub restitution_j: f64,
-    /// Turned into heat by friction, and by the implicit shear spring [J].
+    /// Turned into heat by friction, and by the implicit shear spring (J).
     pub friction_j: f64,
     /// What was stored and is not: the spring's book at the end of a contact, and for a fender at each
-    /// step what differs from its potential [J]. With a fender it is the time step's, and falls with
+    /// step what differs from its potential (J). With a fender it is the time step's, and falls with
     /// it; between outlines it is also what the chord's turning normal made (negative) or lost, as that
     /// law has no potential.
     pub residual_j: f64,
 }
 
-/// Work of the loads on the bodies since the start of the run, by what they come from [J]: force times way over the
+/// Work of the loads on the bodies since the start of the run, by what they come from (J): force times way over the
 /// ground. What pushes a body on is positive; a hull that a current takes along is pushed by it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LoadWorks {
+pub struct LoadWork {
     /// Drag and lift of the vessels' hulls in the water, current within. Of the hull force of
     /// [`crate::VesselForces`] the part that turns the momentum of the added mass is not in it: it does no work.
     pub hull_j: f64,
@@ -110,7 +110,7 @@ pub struct LoadWorks {
     pub other_j: f64,
 }
 
-impl LoadWorks {
+impl LoadWork {
     /// Each with the name that it has in tables.
     #[must_use]
     pub fn parts(&self) -> [(&'static str, f64); 12] {
@@ -130,13 +130,13 @@ impl LoadWorks {
         ]
     }
 
-    /// All together [J].
+    /// All together (J).
     #[must_use]
     pub fn total_j(&self) -> f64 {
         self.parts().iter().map(|(_, work_j)| work_j).sum()
     }
 
-    pub(crate) fn add(&mut self, step: &LoadWorks) {
+    pub(crate) fn add(&mut self, step: &LoadWork) {
         self.hull_j += step.hull_j;
         self.propeller_j += step.propeller_j;
         self.rudder_j += step.rudder_j;
@@ -152,7 +152,7 @@ impl LoadWorks {
     }
 }
 
-/// The energy ledger since the start of the run [J], over the ground: the kinetic energy is what a fender on a quay has
+/// The energy ledger since the start of the run (J), over the ground: the kinetic energy is what a fender on a quay has
 /// to take, and every work is force times way over the ground.
 ///
 /// The way of a step is its mean velocity times Δt, so that it accounts for the change of kinetic energy exactly:
@@ -170,7 +170,7 @@ pub struct Energy {
     /// Work done by everything but contact: the sum of [`Energy::loads`].
     pub load_work_j: f64,
     /// The same by what it comes from.
-    pub loads: LoadWorks,
+    pub loads: LoadWork,
     /// Work done by normal contact forces on the bodies.
     pub normal_work_j: f64,
     /// Work done by tangential contact forces on the bodies.
@@ -187,7 +187,7 @@ pub struct Energy {
     pub restitution_j: f64,
     /// Lost to friction.
     pub friction_j: f64,
-    /// Sum of the contacts' residuals: see [`ContactBook::residual_j`].
+    /// Sum of the contacts' residuals: see [`ContactEnergy::residual_j`].
     pub contact_residual_j: f64,
     /// What came into contacts: the works of all steps and contacts in which the bodies lost energy.
     pub contact_taken_j: f64,
@@ -201,10 +201,10 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// How much energy changed hands: the sum of the magnitudes of all works, each since the start [J]. What
+    /// How much energy changed hands: the sum of the magnitudes of all works, each since the start (J). What
     /// [`Energy::residual_j`] is to be seen beside.
     #[must_use]
-    pub fn turned_over_j(&self) -> f64 {
+    pub fn exchanged_j(&self) -> f64 {
         let loads_j: f64 = self.loads.parts().iter().map(|(_, work_j)| work_j.abs()).sum();
         loads_j + self.normal_work_j.abs() + self.tangential_work_j.abs()
     }

@@ -11,7 +11,7 @@ pub(crate) struct Inertia {
     pub(crate) surge_kg: f64,
     pub(crate) sway_kg: f64,
     pub(crate) yaw_kgm2: f64,
-    /// Coupling of sway and yaw about the centre of gravity [kg·m].
+    /// Coupling of sway and yaw about the centre of gravity (kg·m).
     pub(crate) coupling_kgm: f64,
     /// The engine moves the body and turns its momentum with it.
     pub(crate) engine_turns: bool,
@@ -71,7 +71,7 @@ impl Inertia {
             return Mobility::Free { mass_kg: self.surge_kg, yaw_inertia_kgm2: self.yaw_kgm2 };
         }
         if self.engine_turns {
-            return Mobility::Afloat {
+            return Mobility::SurgeSway {
                 surge_kg: self.surge_kg,
                 sway_kg: self.sway_kg,
                 yaw_inertia_kgm2: self.yaw_kgm2,
@@ -79,11 +79,11 @@ impl Inertia {
         }
         let c = self.coupling_kgm;
         let matrix = [[self.surge_kg, 0.0, 0.0], [0.0, self.sway_kg, c], [0.0, c, self.yaw_kgm2]];
-        Mobility::Massive { matrix }
+        Mobility::FullMatrix { matrix }
     }
 
     /// The wrench that turns with the body's momentum: M v̇ = F + this, in earth-fixed axes, for a
-    /// mass that differs between surge and sway, in a stream [m/s]. With Δ = sway − surge and c the coupling, in
+    /// mass that differs between surge and sway, in a stream (m/s). With Δ = sway − surge and c the coupling, in
     /// the body's axes and through the stream: (Δ r v + c r², Δ r u, −Δ u v), the Coriolis and centripetal terms of
     /// the added mass (Munk's moment among them); nothing where the mass is the same in all directions.
     pub(crate) fn momentum_wrench(&self, state: &BodyState, stream_mps: Vec2) -> Wrench {
@@ -100,7 +100,7 @@ impl Inertia {
     }
 
     /// Earth-fixed acceleration under a wrench about the centre of gravity, the momentum's own among it
-    /// [m/s², rad/s²].
+    /// (m/s², rad/s²).
     pub(crate) fn acceleration(&self, state: &BodyState, wrench: &Wrench) -> (Vec2, f64) {
         if self.fixed {
             return (Vec2::ZERO, 0.0);
@@ -119,7 +119,7 @@ impl Inertia {
         (rotation.apply(vec2(own.x / self.surge_kg, sway)), yaw)
     }
 
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     pub(crate) fn kinetic_j(&self, state: &BodyState) -> f64 {
         let translation_j = if self.surge_kg == self.sway_kg && self.coupling_kgm == 0.0 {
             self.surge_kg * state.velocity_mps.length_squared()

@@ -9,9 +9,9 @@ use crate::world::WorldSetup;
 /// A whole simulation before its first step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
-    /// Δt [s].
+    /// Δt (s).
     pub step_s: f64,
-    /// Length of the run [s]; the number of steps is its ratio to Δt, rounded up.
+    /// Length of the run (s); the number of steps is its ratio to Δt, rounded up.
     pub duration_s: f64,
     /// How states advance.
     pub integrator: Integrator,
@@ -24,7 +24,7 @@ pub struct Setup {
     /// Who may touch whom.
     pub pairs: Vec<PairSetup>,
     /// Material of every pair that `pairs` does not name; `None`: those do not touch.
-    pub every_other_pair: Option<usize>,
+    pub all_other_pairs: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
     /// Particulars for the berthing energy by formula, where it is asked for.
@@ -40,7 +40,7 @@ impl Setup {
     #[must_use]
     pub fn may_touch(&self, [one, other]: [usize; 2]) -> bool {
         let named = |pair: &PairSetup| pair.bodies == [one, other] || pair.bodies == [other, one];
-        self.every_other_pair.is_some() || self.pairs.iter().any(named)
+        self.all_other_pairs.is_some() || self.pairs.iter().any(named)
     }
 }
 
@@ -74,9 +74,9 @@ pub struct BodySetup {
     pub outline: Outline,
     /// Mass and inertia; `None` for a fixed body.
     pub mass: Option<MassProperties>,
-    /// Initial position of the centre of gravity, north and east [m].
+    /// Initial position of the centre of gravity, north and east (m).
     pub position_m: Vec2,
-    /// Initial heading [rad].
+    /// Initial heading (rad).
     pub heading_rad: f64,
     /// Initial velocity, body-fixed.
     pub velocity: BodyVelocity,
@@ -93,26 +93,26 @@ impl BodySetup {
 /// Rigid-body and added mass of a floating body about its centre of gravity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MassProperties {
-    /// Displacement [kg].
+    /// Displacement (kg).
     pub mass_kg: f64,
-    /// Moment of inertia about the vertical [kg·m²].
+    /// Moment of inertia about the vertical (kg·m²).
     pub yaw_inertia_kgm2: f64,
-    /// Added mass in surge [kg].
+    /// Added mass in surge (kg).
     pub added_surge_kg: f64,
-    /// Added mass in sway [kg].
+    /// Added mass in sway (kg).
     pub added_sway_kg: f64,
-    /// Added moment of inertia in yaw [kg·m²].
+    /// Added moment of inertia in yaw (kg·m²).
     pub added_yaw_kgm2: f64,
 }
 
 /// Velocity in the body's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyVelocity {
-    /// u, forward [m/s].
+    /// u, forward (m/s).
     pub surge_mps: f64,
-    /// v, to starboard [m/s].
+    /// v, to starboard (m/s).
     pub sway_mps: f64,
-    /// r, to starboard [rad/s].
+    /// r, to starboard (rad/s).
     pub yaw_radps: f64,
 }
 
@@ -139,12 +139,12 @@ pub struct PairSetup {
 pub struct Load {
     /// Index into [`Setup::bodies`].
     pub body: usize,
-    /// Force, north and east [N].
+    /// Force, north and east (N).
     pub force_n: Vec2,
-    /// Moment about the vertical, positive to starboard [N·m].
+    /// Moment about the vertical, positive to starboard (N·m).
     pub moment_nm: f64,
-    /// First moment of the load [s].
+    /// First moment of the load (s).
     pub from_s: f64,
-    /// End of the load [s]; infinity for a steady one.
+    /// End of the load (s); infinity for a steady one.
     pub until_s: f64,
 }

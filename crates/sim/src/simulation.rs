@@ -11,10 +11,10 @@ use crate::environment::wind::Wind;
 use crate::error::{SetupError, SimError};
 use crate::fender::{FenderSetup, FenderSummaries, FenderSummary};
 use crate::fixed_order::sort_loads;
-use crate::gain::{Gain, TOLD_GAIN};
+use crate::gain::{EnergyGain, REPORTED_GAIN};
 use crate::gather::{add_external, gather, gather_loads};
 use crate::integrate::{Rate, euler, semi_implicit};
-use crate::ledger::{Books, Ledger, MeanVelocity, WorkBy};
+use crate::ledger::{ContactTotals, Ledger, MeanVelocity, WorkBy};
 use crate::load_work::LoadedStep;
 use crate::order::{Action, LineAction, Order, OrderError, VesselAction, check_order};
 use crate::record::{Energy, StepRecord};
@@ -43,7 +43,7 @@ pub struct Simulation {
     memory: Memory,
     work: Workspace,
     ledger: Ledger,
-    books: Books,
+    contact_totals: ContactTotals,
     summaries: Summaries,
     fender_summaries: FenderSummaries,
     study: Option<Study>,
@@ -66,7 +66,7 @@ struct Buffers {
     trial: Vec<BodyState>,
     before: Vec<BodyState>,
     mean: Vec<MeanVelocity>,
-    /// The stream that each body is in [m/s].
+    /// The stream that each body is in (m/s).
     streams_mps: Vec<Vec2>,
     /// Contacts of the later stages of Runge–Kutta, and what they need.
     stage_contacts: [Vec<Contact>; 3],
@@ -113,7 +113,7 @@ impl Simulation {
         Ok(Simulation {
             ledger: Ledger::new((&world.order.bodies, &inertias, &states)),
             work: Workspace::new(&model),
-            books: Books::default(),
+            contact_totals: ContactTotals::default(),
             summaries: Summaries::default(),
             fender_summaries: FenderSummaries::new(setup.fenders.len()),
             study: study(&setup)?,
@@ -154,7 +154,7 @@ impl Simulation {
         self.index
     }
 
-    /// Number of steps from the start to a time [s], the one in which it lies included.
+    /// Number of steps from the start to a time (s), the one in which it lies included.
     #[must_use]
     pub fn steps_until(&self, t_s: f64) -> u64 {
         whole_steps(t_s / self.setup.step_s)
@@ -166,16 +166,16 @@ impl Simulation {
         self.index >= self.steps_total
     }
 
-    /// Time reached [s]: steps taken times Δt, so that it does not drift.
+    /// Time reached (s): steps taken times Δt, so that it does not drift.
     #[must_use]
     pub fn time_s(&self) -> f64 {
         self.index as f64 * self.setup.step_s
     }
 
-    /// The time that velocities belong to [s]. Where the engine moves the bodies it is the middle of the last step, as a
+    /// The time that velocities belong to (s). Where the engine moves the bodies it is the middle of the last step, as a
     /// leapfrog has it (the middle of its last sub-step, where contacts need several), else [`Simulation::time_s`].
     #[must_use]
-    pub fn velocities_t_s(&self) -> f64 {
+    pub fn velocity_time_s(&self) -> f64 {
         let leaps = self.setup.integrator == Integrator::SemiImplicit
             && self.setup.method == Method::Coupled;
         if leaps && self.index > 0 {
@@ -185,7 +185,7 @@ impl Simulation {
         }
     }
 
-    /// States now, one a body, in the order of the set-up. Velocities belong to [`Simulation::velocities_t_s`].
+    /// States now, one a body, in the order of the set-up. Velocities belong to [`Simulation::velocity_time_s`].
     #[must_use]
     pub fn states(&self) -> &[BodyState] {
         &self.states
@@ -206,10 +206,10 @@ impl Simulation {
     /// Has the paper's method made energy that a reader must know of? Its forces are explicit, and those of a stiff
     /// spring in a long step push for longer than they should. [`Method::Coupled`] bounds what each contact gives.
     #[must_use]
-    pub fn gain(&self) -> Option<Gain> {
+    pub fn energy_gain(&self) -> Option<EnergyGain> {
         let Energy { contact_taken_j: taken_j, contact_gained_j: gained_j, .. } = self.energy();
-        let is_told = self.setup.method == Method::Paper && gained_j > TOLD_GAIN * taken_j;
-        is_told.then_some(Gain { gained_j, taken_j })
+        let is_told = self.setup.method == Method::Paper && gained_j > REPORTED_GAIN * taken_j;
+        is_told.then_some(EnergyGain { gained_j, taken_j })
     }
 
     /// What has happened between each pair of bodies that touched, in the order of first touch.
@@ -317,8 +317,8 @@ impl Simulation {
 
     /// Drops the orders that are not carried out yet and for which `keep` is false, the set-up's among them: who takes
     /// a control by hand does not want it moved by a plan.
-    pub fn keep_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
-        self.world.keep_orders(keep);
+    pub fn retain_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
+        self.world.retain_orders(keep);
     }
 
     /// Another wind from the next step on; `None`: none. No step in between: a jump is a jump.
@@ -358,7 +358,7 @@ impl Simulation {
         gather_loads(&self.loads, t_s, step_s, &mut self.buffers.loads);
         add_external(&self.buffers.external, &mut self.buffers.loads);
         self.buffers.others.clone_from(&self.buffers.loads);
-        let times = (t_s, self.velocities_t_s(), step_s);
+        let times = (t_s, self.velocity_time_s(), step_s);
         self.world.step(&self.setup.world, &self.states, times, &mut self.buffers.loads);
         self.buffers.before.clone_from(&self.states);
         self.turn_momentum();
@@ -395,7 +395,7 @@ impl Simulation {
             states: &self.buffers.before,
             states_after: &self.states,
             contacts: self.work.contacts(),
-            books: &self.books.all,
+            contact_energies: &self.contact_totals.all,
             wrenches: self.work.wrenches(),
             events: self.work.events(),
             energy: self.ledger.energy,
@@ -408,10 +408,10 @@ impl Simulation {
         self.summaries.book(&record);
         self.fender_summaries.book(&self.setup.fenders, record.contacts, t_s);
         if let Some(study) = &mut self.study {
-            let StepRecord { states, contacts, books, .. } = record;
-            let of_fenders = || books.iter().filter(|book| book.fender.is_some());
-            let stored_j = of_fenders().map(|book| book.stored_j).sum();
-            let hysteresis_j = of_fenders().map(|book| book.hysteresis_j).sum();
+            let StepRecord { states, contacts, contact_energies, .. } = record;
+            let of_fenders = || contact_energies.iter().filter(|contact| contact.fender.is_some());
+            let stored_j = of_fenders().map(|contact| contact.stored_j).sum();
+            let hysteresis_j = of_fenders().map(|contact| contact.hysteresis_j).sum();
             let step = StudyStep { t_s, states, contacts, stored_j, hysteresis_j };
             study.book(&self.setup.fenders, &self.inertias, &step);
         }
@@ -537,7 +537,7 @@ impl Simulation {
         let buffers = &mut self.buffers;
         let engine_moved = self.setup.integrator == Integrator::SemiImplicit;
         if self.setup.method == Method::Coupled && engine_moved {
-            for (mean, motion) in buffers.mean.iter_mut().zip(self.work.motions()) {
+            for (mean, motion) in buffers.mean.iter_mut().zip(self.work.displacements()) {
                 *mean = MeanVelocity::over(motion, step_s);
             }
         } else if self.setup.method == Method::Coupled && self.setup.integrator == Integrator::Rk4 {
@@ -549,9 +549,9 @@ impl Simulation {
             }
         }
         let contacts = self.work.contacts();
-        self.books.open(contacts);
+        self.contact_totals.open(contacts);
         let rk4 = self.setup.integrator == Integrator::Rk4;
-        let mut add = |contacts, by| self.books.add(contacts, &buffers.mean, by);
+        let mut add = |contacts, by| self.contact_totals.add(contacts, &buffers.mean, by);
         match self.setup.method {
             Method::Coupled if engine_moved => add(contacts, WorkBy::Engine),
             Method::Paper if rk4 => {
@@ -563,7 +563,7 @@ impl Simulation {
             }
             Method::Coupled | Method::Paper => add(contacts, WorkBy::Motion(step_s)),
         }
-        self.books.close();
+        self.contact_totals.close();
         let loaded = LoadedStep {
             inertias: &self.inertias,
             before: &buffers.before,
@@ -579,7 +579,7 @@ impl Simulation {
             step_s,
         };
         let moved = (&*self.world.order.bodies, &*self.inertias, &*self.states);
-        self.ledger.book(moved, &loaded.works(), &self.books);
+        self.ledger.book(moved, &loaded.works(), &self.contact_totals);
     }
 }
 
@@ -748,8 +748,8 @@ fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, SetupError>
         let bodies = pair.bodies.map(|body| BodyId(body as u32));
         builder.pair(Pair { bodies, material: MaterialId(pair.material as u32) });
     }
-    if let Some(material) = setup.every_other_pair {
-        builder.every_other_pair(MaterialId(material as u32));
+    if let Some(material) = setup.all_other_pairs {
+        builder.all_other_pairs(MaterialId(material as u32));
     }
     Ok(builder.build()?)
 }

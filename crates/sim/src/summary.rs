@@ -9,27 +9,27 @@ use crate::record::StepRecord;
 pub struct PairSummary {
     /// Indices into the set-up's bodies.
     pub bodies: [usize; 2],
-    /// Start of the first step in which they touched [s].
+    /// Start of the first step in which they touched (s).
     pub first_touch_s: f64,
-    /// Start of the last step in which they touched [s].
+    /// Start of the last step in which they touched (s).
     pub last_touch_s: f64,
-    /// Largest sum over the patches of their peak N [N], sub-steps included.
+    /// Largest sum over the patches of their peak N (N), sub-steps included.
     pub peak_normal_force_n: f64,
-    /// When [s].
+    /// When (s).
     pub peak_normal_force_at_s: f64,
-    /// Largest depth of a patch [m].
+    /// Largest depth of a patch (m).
     pub peak_depth_m: f64,
-    /// When [s].
+    /// When (s).
     pub peak_depth_at_s: f64,
-    /// ∫ N dt [N·s]: what the normal forces changed of the bodies' momentum.
+    /// ∫ N dt (N·s): what the normal forces changed of the bodies' momentum.
     pub impulse_ns: f64,
-    /// V_n in the first touching step, positive approaching [m/s].
+    /// V_n in the first touching step, positive approaching (m/s).
     pub approach_speed_mps: f64,
-    /// −V_n at the end of the last touching step, along that step's normal: positive leaving [m/s].
+    /// −V_n at the end of the last touching step, along that step's normal: positive leaving (m/s).
     pub final_speed_mps: f64,
-    /// Work of the normal forces on the two bodies [J].
+    /// Work of the normal forces on the two bodies (J).
     pub normal_work_j: f64,
-    /// Work of the tangential forces on the two bodies [J].
+    /// Work of the tangential forces on the two bodies (J).
     pub tangential_work_j: f64,
     /// True when they touch in the run's last step.
     pub touching_at_end: bool,
@@ -57,7 +57,7 @@ impl Summaries {
             let pair = self.pair(bodies, record.t_s, first.v_normal_mps);
             book_touch(pair, own, record);
         }
-        for work in record.books {
+        for work in record.contact_energies {
             let Some(pair) = self.pairs.iter_mut().find(|p| p.bodies == work.bodies) else {
                 continue; // touched only at a later stage of Runge-Kutta; the next step sees it
             };

@@ -9,7 +9,7 @@ use fenderline_contact::BodyState;
 use fenderline_sim::{Method, Setup, Simulation};
 use support::scenes::{oblique_berthing, oblique_tug_impact, tug_impact, tug_push};
 
-/// The converged solution's Δt [s], as issue 3 asks.
+/// The converged solution's Δt (s), as issue 3 asks.
 const CONVERGED_S: f64 = 1e-3;
 
 /// What issue 3 asks for.

@@ -42,7 +42,7 @@ fn ship_and_fenders(
         bodies,
         materials: vec![NamedMaterial { name: "rubber".into(), material }],
         pairs,
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: vec![],
         berthing: None,
         loads: vec![],

@@ -10,16 +10,16 @@ use fenderline_sim::mooring::*;
 
 const STEP_S: f64 = 0.5;
 const STEPS: u32 = 72_000;
-/// Displacement and added mass in sway of the paper's container ship [kg].
+/// Displacement and added mass in sway of the paper's container ship (kg).
 const MASS_KG: f64 = 87.8e6 * 1.5;
-/// A tenth of the critical damping of about 2 MN/m of lines [N·s/m].
+/// A tenth of the critical damping of about 2 MN/m of lines (N·s/m).
 const DAMPING_NSPM: f64 = 3.0e6;
 
 fn wind() -> Wind {
     let profile = WindProfile::Uniform;
     let mean = MeanWind { speed_mps: 12.0, from_rad: 80.0_f64.to_radians(), profile };
     let realisation = Realisation { harmonics: 60, seed: 11 };
-    Wind::gusty(mean, Gusts::new(&mean, &GustSpectrum::Npd, realisation).unwrap()).unwrap()
+    Wind::with_gusts(mean, Gusts::new(&mean, &GustSpectrum::Npd, realisation).unwrap()).unwrap()
 }
 
 fn windage() -> ShipWindage {
@@ -57,8 +57,8 @@ fn make_fast() -> (Vec<Line>, Vec<LineState>) {
                 main: Rope { break_load_n: 1.3e6, curve: RopeCurve::polyester() },
                 tail: None,
             },
-            holding: Holding::Winch(Winch::of_design(1.3e6, 100.0)),
-            fitting: Fitting::Pretension(100e3),
+            inboard_end: InboardEnd::Winch(Winch::of_design(1.3e6, 100.0)),
+            initial_length: InitialLength::FromPretension(100e3),
         };
         Line::new(setup, &ends(k, Vec2::ZERO)).unwrap()
     };

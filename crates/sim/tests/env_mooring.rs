@@ -146,8 +146,8 @@ fn ends(distance_m: f64) -> LineEnds {
     LineEnds { ship_m: [0.0; 3], shore_m: [0.6 * distance_m, 0.0, 0.8 * distance_m] }
 }
 
-fn setup(kind: LineKind, holding: Holding, fitting: Fitting) -> LineSetup {
-    LineSetup { name: "aft spring".into(), kind, holding, fitting }
+fn setup(kind: LineKind, inboard_end: InboardEnd, initial_length: InitialLength) -> LineSetup {
+    LineSetup { name: "aft spring".into(), kind, inboard_end, initial_length }
 }
 
 fn polyester() -> LineKind {
@@ -182,7 +182,7 @@ fn curves_and_their_inverses_agree() {
 /// 50 m of polyester over 51 m: strain 2 %, tension 0.5·0.02/0.065 of the break load, along the line.
 #[test]
 fn a_light_line_pulls_along_itself() {
-    let made = setup(polyester(), Holding::Bitts, Fitting::Length(50.0));
+    let made = setup(polyester(), InboardEnd::Bitts, InitialLength::Outboard(50.0));
     let (line, mut state) = Line::new(made, &ends(50.0)).unwrap();
     let load = line.step(&mut state, &ends(51.0), WinchOrder::Hold, 0.1);
     let tension_n = MBL_N * 0.5 * 0.02 / 0.065;
@@ -197,7 +197,7 @@ fn a_light_line_pulls_along_itself() {
 /// Springs in series: the stretches add up. 100 kN: HMPE 39 m at 0.02·0.2, nylon 11 m at 0.15·0.16.
 #[test]
 fn a_tail_stretches_in_series() {
-    let made = setup(hmpe_with_tail(), Holding::Bitts, Fitting::Length(50.0));
+    let made = setup(hmpe_with_tail(), InboardEnd::Bitts, InitialLength::Outboard(50.0));
     let (line, mut state) = Line::new(made, &ends(50.0)).unwrap();
     let stretch_m = 39.0 * 0.02 * 0.2 + 11.0 * 0.15 * 0.16;
     let load = line.step(&mut state, &ends(50.0 + stretch_m), WinchOrder::Hold, 0.1);
@@ -213,7 +213,7 @@ fn a_pretension_is_met() {
         on_bottom: false,
     };
     for kind in [polyester(), hmpe_with_tail(), heavy] {
-        let made = setup(kind, Holding::Bitts, Fitting::Pretension(100e3));
+        let made = setup(kind, InboardEnd::Bitts, InitialLength::FromPretension(100e3));
         let (line, mut state) = Line::new(made, &ends(60.0)).unwrap();
         let load = line.step(&mut state, &ends(60.0), WinchOrder::Hold, 0.1);
         close(load.tension_n, 100e3, 1e-6);
@@ -224,7 +224,7 @@ fn a_pretension_is_met() {
 #[test]
 fn a_brake_renders_at_its_setting_and_takes_nothing_back() {
     let winch = Winch::of_design(MBL_N, 100.0);
-    let made = setup(polyester(), Holding::Winch(winch), Fitting::Pretension(100e3));
+    let made = setup(polyester(), InboardEnd::Winch(winch), InitialLength::FromPretension(100e3));
     let (line, mut state) = Line::new(made, &ends(50.0)).unwrap();
     let before_m = state.length_m;
     let load = line.step(&mut state, &ends(58.0), WinchOrder::Hold, 0.1);
@@ -238,7 +238,7 @@ fn a_brake_renders_at_its_setting_and_takes_nothing_back() {
 
 #[test]
 fn a_line_on_bitts_parts_above_its_break_load_and_stays_parted() {
-    let made = setup(polyester(), Holding::Bitts, Fitting::Length(50.0));
+    let made = setup(polyester(), InboardEnd::Bitts, InitialLength::Outboard(50.0));
     let (line, mut state) = Line::new(made, &ends(50.0)).unwrap();
     let held = line.step(&mut state, &ends(55.99), WinchOrder::Hold, 0.1);
     assert!(held.tension_n > 0.99 * MBL_N && held.parted_at_n.is_none());
@@ -254,7 +254,7 @@ fn a_line_on_bitts_parts_above_its_break_load_and_stays_parted() {
 #[test]
 fn a_drum_can_be_emptied() {
     let winch = Winch::of_design(MBL_N, 2.0);
-    let made = setup(polyester(), Holding::Winch(winch), Fitting::Length(50.0));
+    let made = setup(polyester(), InboardEnd::Winch(winch), InitialLength::Outboard(50.0));
     let (line, mut state) = Line::new(made, &ends(50.0)).unwrap();
     let load = line.step(&mut state, &ends(57.0), WinchOrder::Hold, 0.1);
     assert!(load.winch.drum_empty && load.tension_n > 600e3);
@@ -264,7 +264,7 @@ fn a_drum_can_be_emptied() {
 #[test]
 fn a_winch_heaves_to_its_stall_and_pays_out_at_its_rate() {
     let winch = Winch::of_design(MBL_N, 100.0);
-    let made = setup(polyester(), Holding::Winch(winch), Fitting::Length(52.0));
+    let made = setup(polyester(), InboardEnd::Winch(winch), InitialLength::Outboard(52.0));
     let (line, mut state) = Line::new(made, &ends(50.0)).unwrap();
     line.step(&mut state, &ends(50.0), WinchOrder::Heave(0.1), 10.0);
     assert!((state.length_m - 51.0).abs() < 1e-12);
@@ -277,27 +277,27 @@ fn a_winch_heaves_to_its_stall_and_pays_out_at_its_rate() {
     assert!((state.length_m - before_m - 0.25).abs() < 1e-12);
     let load = line.step(&mut state, &ends(50.0), WinchOrder::PayOut(f64::NAN), 1.0);
     assert!(load.winch.rate_limited && state.length_m.is_finite());
-    let bitts = setup(polyester(), Holding::Bitts, Fitting::Length(52.0));
+    let bitts = setup(polyester(), InboardEnd::Bitts, InitialLength::Outboard(52.0));
     let (line, mut state) = Line::new(bitts, &ends(50.0)).unwrap();
     assert!(line.step(&mut state, &ends(50.0), WinchOrder::Heave(0.1), 1.0).winch.no_winch);
 }
 
 #[test]
 fn lines_that_cannot_be_are_refused_by_name() {
-    let refused = |kind, holding, fitting| {
-        Line::new(setup(kind, holding, fitting), &ends(50.0)).unwrap_err().to_string()
+    let refused = |kind, inboard_end, initial_length| {
+        Line::new(setup(kind, inboard_end, initial_length), &ends(50.0)).unwrap_err().to_string()
     };
     assert_eq!(
-        refused(polyester(), Holding::Bitts, Fitting::Length(49.0)),
+        refused(polyester(), InboardEnd::Bitts, InitialLength::Outboard(49.0)),
         "line `aft spring` is 49 m long, but its ends are 50 m apart; make it longer or give a \
          pretension instead"
     );
-    let error = refused(polyester(), Holding::Bitts, Fitting::Pretension(2e6));
+    let error = refused(polyester(), InboardEnd::Bitts, InitialLength::FromPretension(2e6));
     assert_eq!(error, "line `aft spring` cannot be fitted with a tension of 2000000 N");
-    let error = refused(polyester(), Holding::Bitts, Fitting::Length(f64::NAN));
+    let error = refused(polyester(), InboardEnd::Bitts, InitialLength::Outboard(f64::NAN));
     assert!(error.starts_with("line `aft spring`: length of the line [m]"), "{error}");
-    let winch = Holding::Winch(Winch::of_design(MBL_N, 10.0));
-    assert!(refused(polyester(), winch, Fitting::Pretension(700e3)).contains("700000"));
+    let winch = InboardEnd::Winch(Winch::of_design(MBL_N, 10.0));
+    assert!(refused(polyester(), winch, InitialLength::FromPretension(700e3)).contains("700000"));
     // A cable whose own weight pulls harder than the pretension.
     let heavy = LineKind::Heavy {
         weight_npm: 5000.0,
@@ -305,7 +305,9 @@ fn lines_that_cannot_be_are_refused_by_name() {
         break_load_n: 1e7,
         on_bottom: false,
     };
-    assert!(refused(heavy, Holding::Bitts, Fitting::Pretension(1e3)).contains("1000 N"));
+    assert!(
+        refused(heavy, InboardEnd::Bitts, InitialLength::FromPretension(1e3)).contains("1000 N")
+    );
 }
 
 /// The forces of a cable are those of its catenary, the right way up, from either end.
@@ -318,7 +320,7 @@ fn a_cable_pulls_its_ends_together_and_down() {
         on_bottom: true,
     };
     let anchored = LineEnds { ship_m: [0.0, 0.0, 0.0], shore_m: [0.0, -200.0, -50.0] };
-    let made = setup(kind, Holding::Bitts, Fitting::Length(210.0));
+    let made = setup(kind, InboardEnd::Bitts, InitialLength::Outboard(210.0));
     let (line, mut state) = Line::new(made, &anchored).unwrap();
     let load = line.step(&mut state, &anchored, WinchOrder::Hold, 0.1);
     close(load.tension_n, 577.7e3, 0.002);
@@ -352,12 +354,12 @@ fn work_round(line: &Line, state: &mut LineState, size_m: f64, turns: u32) -> f6
 fn a_line_is_passive_round_a_closed_path() {
     let start = LineEnds { ship_m: [0.0; 3], shore_m: [-50.0, 0.0, 5.0] };
     for kind in [polyester(), hmpe_with_tail()] {
-        let made = setup(kind.clone(), Holding::Bitts, Fitting::Pretension(50e3));
+        let made = setup(kind.clone(), InboardEnd::Bitts, InitialLength::FromPretension(50e3));
         let (line, mut state) = Line::new(made, &start).unwrap();
         let work_j = work_round(&line, &mut state, 1.0, 1);
         assert!(work_j.abs() < 1e-5 * 500e3, "{work_j}");
-        let winch = Holding::Winch(Winch { render_n: 200e3, ..Winch::of_design(MBL_N, 100.0) });
-        let made = setup(kind, winch, Fitting::Pretension(50e3));
+        let winch = InboardEnd::Winch(Winch { render_n: 200e3, ..Winch::of_design(MBL_N, 100.0) });
+        let made = setup(kind, winch, InitialLength::FromPretension(50e3));
         let (line, mut state) = Line::new(made, &start).unwrap();
         let work_j = work_round(&line, &mut state, 3.0, 1);
         assert!(work_j < -50e3, "{work_j}");
@@ -369,8 +371,8 @@ fn a_line_is_passive_round_a_closed_path() {
 
 #[test]
 fn a_copied_state_replays_to_the_bit() {
-    let winch = Holding::Winch(Winch::of_design(MBL_N, 100.0));
-    let made = setup(hmpe_with_tail(), winch, Fitting::Pretension(50e3));
+    let winch = InboardEnd::Winch(Winch::of_design(MBL_N, 100.0));
+    let made = setup(hmpe_with_tail(), winch, InitialLength::FromPretension(50e3));
     let (line, state) = Line::new(made, &ends(50.0)).unwrap();
     let run = |mut state: LineState| -> Vec<u64> {
         let at = |k: u32| ends(50.0 + 3.0 * (0.1 * f64::from(k)).sin());

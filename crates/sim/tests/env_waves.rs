@@ -226,8 +226,8 @@ fn deep_number_radpm(period_s: f64) -> f64 {
     (TAU / period_s).powi(2) / G
 }
 
-/// Mean drift over ρga² [m] at zero speed by WAMIT's pressure integration, as the toolbox has it (tanker.out,
-/// fpso.out): period [s], in head sea −X, in beam sea Y. Five lengths from a fifth of the ship to one and a half.
+/// Mean drift over ρga² (m) at zero speed by WAMIT's pressure integration, as the toolbox has it (tanker.out,
+/// fpso.out): period (s), in head sea −X, in beam sea Y. Five lengths from a fifth of the ship to one and a half.
 const WAMIT_TANKER: [(f64, f64, f64); 5] = [
     (5.95, 6.467, 90.02),
     (7.16, 8.246, 96.25),

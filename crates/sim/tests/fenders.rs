@@ -67,7 +67,7 @@ fn berth(fenders: Vec<FenderSetup>, gap_m: f64, step_s: f64, duration_s: f64) ->
         bodies: vec![quay, ship],
         materials: vec![named("concrete", concrete), named("facing", facing)],
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders,
         berthing: None,
         loads: vec![],

@@ -25,7 +25,7 @@ fn pontoon_and_tug(mass_kg: f64, facing: Material, step_s: f64) -> Setup {
         bodies: vec![pontoon, boat],
         materials: vec![],
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: vec![],
         berthing: None,
         loads: vec![],

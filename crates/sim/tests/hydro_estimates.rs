@@ -4,7 +4,7 @@
 
 use fenderline_scenario::VesselLibrary;
 use fenderline_sim::hydro::{
-    DriftPolynomial, HydroError, Known, Mmg, Particulars, Polynomial, Ratio, Route,
+    DriftPolynomial, EstimateMethod, HydroError, Known, Mmg, Particulars, Polynomial, Ratio,
     SternCoefficients, SternGear, estimated, estimated_by,
 };
 
@@ -90,11 +90,11 @@ fn linear_terms_are_those_of_kcs_and_kvlcc2_within_a_third() {
 #[test]
 fn a_merchant_ship_within_the_range_is_told_to_be_so_and_one_outside_is_told_of() {
     let inside = estimated(&known(hull(175.0, 25.4, 8.5, 0.56))).expect("a ship");
-    assert_eq!((inside.route, inside.outside.len()), (Some(Route::YoshimuraMasumoto), 0));
+    assert_eq!((inside.method, inside.outside.len()), (Some(EstimateMethod::YoshimuraMasumoto), 0));
 
     // A fine ferry: her block coefficient alone.
     let fine = estimated(&known(hull(150.0, 25.0, 8.0, 0.5))).expect("a ship");
-    assert_eq!(fine.route, Some(Route::YoshimuraMasumoto));
+    assert_eq!(fine.method, Some(EstimateMethod::YoshimuraMasumoto));
     let [outside] = fine.outside.as_slice() else { panic!("{:?}", fine.outside) };
     assert_eq!((outside.ratio, outside.range), (Ratio::BlockCoefficient, [0.55, 0.85]));
     let text = outside.to_string();
@@ -106,10 +106,10 @@ fn a_merchant_ship_within_the_range_is_told_to_be_so_and_one_outside_is_told_of(
 fn a_tug_is_estimated_by_linear_terms_and_cross_flow() {
     let tug = Known { gear: None, ..known(hull(30.0, 12.0, 4.5, 0.56)) };
     let estimate = estimated(&tug).expect("a tug");
-    assert_eq!(estimate.route, Some(Route::Clarke));
+    assert_eq!(estimate.method, Some(EstimateMethod::Clarke));
     assert!(estimate.model.hull.under_way.is_none());
     assert!(estimate.outside.iter().any(|outside| outside.ratio == Ratio::LengthOverBeam));
-    assert_eq!(estimated_by(Route::Clarke, &tug), Ok(estimate));
+    assert_eq!(estimated_by(EstimateMethod::Clarke, &tug), Ok(estimate));
 }
 
 /// Nothing is told of a ship whose hull, propeller and rudder are her own.
@@ -117,7 +117,7 @@ fn a_tug_is_estimated_by_linear_terms_and_cross_flow() {
 fn a_ship_with_tests_of_her_own_has_no_route() {
     for name in ["kcs", "kvlcc2", "esso-osaka"] {
         let origin = &VesselLibrary::built_in().vessel(name).expect("built in").origin.clone();
-        assert_eq!((origin.route, origin.outside.len()), (None, 0), "{name}");
+        assert_eq!((origin.estimate_method, origin.outside.len()), (None, 0), "{name}");
     }
 }
 

@@ -20,7 +20,7 @@ fn printed(ours: f64, theirs: f64, last_place: f64) {
     assert!((ours - theirs).abs() <= 0.5 * last_place + 1e-12, "{ours} is not {theirs}");
 }
 
-/// A hull of a displacement [kg] in sea water.
+/// A hull of a displacement (kg) in sea water.
 fn displacing(length_m: f64, beam_m: f64, draught_m: f64, displacement_kg: f64) -> Particulars {
     let volume_m3 = displacement_kg / 1025.0;
     let block = volume_m3 / (length_m * beam_m * draught_m);

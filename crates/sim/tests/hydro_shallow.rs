@@ -14,7 +14,7 @@ use fenderline_sim::hydro::manoeuvres::{Approach, TurningCircle, turning_circle,
 use fenderline_sim::hydro::shallow::{CorrectionSet, Corrections, HullFactors, MassFactors};
 use fenderline_sim::hydro::vessels::Vessel;
 use fenderline_sim::hydro::{
-    Controls, Known, Mmg, Model3, Particulars, Parts, Route, SternCoefficients, SternGear,
+    Controls, EstimateMethod, Known, Mmg, Model3, Particulars, Parts, SternCoefficients, SternGear,
     Velocity, Water, estimated_by, polynomial_weight,
 };
 use ships::{esso_osaka_model, kcs, kvlcc2};
@@ -42,7 +42,7 @@ fn steered() -> Vec<(String, Vessel, f64)> {
 /// A ship that is a reference in deep water, from her particulars alone.
 struct ByParticulars {
     name: &'static str,
-    /// Length, beam, draught [m].
+    /// Length, beam, draught (m).
     hull_m: [f64; 3],
     block: f64,
     propeller_m: f64,
@@ -97,7 +97,7 @@ impl ByParticulars {
             rate_per_s: self.rate_degps.to_radians(),
             stop: 35_f64.to_radians(),
         };
-        let ship = estimated_by(Route::YoshimuraMasumoto, &known).expect("a ship").model;
+        let ship = estimated_by(EstimateMethod::YoshimuraMasumoto, &known).expect("a ship").model;
         let vessel = Vessel { ship, approach_mps: Some(self.speed_mps), steering, ..kcs() };
         (format!("{}, estimated", self.name), vessel, self.speed_mps)
     }
@@ -105,7 +105,7 @@ impl ByParticulars {
 
 struct Done {
     turn: TurningCircle,
-    /// First overshoots of 10°/10° and 20°/20° [°].
+    /// First overshoots of 10°/10° and 20°/20° (°).
     overshoots_deg: [f64; 2],
 }
 

@@ -53,7 +53,7 @@ fn a_flat_contact_is_a_half_sine_of_omega_root_kw_over_m() {
 
 #[allow(clippy::disallowed_methods, reason = "a test's closed form need not be bit for bit")]
 /// Error of position and velocity before a quarter of the contact's period, while nothing limits the
-/// force [m]. (In position alone semi-implicit Euler, begun at the touch, is of second order.)
+/// force (m). (In position alone semi-implicit Euler, begun at the touch, is of second order.)
 fn error_at_quarter_period(integrator: Integrator, steps: u32) -> f64 {
     let (speed, stiffness): (f64, f64) = (1.0, 500e3);
     let omega = (stiffness * 10.0 / 1e6_f64).sqrt();

@@ -6,7 +6,7 @@
 mod support;
 
 use fenderline_contact::{
-    BodyState, FollowingHost, HostIntegration, HostSettings, HostWorkspace, Material, vec2,
+    BodyState, CoSimHost, HostIntegration, HostSettings, HostWorkspace, Material, vec2,
 };
 use fenderline_sim::{
     BodySetup, Integrator, Load, Method, NamedMaterial, PairSetup, Setup, Simulation,
@@ -45,7 +45,7 @@ fn ship_beside_fenders(count: usize, gap_m: f64, material: Material, step_s: f64
         bodies,
         materials: vec![NamedMaterial { name: "rubber".into(), material }],
         pairs: (1..=count).map(|k| PairSetup { bodies: [0, k], material: 0 }).collect(),
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: vec![],
         berthing: None,
         loads: vec![],
@@ -197,7 +197,7 @@ fn left_as_a_following_host(step_s: f64) -> f64 {
     let simulation = Simulation::new(setup).unwrap();
     let model = simulation.model();
     let settings = HostSettings { delay_steps: 0, integration: HostIntegration::ForwardEuler };
-    let mut host = FollowingHost::new(model, settings);
+    let mut host = CoSimHost::new(model, settings);
     let mut work = HostWorkspace::new(model);
     let mut states: Vec<BodyState> = simulation.states().to_vec();
     for _ in 0..simulation.steps_total() {

@@ -49,8 +49,9 @@ fn energy_that_the_papers_method_makes_is_told() {
         let start_j = energy.kinetic_j - energy.normal_work_j - energy.tangential_work_j;
         let made_j = energy.kinetic_j - start_j;
         if made_j > 0.01 * energy.contact_taken_j {
-            let gain =
-                run.gain().unwrap_or_else(|| panic!("{made_j} J of {start_j} J, seed {seed}"));
+            let gain = run
+                .energy_gain()
+                .unwrap_or_else(|| panic!("{made_j} J of {start_j} J, seed {seed}"));
             assert!(gain.gained_j >= made_j * (1.0 - 1e-9), "{gain:?} beside {made_j} J");
             let text = gain.to_string();
             assert!(text.contains("shorter `step`") && text.contains("coupled"), "{text}");
@@ -63,6 +64,6 @@ fn energy_that_the_papers_method_makes_is_told() {
 #[test]
 fn a_run_that_makes_no_energy_is_told_nothing() {
     for seed in 0..40 {
-        assert_eq!(hit(&mut drawn(seed), 2.0, Method::Coupled).gain(), None, "seed {seed}");
+        assert_eq!(hit(&mut drawn(seed), 2.0, Method::Coupled).energy_gain(), None, "seed {seed}");
     }
 }

@@ -95,7 +95,7 @@ fn run(
         bodies: vec![body],
         materials: vec![],
         pairs: vec![],
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: vec![],
         berthing: None,
         loads,
@@ -138,7 +138,7 @@ fn balances(vessel: &Vessel, integrator: Integrator, most: f64) {
                 for step_s in STEPS_S {
                     let energy =
                         run((vessel, manoeuvre), (step_s, integrator), current.clone(), depth_m);
-                    let share = energy.residual_j / energy.turned_over_j();
+                    let share = energy.residual_j / energy.exchanged_j();
                     worst = worst.max(share.abs());
                     println!(
                         "{manoeuvre:?} {integrator:?} {step_s} s, current {}, h/T {depth:?}: \

@@ -36,7 +36,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
         bodies: vec![body],
         materials: vec![],
         pairs: vec![],
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: vec![],
         berthing: None,
         loads: vec![],
@@ -69,7 +69,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
     (setup, approach.shaft_rps)
 }
 
-/// Advance and tactical diameter of midship [m].
+/// Advance and tactical diameter of midship (m).
 fn circle(setup: Setup, current_mps: Vec2) -> (f64, f64) {
     let ahead_m = setup.world.vessels[0].ship.particulars.centre_of_gravity_m;
     let mut simulation = Simulation::new(setup).expect("a good set-up");
@@ -237,7 +237,7 @@ fn orders_that_are_forgotten_are_not_carried_out_and_the_others_are() {
         Order { at_s: 20.0, action: Action::Vessel(0, VesselAction::Engine(0.2)) },
     ];
     let mut run = Simulation::new(setup).expect("a good set-up");
-    run.keep_orders(|order| matches!(order.action, Action::Vessel(_, VesselAction::Engine(_))));
+    run.retain_orders(|order| matches!(order.action, Action::Vessel(_, VesselAction::Engine(_))));
     while !run.is_done() {
         run.step().expect("a good step");
     }

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 
 /// Metres a second in a knot.
 pub(super) const KNOT_MPS: f64 = 1852.0 / 3600.0;
-/// Acceleration of gravity [m/s²].
+/// Acceleration of gravity (m/s²).
 pub(super) const GRAVITY_MPS2: f64 = 9.806_65;
 
 /// Froude number beyond which no displacement ship goes, and no coefficient here was measured.
@@ -34,13 +34,13 @@ impl Sea {
 
 /// What the user ordered, checked; the vessel's own where nothing is.
 pub(super) struct Conditions {
-    /// Speed of approach [m/s].
+    /// Speed of approach (m/s).
     pub(super) speed_mps: f64,
     /// It is the vessel's own, at which IMO's limits hold.
     pub(super) is_test_speed: bool,
-    /// Rudder angle ordered by the user [°].
+    /// Rudder angle ordered by the user (°).
     pub(super) rudder_deg: Option<f64>,
-    /// Push of the crabbing ordered by the user [N].
+    /// Push of the crabbing ordered by the user (N).
     pub(super) push_n: Option<f64>,
     /// The water that the user asks about, where it is not deep.
     pub(super) shallow: Option<Shallow>,

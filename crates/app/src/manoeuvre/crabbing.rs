@@ -46,14 +46,14 @@ pub(super) fn crabbing_section(
     })
 }
 
-/// ½ρLTC_D v² at v = 0.01√(gL) [N]: the push where the user orders none.
+/// ½ρLTC_D v² at v = 0.01√(gL) (N): the push where the user orders none.
 pub(super) fn usual_push_n(model: &Model3) -> f64 {
     let length_m = model.ship().particulars.length_m;
     let speed_squared = FROUDE * FROUDE * GRAVITY_MPS2 * length_m;
     drag_npm2s2(model) * speed_squared
 }
 
-/// (m + m_y)/√(½ρLTC_D F) [s]: mass over the slope of the drag's secant at the final speed.
+/// (m + m_y)/√(½ρLTC_D F) (s): mass over the slope of the drag's secant at the final speed.
 fn time_constant_s(model: &Model3, push_n: f64) -> f64 {
     let ship = model.ship();
     let mass_kg =
@@ -61,7 +61,7 @@ fn time_constant_s(model: &Model3, push_n: f64) -> f64 {
     mass_kg / (drag_npm2s2(model) * push_n).sqrt()
 }
 
-/// ½ρLTC_D: cross-flow drag in pure sway, over the square of the speed [N s²/m²].
+/// ½ρLTC_D: cross-flow drag in pure sway, over the square of the speed (N s²/m²).
 fn drag_npm2s2(model: &Model3) -> f64 {
     let ship = model.ship();
     let side_m2 = ship.particulars.length_m * ship.particulars.draught_m;

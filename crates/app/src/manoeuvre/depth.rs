@@ -8,7 +8,7 @@ use fenderline_sim::hydro::vessels::Vessel;
 use super::conditions::GRAVITY_MPS2;
 use super::section::Section;
 use crate::failure::Failure;
-use crate::plot::{fixed, plain};
+use fenderline_report::plot::{fixed, plain};
 
 /// Froude number of depth from which the waves that a ship makes change what the corrections know of; recalled.
 const SLOW_FROUDE: f64 = 0.6;

@@ -7,23 +7,23 @@
 
 use fenderline_contact::number::bounded;
 
-/// Advance at 90° with the rudder hard over [L].
+/// Advance at 90° with the rudder hard over (ship lengths).
 pub(super) const ADVANCE: f64 = 4.5;
-/// Tactical diameter with the rudder hard over [L].
+/// Tactical diameter with the rudder hard over (ship lengths).
 pub(super) const TACTICAL_DIAMETER: f64 = 5.0;
-/// Way until the heading has changed by 10° with 10° of rudder [L].
+/// Way until the heading has changed by 10° with 10° of rudder (ship lengths).
 pub(super) const INITIAL_TURNING: f64 = 2.5;
-/// First overshoot of the 20°/20° zig-zag [°].
+/// First overshoot of the 20°/20° zig-zag (°).
 pub(super) const FIRST_OVERSHOOT_20_DEG: f64 = 25.0;
-/// Track reach of the stop with full astern [L]; up to 20 where an administration allows it to a large ship.
+/// Track reach of the stop with full astern (ship lengths); up to 20 where an administration allows it to a large ship.
 pub(super) const TRACK_REACH: f64 = 15.0;
 
-/// First overshoot of the 10°/10° zig-zag [°], by L/V [s].
+/// First overshoot of the 10°/10° zig-zag (°), by L/V (s).
 pub(super) fn first_overshoot_10_deg(length_over_speed_s: f64) -> f64 {
     5.0 + 0.5 * bounded(length_over_speed_s, 10.0, 30.0)
 }
 
-/// Second overshoot of the 10°/10° zig-zag [°], by L/V [s].
+/// Second overshoot of the 10°/10° zig-zag (°), by L/V (s).
 pub(super) fn second_overshoot_10_deg(length_over_speed_s: f64) -> f64 {
     17.5 + 0.75 * bounded(length_over_speed_s, 10.0, 30.0)
 }

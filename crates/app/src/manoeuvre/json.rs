@@ -5,7 +5,8 @@ use serde_json::{Map, Value, json};
 
 use super::conditions::{Conditions, KNOT_MPS, Sea};
 use super::section::{Row, Section};
-use crate::vessels::{accuracy_json, source};
+use crate::validate::errors_of;
+use fenderline_results::{accuracy_json, source_json};
 
 /// The whole, with a line's end.
 pub(super) fn text(
@@ -29,8 +30,8 @@ pub(super) fn text(
         "depth_m": conditions.shallow.map(|shallow| shallow.depth_m),
         "notices": conditions.shallow.map_or_else(Vec::new, |shallow| shallow.notices(vessel, conditions.speed_mps)),
         "manoeuvres": sections.iter().map(section).collect::<Vec<_>>(),
-        "sources": vessel.origin.sources.iter().map(source).collect::<Vec<_>>(),
-        "estimate": accuracy_json(&vessel.origin),
+        "sources": vessel.origin.sources.iter().map(source_json).collect::<Vec<_>>(),
+        "estimate": accuracy_json(&vessel.origin, errors_of(&vessel.origin)),
     });
     format!("{document:#}\n")
 }

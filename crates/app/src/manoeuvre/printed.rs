@@ -7,14 +7,14 @@ use fenderline_sim::hydro::vessels::Vessel;
 use super::catalogue::ManoeuvreName;
 use super::conditions::{Conditions, GRAVITY_MPS2, KNOT_MPS, Sea};
 use super::section::{Row, Section, Unit};
-use crate::plot::{fixed, plain, significant};
 use crate::vessels::accuracy_text;
+use fenderline_report::plot::{fixed, plain, significant};
 
-/// Width of the column of names [characters].
+/// Width of the column of names (characters).
 const NAMES: usize = 38;
-/// Width of a column of values [characters].
+/// Width of a column of values (characters).
 const VALUES: usize = 20;
-/// What stands between two columns at least [characters].
+/// What stands between two columns at least (characters).
 const GAP: usize = 2;
 
 /// Vessel, measures and sources.

@@ -3,7 +3,7 @@
 use fenderline_sim::hydro::Model3;
 use fenderline_sim::hydro::manoeuvres::{
     Approach, CrashStop, ManoeuvreError, Moment, TurningCircle, ZigZag, bollard_pull_n,
-    crash_stop_watched, turning_circle_watched, zig_zag_watched,
+    crash_stop_observed, turning_circle_observed, zig_zag_observed,
 };
 use fenderline_sim::hydro::vessels::Vessel;
 
@@ -95,7 +95,7 @@ impl Trial<'_> {
         for (side, sign) in SIDES {
             let (turn, track) = watched(format!("turning_{side}"), |watch| {
                 let rudder_rad = sign * rudder_deg.to_radians();
-                turning_circle_watched(self.model, &approach, rudder_rad, watch)
+                turning_circle_observed(self.model, &approach, rudder_rad, watch)
             })?;
             turns.push(turn);
             tracks.push(track);
@@ -165,7 +165,7 @@ impl Trial<'_> {
         for (side, sign) in SIDES {
             let (run, track) = watched(format!("zigzag_{angle_deg}_{side}"), |watch| {
                 let check_rad = angle_deg.to_radians();
-                zig_zag_watched(self.model, &approach, sign * check_rad, check_rad, watch)
+                zig_zag_observed(self.model, &approach, sign * check_rad, check_rad, watch)
             })?;
             runs.push(run);
             tracks.push(track);
@@ -205,7 +205,7 @@ impl Trial<'_> {
         })
     }
 
-    /// IMO's limits of the initial turning [L] and of both overshoots [°].
+    /// IMO's limits of the initial turning (ship lengths) and of both overshoots (°).
     fn zig_zag_limits(&self, angle_deg: f64) -> [Option<f64>; 3] {
         let length_over_speed_s = self.length_m / self.conditions.speed_mps;
         if angle_deg == 10.0 {
@@ -246,7 +246,7 @@ impl Trial<'_> {
                 _ => "crash_stop",
             };
             let (stop, track) = watched(name.to_owned(), |watch| {
-                crash_stop_watched(model, &approach, astern_rps, rate_rps2, watch)
+                crash_stop_observed(model, &approach, astern_rps, rate_rps2, watch)
             })?;
             stops.push(stop);
             tracks.push(track);

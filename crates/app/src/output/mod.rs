@@ -8,10 +8,8 @@
 mod csv;
 mod files;
 mod lock;
-mod outcome;
 mod parquet;
 mod part_file;
-mod summary;
 mod tables;
 mod whole_file;
 
@@ -20,9 +18,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-pub(crate) use outcome::{Interrupted, Outcome};
 pub(crate) use part_file::{Folder, Sealed};
-pub(crate) use summary::{Events, event_text, integrator_text, is_plain, method_text, summary};
 pub(crate) use tables::Tables;
 pub(crate) use whole_file::{make_folder, write_whole};
 
@@ -49,7 +45,7 @@ const RESULT_FILES: [&str; 20] = [
     "vessels.parquet",
     REPORT,
 ];
-const SUMMARY: &str = "summary.json";
+pub(crate) const SUMMARY: &str = "summary.json";
 const REPORT: &str = "report.html";
 
 /// How the tables are written.
@@ -80,7 +76,8 @@ pub(crate) struct OutputError {
 }
 
 impl OutputError {
-    fn new(file: &Path, cause: impl fmt::Display) -> OutputError {
+    /// A file that could not be written.
+    pub(crate) fn new(file: &Path, cause: impl fmt::Display) -> OutputError {
         OutputError { file: file.to_owned(), cause: cause.to_string(), is_refused: false }
     }
 
@@ -102,15 +99,6 @@ impl fmt::Display for OutputError {
 }
 
 impl core::error::Error for OutputError {}
-
-/// A file of the run and how many rows it has, for the summary; `None` where it is no table.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct WrittenFile {
-    /// Name within the folder.
-    pub(crate) name: String,
-    /// Rows, the header apart.
-    pub(crate) rows: Option<u64>,
-}
 
 /// Brings all files of a run to the disk and then gives them their final names, the summary last;
 /// `files` are the tables. Where anything fails, none keeps its final name.

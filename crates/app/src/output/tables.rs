@@ -1,10 +1,11 @@
 //! The tables of a run, written step by step.
 
+use fenderline_results::WrittenFile;
 use fenderline_sim::{Energy, Setup, StepRecord};
 
 use super::files::Files;
 use super::part_file::{Folder, Sealed};
-use super::{Format, OutputError, REPORT, SUMMARY, WrittenFile};
+use super::{Format, OutputError, REPORT, SUMMARY};
 
 /// All tables of a run; those of fenders, vessels, tugs and lines only where the set-up has any.
 pub(crate) struct Tables<'a> {

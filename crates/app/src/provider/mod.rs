@@ -2,20 +2,18 @@
 //! answer.
 
 mod group;
-mod notices;
 mod process;
 mod protocol;
 
 use fenderline_contact::{Rotation, Wrench};
-use fenderline_sim::external::{Provided, ProviderEvent, Question};
+use fenderline_results::{ProviderNotice, ProviderNotices};
+use fenderline_sim::external::{ForceRequest, HeldWrench, ProviderEvent};
 use fenderline_sim::{ProviderSetup, Simulation};
 
 #[cfg(unix)]
 pub(crate) use self::group::end_all;
 use self::process::Process;
 use crate::failure::Failure;
-
-pub(crate) use notices::{ProviderNotice, ProviderNotices, provider_event_key};
 
 /// All providers of a run.
 pub(crate) struct Providers {
@@ -27,7 +25,7 @@ pub(crate) struct Providers {
 struct Provider {
     setup: ProviderSetup,
     process: Process,
-    provided: Provided,
+    provided: HeldWrench,
 }
 
 impl Providers {
@@ -46,7 +44,7 @@ impl Providers {
                 let command = provider.command.join(" ");
                 Failure::case(format_args!("error: cannot start the provider `{command}`: {why}"))
             })?;
-            let provided = Provided::new(provider.hold_s);
+            let provided = HeldWrench::new(provider.hold_s);
             all.push(Provider { setup: provider.clone(), process, provided });
         }
         let wrenches = vec![Wrench::default(); setup.bodies.len()];
@@ -63,7 +61,7 @@ impl Providers {
         let (t_s, step_s) = (simulation.time_s(), simulation.setup().step_s);
         for (index, provider) in self.all.iter_mut().enumerate() {
             let body = provider.setup.body;
-            let question = Question { t_s, step_s, state: simulation.states()[body] };
+            let question = ForceRequest { t_s, step_s, state: simulation.states()[body] };
             let wrench = provider.provided.ask(&mut provider.process, &question, &mut self.events);
             self.wrenches[body].force_n += wrench.force_n;
             self.wrenches[body].moment_nm += wrench.moment_nm;
@@ -76,7 +74,11 @@ impl Providers {
 }
 
 /// A force in a body's axes, earth-fixed.
-fn earth_fixed(question: &Question, forward_n: f64, starboard_n: f64) -> fenderline_contact::Vec2 {
+fn earth_fixed(
+    question: &ForceRequest,
+    forward_n: f64,
+    starboard_n: f64,
+) -> fenderline_contact::Vec2 {
     let own = fenderline_contact::vec2(forward_n, starboard_n);
     Rotation::from_angle(question.state.heading_rad).apply(own)
 }

@@ -5,12 +5,12 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
-use fenderline_sim::external::{Answer, ForceProvider, Question};
+use fenderline_sim::external::{ForceProvider, ForceReply, ForceRequest};
 
 use super::group::Group;
 use super::protocol;
 
-/// Longest line that a provider may write [bytes].
+/// Longest line that a provider may write (bytes).
 const LONGEST_LINE: u64 = 64 * 1024;
 
 /// Questions that may wait for their answers: as many as any pipe holds, so that one that does not read
@@ -95,7 +95,7 @@ impl Process {
 }
 
 impl ForceProvider for Process {
-    fn ask(&mut self, question: &Question) -> Answer {
+    fn ask(&mut self, question: &ForceRequest) -> ForceReply {
         let mut is_asked = false;
         let waits = if self.timeouts < PATIENCE { self.timeout } else { Duration::ZERO };
         let mut until = Instant::now() + waits;
@@ -112,7 +112,7 @@ impl ForceProvider for Process {
                     let Some((n, wrench)) = protocol::answer(&line, question) else { continue };
                     if is_asked && n.saturating_add(1) == self.asked {
                         (self.unanswered, self.timeouts) = (self.asked, 0);
-                        return Answer::Wrench(wrench);
+                        return ForceReply::Wrench(wrench);
                     }
                     // It came too late for its own step; who answers again is waited for again.
                     self.unanswered = self.unanswered.max(n.saturating_add(1)).min(self.asked);
@@ -123,9 +123,9 @@ impl ForceProvider for Process {
                 }
                 Err(RecvTimeoutError::Timeout) => {
                     self.timeouts = self.timeouts.saturating_add(1);
-                    return Answer::Late;
+                    return ForceReply::Late;
                 }
-                Err(RecvTimeoutError::Disconnected) => return Answer::Dead(self.epitaph()),
+                Err(RecvTimeoutError::Disconnected) => return ForceReply::Dead(self.epitaph()),
             }
         }
     }

@@ -10,7 +10,7 @@
 //! in the body's axes, moments are about its centre of gravity, positive to starboard.
 
 use fenderline_contact::{Rotation, Vec2, Wrench, vec2};
-use fenderline_sim::external::Question;
+use fenderline_sim::external::ForceRequest;
 use serde_json::{Value, json};
 
 /// The version of this protocol.
@@ -20,7 +20,7 @@ pub(super) fn hello(body: &str, step_s: f64) -> String {
     json!({ "fenderline": VERSION, "body": body, "step_s": step_s }).to_string()
 }
 
-pub(super) fn question(n: u64, question: &Question) -> String {
+pub(super) fn question(n: u64, question: &ForceRequest) -> String {
     let state = &question.state;
     let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
     json!({
@@ -38,7 +38,7 @@ pub(super) fn question(n: u64, question: &Question) -> String {
 }
 
 /// The number and the wrench of an answer; `None` for a line that is none.
-pub(super) fn answer(line: &str, asked: &Question) -> Option<(u64, Wrench)> {
+pub(super) fn answer(line: &str, asked: &ForceRequest) -> Option<(u64, Wrench)> {
     let value: Value = serde_json::from_str(line).ok()?;
     let n = value["n"].as_u64()?;
     let moment_nm = match &value["moment_nm"] {
@@ -72,7 +72,7 @@ mod tests {
     #[test]
     fn answers_are_read_in_both_frames_and_anything_else_is_none() {
         let state = BodyState { heading_rad: core::f64::consts::FRAC_PI_2, ..Default::default() };
-        let asked = Question { t_s: 0.0, step_s: 0.1, state };
+        let asked = ForceRequest { t_s: 0.0, step_s: 0.1, state };
         let (n, wrench) =
             answer(r#"{"n": 3, "force_n": [1, 2], "moment_nm": 4}"#, &asked).expect("an answer");
         assert_eq!((n, wrench.force_n, wrench.moment_nm), (3, vec2(1.0, 2.0), 4.0));

@@ -5,9 +5,9 @@ use core::fmt::Write as _;
 use fenderline_sim::FenderSummary;
 
 use super::printed::{NAME_WIDTH, decimal, one_line};
-use crate::output::Outcome;
-use crate::plot::{counted, shortened};
-use crate::verdict::{Verdict, most_used, utilisation, worst_first};
+use fenderline_report::plot::{counted, shortened};
+use fenderline_results::Outcome;
+use fenderline_results::{Verdict, most_used, utilisation, worst_first};
 
 /// Fenders printed at most.
 const FENDERS: usize = 12;

@@ -6,12 +6,13 @@ use std::path::Path;
 use fenderline_scenario::{printable_line, printable_number};
 use fenderline_sim::PairSummary;
 
-use crate::output::{Outcome, WrittenFile, integrator_text, method_text};
-use crate::plot::{counted, shortened};
+use fenderline_report::plot::{counted, shortened};
+use fenderline_report::words::interrupted_text;
+use fenderline_results::{Outcome, WrittenFile, integrator_text, method_text};
 
 /// Pairs printed at most.
 const ROWS: usize = 20;
-/// Longest name of a pair or a fender; the rest is cut [characters].
+/// Longest name of a pair or a fender; the rest is cut (characters).
 pub(super) const NAME_WIDTH: usize = 48;
 
 /// Title and how it was run, one line a pair with the largest force first, one a fender with the most
@@ -27,7 +28,7 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         integrator_text(setup.integrator).replace('_', "-")
     );
     if let Some(interrupted) = &outcome.interrupted {
-        let _ = writeln!(text, "INTERRUPTED: {}\n", interrupted.text());
+        let _ = writeln!(text, "INTERRUPTED: {}\n", interrupted_text(interrupted));
     }
     let mut pairs: Vec<&PairSummary> = outcome.pairs.iter().collect();
     pairs.sort_by(|a, b| b.peak_normal_force_n.total_cmp(&a.peak_normal_force_n));

@@ -4,9 +4,9 @@
 use core::fmt::Write as _;
 
 use super::printed::{NAME_WIDTH, decimal, one_line};
-use crate::output::Outcome;
-use crate::plot::{shortened, times};
-use crate::world::{LineTotals, LineVerdict};
+use fenderline_report::plot::{shortened, times};
+use fenderline_results::Outcome;
+use fenderline_results::{LineTotals, LineVerdict};
 
 /// Lines of text about one kind of thing at most.
 const ROWS: usize = 12;

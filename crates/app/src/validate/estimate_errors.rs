@@ -3,7 +3,9 @@
 
 use std::sync::OnceLock;
 
-use fenderline_sim::hydro::Route;
+use fenderline_results::EstimateError;
+use fenderline_sim::hydro::EstimateMethod;
+use fenderline_sim::hydro::vessels;
 
 use super::computed::Values;
 use super::computed::estimates::{MEASURES, ROUTES, SHIPS, compute_route};
@@ -11,31 +13,6 @@ use super::published::{Number, Origin, Source};
 
 /// The file.
 const ESTIMATED_SHIPS: &str = include_str!("../../../../validation/estimated_ships.toml");
-
-/// The errors of a route in one measure, ours over theirs less one.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct EstimateError {
-    /// Key of the measure.
-    pub(crate) measure: &'static str,
-    /// The measure in words.
-    pub(crate) name: &'static str,
-    /// Mean of the errors without their signs.
-    pub(crate) size: f64,
-    /// Mean of the errors with their signs.
-    pub(crate) bias: f64,
-    /// The lowest and the highest, each with its ship.
-    pub(crate) ends: [(String, f64); 2],
-    /// How many ships.
-    pub(crate) ships: usize,
-}
-
-impl EstimateError {
-    /// The largest, with its sign.
-    fn largest(&self) -> f64 {
-        let [(_, low), (_, high)] = &self.ends;
-        if low.abs() > high.abs() { *low } else { *high }
-    }
-}
 
 /// Measures in words, in the order of [`MEASURES`].
 const NAMES: [&str; 4] = [
@@ -45,8 +22,19 @@ const NAMES: [&str; 4] = [
     "first overshoot of 20°/20°",
 ];
 
+/// The errors of the formulas that estimated a vessel; empty where nothing of her is estimated, or the formulas' errors
+/// are not known.
+pub(crate) fn errors_of(origin: &vessels::Origin) -> &'static [EstimateError] {
+    match origin.estimate_method {
+        Some(EstimateMethod::YoshimuraMasumoto) => {
+            estimate_errors(EstimateMethod::YoshimuraMasumoto)
+        }
+        Some(EstimateMethod::Clarke) | None => &[],
+    }
+}
+
 /// The errors of a route, by measure. Computed once in a program.
-pub(crate) fn estimate_errors(route: Route) -> &'static [EstimateError] {
+fn estimate_errors(route: EstimateMethod) -> &'static [EstimateError] {
     static ERRORS: [OnceLock<Vec<EstimateError>>; 2] = [OnceLock::new(), OnceLock::new()];
     let index = ROUTES.iter().position(|(_, known)| *known == route).expect("every route is there");
     ERRORS[index].get_or_init(|| {
@@ -56,7 +44,7 @@ pub(crate) fn estimate_errors(route: Route) -> &'static [EstimateError] {
     })
 }
 
-/// The errors of both routes, as values of `validate` [%].
+/// The errors of both routes, as values of `validate` (%).
 pub(super) fn put(values: &mut Values) {
     for (route, _) in ROUTES {
         for error in errors(values, route) {
@@ -114,13 +102,13 @@ mod tests {
     /// What is told with every ship that is estimated by the usual route, and the goal of that route.
     #[test]
     fn estimated_ships_turn_within_15_percent_in_the_mean_and_25_each() {
-        let errors = estimate_errors(Route::YoshimuraMasumoto);
+        let errors = estimate_errors(EstimateMethod::YoshimuraMasumoto);
         for error in &errors[..2] {
             assert!(error.ships == 6 && error.size <= 0.15, "{error:?}");
             assert!(error.largest().abs() <= 0.25, "{error:?}");
         }
         // The route before: further off at its worst, and biased to the stable side.
-        let before = estimate_errors(Route::Clarke);
+        let before = estimate_errors(EstimateMethod::Clarke);
         for (error, before) in errors.iter().zip(before) {
             assert!(error.largest().abs() < before.largest().abs(), "{error:?} {before:?}");
             assert!(error.bias.abs() < before.bias.abs(), "{error:?} {before:?}");

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 use super::play::{Played, Sample};
 use super::row::Runs;
-use crate::plot::{
+use fenderline_report::plot::{
     Axis, Chart, Frame, Harbour, Label, Outlined, Plan, Point, Reference, Series, Stage, plain,
 };
 
@@ -24,10 +24,10 @@ const SPEEDS: [(&str, &str); 4] = [
     ("paper/experiment_2_1kn", "1 kn"),
     ("paper/experiment_2_0.5kn", "0.5 kn"),
 ];
-/// The charts end when the last push has ended [s].
+/// The charts end when the last push has ended (s).
 const END_OF_EXPERIMENT_1_S: f64 = 10.0;
 const END_OF_EXPERIMENT_2_S: f64 = 12.0;
-/// Steps from this on are so few that each is marked [s].
+/// Steps from this on are so few that each is marked (s).
 const MARKED_STEP_S: f64 = 0.5;
 
 const FORCE: (&str, &str, f64) = ("normal force", "MN", 1e-6);
@@ -135,7 +135,7 @@ fn series(
     drawn.collect()
 }
 
-/// −γV⁰, by the material of the run's only pair [m/s].
+/// −γV⁰, by the material of the run's only pair (m/s).
 fn expected_final_mps(run: &Played) -> f64 {
     let material = &run.setup.materials[run.setup.pairs[0].material].material;
     -material.restitution * run.pair.approach_speed_mps
@@ -237,7 +237,7 @@ fn start(setup: &Setup) -> Markup {
     .render()
 }
 
-/// Length and breadth of an outline [m].
+/// Length and breadth of an outline (m).
 fn size(body: &BodySetup) -> (f64, f64) {
     let (low, high) = body.outline.bounds();
     (high.x - low.x, high.y - low.y)

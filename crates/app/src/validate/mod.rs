@@ -22,7 +22,7 @@ use crate::failure::Failure;
 use crate::terminal::say;
 
 use computed::Values;
-pub(crate) use estimate_errors::{EstimateError, estimate_errors};
+pub(crate) use estimate_errors::errors_of;
 use play::play_all;
 use published::Source;
 use row::{Row, evaluate};

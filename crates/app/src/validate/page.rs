@@ -9,7 +9,7 @@ use super::printed::{
 };
 use super::published::Source;
 use super::row::{Compared, Row, Runs, count};
-use crate::plot::{page, plain, significant};
+use fenderline_report::plot::{page, plain, significant};
 
 const TITLE: &str = "Validation of fenderline against published results";
 

@@ -66,12 +66,12 @@ pub(super) struct Sample {
 }
 
 impl Played {
-    /// From the first to the end of the last step in which the bodies overlap [s].
+    /// From the first to the end of the last step in which the bodies overlap (s).
     pub(super) fn contact_duration_s(&self) -> f64 {
         self.pair.last_touch_s - self.pair.first_touch_s + self.setup.step_s
     }
 
-    /// Length of the first unbroken run of steps with a normal force [s]. What rounding leaves of one that the
+    /// Length of the first unbroken run of steps with a normal force (s). What rounding leaves of one that the
     /// limiter takes away is none.
     pub(super) fn push_duration_s(&self) -> f64 {
         let least_n = 1e-9 * self.pair.peak_normal_force_n;
@@ -140,7 +140,7 @@ fn sample(step: &StepRecord<'_>, along: Vec2) -> Sample {
 /// How far the momentum of all bodies together strays from what it was.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct MomentumWatch {
-    /// Mass [kg] and yaw inertia [kg·m²]; `None` for a fixed body.
+    /// Mass (kg) and yaw inertia (kg·m²); `None` for a fixed body.
     inertias: Vec<Option<(f64, f64)>>,
     start: Momentum,
     linear_change: f64,
@@ -164,7 +164,7 @@ impl MomentumWatch {
             Mobility::Fixed => None,
             Mobility::Free { mass_kg, yaw_inertia_kgm2 } => Some((mass_kg, yaw_inertia_kgm2)),
             // Momentum of a body whose mass differs with direction is not m v.
-            Mobility::Massive { .. } | Mobility::Afloat { .. } => {
+            Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {
                 panic!("the case's bodies have one mass in all directions")
             }
         });

@@ -6,7 +6,7 @@ use core::fmt::Write as _;
 
 use super::published::{Tolerance, Uncertainty};
 use super::row::{Compared, Row, count};
-use crate::plot::{plain, significant};
+use fenderline_report::plot::{plain, significant};
 
 /// Numbers by subject, statements, what does not match, and the count.
 pub(super) fn tables(rows: &[Row]) -> String {
@@ -56,7 +56,7 @@ fn is_number(row: &Row) -> bool {
 /// The name of the column of published values.
 const THEIRS: &str = "theirs";
 
-/// Longest lines of the columns of cases and of places: what is longer goes on in the next line [characters].
+/// Longest lines of the columns of cases and of places: what is longer goes on in the next line (characters).
 const CASE: usize = 31;
 const PLACE: usize = 16;
 
@@ -152,7 +152,7 @@ fn aligned<const N: usize>(rows: &[[String; N]], right: &[usize]) -> String {
     text
 }
 
-/// Longest line of running text [characters].
+/// Longest line of running text (characters).
 const LINE: usize = 100;
 
 /// Text in lines of at most so many characters, where its words allow.

@@ -189,7 +189,7 @@ pub(crate) async fn status(server: &Server, path: &str, headers: &[(&str, &str)]
     let url = format!("ws://127.0.0.1:{}{path}", server.port);
     let mut request = url.into_client_request().expect("a request");
     for (name, value) in headers {
-        let name: axum::http::HeaderName = name.parse().expect("a name");
+        let name: tokio_tungstenite::tungstenite::http::HeaderName = name.parse().expect("a name");
         request.headers_mut().insert(name, value.parse().expect("a value"));
     }
     match timeout(LONG, connect_async(request)).await.expect("an answer in time") {

@@ -106,7 +106,7 @@ impl Server {
         self.folder.join("sessions")
     }
 
-    /// The memory that it holds [KiB]; 0 where the system does not tell.
+    /// The memory that it holds (KiB); 0 where the system does not tell.
     pub(crate) fn memory_kib(&self) -> u64 {
         let status = fs::read_to_string(format!("/proc/{}/status", self.child.id()));
         let status = status.unwrap_or_default();

@@ -16,7 +16,7 @@ use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::Model;
 use crate::number::{greater, lesser};
 use crate::ranked::Rest;
-use crate::report::{Motion, Wrench};
+use crate::report::{Displacement, Wrench};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::{Pose, Rotation, Vec2, vec2};
 use crate::workspace::Workspace;
@@ -62,7 +62,7 @@ pub(crate) fn take(
     // Not before all states are sound: these are results.
     if is_new {
         work.states_after.clear();
-        work.motions.resize(count, Motion::default());
+        work.motions.resize(count, Displacement::default());
     }
     tell_of_jumps(model, work);
     Ok(all_held)
@@ -153,12 +153,13 @@ fn take_loads(
             moves[rank] = !state.is_at_rest();
             behind_s[rank] = NOT_BEHIND;
             velocities[rank] = state.velocity();
-            motions_by_rank[rank] = Motion::default();
+            motions_by_rank[rank] = Displacement::default();
             if moves[rank] {
                 moving_walls.push((rank as u32, *state));
                 // Where it comes to, unless islands take it along: where nothing is near.
                 let (velocity, mut alone) = (state.velocity(), *state);
-                motions_by_rank[rank] = moved_on(Motion::default(), velocity, velocity, step_s);
+                motions_by_rank[rank] =
+                    moved_on(Displacement::default(), velocity, velocity, step_s);
                 move_body(&mut alone, velocity, step_s);
                 states[rank] = alone;
             }
@@ -220,7 +221,7 @@ fn forget(model: &Model, work: &mut Workspace) {
     refill(&mut work.behind_s, count, NOT_BEHIND);
     work.room_mps.resize(count, 0.0);
     work.fastest_mps.resize(count, 0.0);
-    work.motions_by_rank.resize(count, Motion::default());
+    work.motions_by_rank.resize(count, Displacement::default());
     refill(&mut work.unheld_j, count, 0.0);
 }
 
@@ -328,7 +329,7 @@ pub(crate) fn advance_positions(model: &Model, work: &mut Workspace, h: f64, is_
     for &rank in &*island_bodies {
         let rank = rank as usize;
         let (state, motion, pose) = (&mut states[rank], &mut motions[rank], &mut poses[rank]);
-        let so_far = if is_first { Motion::default() } else { *motion };
+        let so_far = if is_first { Displacement::default() } else { *motion };
         let kick_s = kick_s(behind_s[rank], h);
         behind_s[rank] = 0.5 * h;
         *motion = moved_on(so_far, state.velocity(), velocities[rank], kick_s);
@@ -363,7 +364,7 @@ pub(crate) fn arrive(model: &Model, work: &mut Workspace, h: f64, is_first: bool
     for &rank in &*island_bodies {
         let rank = rank as usize;
         let (id, mut state) = (id_of[rank].0 as usize, states[rank]);
-        let so_far = if is_first { Motion::default() } else { motions_by_rank[rank] };
+        let so_far = if is_first { Displacement::default() } else { motions_by_rank[rank] };
         let kick_s = kick_s(behind_s[rank], h);
         behind_s[rank] = 0.5 * h;
         motions[id] = moved_on(so_far, state.velocity(), velocities[rank], kick_s);
@@ -383,11 +384,11 @@ pub(crate) fn arrive(model: &Model, work: &mut Workspace, h: f64, is_first: bool
 /// How far a body went, with a sub-step from one velocity to the other, for as long as forces act in it: for their
 /// works' sake.
 #[inline(always)]
-fn moved_on(so_far: Motion, before: Velocity, after: Velocity, kick_s: f64) -> Motion {
+fn moved_on(so_far: Displacement, before: Velocity, after: Velocity, kick_s: f64) -> Displacement {
     let ((from_mps, from_radps), (to_mps, to_radps)) = (before, after);
-    Motion {
-        way_m: so_far.way_m + (from_mps + to_mps) * (0.5 * kick_s),
-        turn_rad: so_far.turn_rad + (from_radps + to_radps) * (0.5 * kick_s),
+    Displacement {
+        translation_m: so_far.translation_m + (from_mps + to_mps) * (0.5 * kick_s),
+        rotation_rad: so_far.rotation_rad + (from_radps + to_radps) * (0.5 * kick_s),
     }
 }
 
@@ -456,11 +457,11 @@ fn drift(
     (way, turn): Velocity,
     before: Rotation,
     (step_s, kick_s): (f64, f64),
-) -> Motion {
+) -> Displacement {
     let (dv, dr) = (way * kick_s, turn * kick_s);
-    let motion = Motion {
-        way_m: (state.velocity_mps + dv * 0.5) * kick_s,
-        turn_rad: (state.yaw_rate_radps + 0.5 * dr) * kick_s,
+    let motion = Displacement {
+        translation_m: (state.velocity_mps + dv * 0.5) * kick_s,
+        rotation_rad: (state.yaw_rate_radps + 0.5 * dr) * kick_s,
     };
     let velocity = (state.velocity_mps + dv, state.yaw_rate_radps + dr);
     move_body(state, velocity, step_s);

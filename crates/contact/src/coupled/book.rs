@@ -8,18 +8,20 @@ use crate::memory::PatchMemory;
 use crate::model::{BodyId, Model};
 use crate::number::{greater, lesser};
 use crate::overlap::Patch;
-use crate::report::{Contact, ContactWork, ForceParts, Friction, Wrench};
+use crate::report::{
+    Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction, Wrench,
+};
 use crate::touch::{Scene, Touch, arms_m};
 use crate::vec2::Vec2;
 
-/// Beyond this a memory would not be restored [J].
+/// Beyond this a memory would not be restored (J).
 const MOST_TAKEN_J: f64 = 1e29;
 
 /// What contacts are booked in.
 pub(crate) struct Books<'w> {
     /// Mean wrenches of the step as far as they are known, by id.
     pub(crate) wrenches: &'w mut [Wrench],
-    /// Length of the sub-step [s], and its share of the step. What is reported of a step are means over its
+    /// Length of the sub-step (s), and its share of the step. What is reported of a step are means over its
     /// sub-steps' time: at rest they are the force, however sub-steps change.
     pub(crate) h: f64,
     pub(crate) share: f64,
@@ -150,7 +152,7 @@ impl Moved {
     }
 }
 
-/// What a contact may give back: neither less than nothing nor more than this [J].
+/// What a contact may give back: neither less than nothing nor more than this (J).
 #[inline]
 fn within(taken_j: f64, most_j: f64) -> f64 {
     lesser(greater(taken_j, 0.0), most_j)
@@ -217,8 +219,10 @@ impl Booked {
             shear_m: self.shear_m,
             normal_force_n: self.normal_n * share,
             tangential_force_n: self.tangential_n * share,
-            normal_impulse_ns: self.normal_n * self.kick_s,
-            tangential_impulse_ns: self.tangential_n * self.kick_s,
+            impulse: ContactImpulse {
+                normal_ns: self.normal_n * self.kick_s,
+                tangential_ns: self.tangential_n * self.kick_s,
+            },
             friction: self.friction,
             limited: parts.limiter_n > 0.0,
             peak_normal_force_n: self.normal_n,
@@ -230,11 +234,13 @@ impl Booked {
             },
             work: self.work,
             factor: self.factor,
-            stored_j: self.stored_j,
-            peak_loaded_j: self.loaded_j,
-            hysteresis_j: self.hysteresis_j,
-            hysteresis_at_start_j: self.hysteresis_j,
-            shear_stored_j: self.shear_stored_j,
+            energy: EnergyParts {
+                stored_j: self.stored_j,
+                peak_absorbed_j: self.loaded_j,
+                hysteresis_j: self.hysteresis_j,
+                hysteresis_at_start_j: self.hysteresis_j,
+                shear_stored_j: self.shear_stored_j,
+            },
             ..touch_of(tie, row).contact(scene, (patch, ids), face, arms_m)
         }
     }
@@ -243,18 +249,18 @@ impl Booked {
     fn add_to(&self, contact: &mut Contact, share: f64) {
         contact.normal_force_n += self.normal_n * share;
         contact.tangential_force_n += self.tangential_n * share;
-        contact.normal_impulse_ns += self.normal_n * self.kick_s;
-        contact.tangential_impulse_ns += self.tangential_n * self.kick_s;
+        contact.impulse.normal_ns += self.normal_n * self.kick_s;
+        contact.impulse.tangential_ns += self.tangential_n * self.kick_s;
         contact.peak_normal_force_n = greater(contact.peak_normal_force_n, self.normal_n);
         contact.peak_depth_m = greater(contact.peak_depth_m, self.depth_m);
-        contact.peak_loaded_j = greater(contact.peak_loaded_j, self.loaded_j);
-        contact.hysteresis_j += self.hysteresis_j;
+        contact.energy.peak_absorbed_j = greater(contact.energy.peak_absorbed_j, self.loaded_j);
+        contact.energy.hysteresis_j += self.hysteresis_j;
         contact.work.normal_j += self.work.normal_j;
         contact.work.tangential_j += self.work.tangential_j;
         contact.work.damper_j += self.work.damper_j;
         contact.work.limiter_j += self.work.limiter_j;
         contact.parts.add(&self.parts, share);
-        contact.shear_stored_j = self.shear_stored_j;
+        contact.energy.shear_stored_j = self.shear_stored_j;
         contact.shear_m = self.shear_m;
         contact.limited |= self.parts.limiter_n > 0.0;
         if self.friction == Friction::Slip {

@@ -28,7 +28,7 @@ const STIFFNESS: f64 = 1e5;
 const NEWTON_STEPS: u32 = 12;
 const HALVINGS: u32 = 12;
 
-/// A contact in a leap: its speeds [m/s], how they change along the step, and where N stands.
+/// A contact in a leap: its speeds (m/s), how they change along the step, and where N stands.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trial {
     speeds: (f64, f64),
@@ -241,7 +241,7 @@ impl Bodies {
         [part(a, j_a), part(b, j_b)]
     }
 
-    /// What a contact sees of a change of the velocities: of V_n and of V_t [m/s].
+    /// What a contact sees of a change of the velocities: of V_n and of V_t (m/s).
     fn seen_by(&self, tie: &Tie, change: &Velocities) -> (f64, f64) {
         let along = |of: fn(&Tie) -> [[f64; 3]; 2]| {
             let [(at_a, a), (at_b, b)] = self.row(tie, of);

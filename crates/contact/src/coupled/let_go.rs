@@ -48,7 +48,7 @@ fn rises(unheld_j: f64, memory: &PatchMemory, tie: &Tie) -> bool {
     speed_squared(unheld_j, tie) > memory.v_normal_0_mps * memory.v_normal_0_mps
 }
 
-/// Square of the speed that unheld energy would give the two bodies of a contact, without rotation [m²/s²]:
+/// Square of the speed that unheld energy would give the two bodies of a contact, without rotation (m²/s²):
 /// contacts at both ends of a ship do not turn her.
 #[inline(always)]
 fn speed_squared(unheld_j: f64, tie: &Tie) -> f64 {

@@ -49,9 +49,9 @@ use crate::workspace::Workspace;
 /// hull forces, wind, lines, and the Coriolis and centripetal terms where the host has them.
 ///
 /// Results are in `work`: [`Workspace::wrenches`] has the *mean* contact wrench over the step, what
-/// a host that integrates by itself adds to its forces, and [`Workspace::tell_peaks`] the greatest within it;
+/// a host that integrates by itself adds to its forces, and [`Workspace::peak_wrenches_into`] the greatest within it;
 /// [`Workspace::states_after`] the states that the engine came to; [`Workspace::contacts`] mean forces and true peaks. Hosts that let the engine move their bodies
-/// take [`advance_on`] or [`advance_in_place`], which know more of the velocities that they are shown.
+/// take [`advance_from_engine_states`] or [`advance_in_place`], which know more of the velocities that they are shown.
 ///
 /// In a step of 0 s, of a host that is paused, nothing goes on: `memory` stays as it is, the states after it are those
 /// shown, and wrenches and contacts those of the last step, without work and events.
@@ -59,7 +59,7 @@ use crate::workspace::Workspace;
 /// Where a host puts a body farther than its velocities lead it, contacts give back what they hold there.
 ///
 /// # Errors
-/// As [`crate::step`]; but `work` has no good results after [`StepError::NotFinite`].
+/// As [`crate::step()`]; but `work` has no good results after [`StepError::NotFinite`].
 pub fn advance(
     model: &Model,
     memory: &mut Memory,
@@ -78,7 +78,7 @@ pub fn advance(
 ///
 /// # Errors
 /// As [`advance`].
-pub fn advance_on(
+pub fn advance_from_engine_states(
     model: &Model,
     memory: &mut Memory,
     work: &mut Workspace,
@@ -108,7 +108,7 @@ fn advance_from(
     carry_out(model, memory, work, all_held, step_s)
 }
 
-/// The same as [`advance_on`], where `states` become those at the end of the step, with nothing to copy. [`Workspace::states_after`] has none then.
+/// The same as [`advance_from_engine_states`], where `states` become those at the end of the step, with nothing to copy. [`Workspace::states_after`] has none then.
 ///
 /// ```
 /// use fenderline_contact::*;
@@ -131,7 +131,7 @@ fn advance_from(
 /// ```
 ///
 /// # Errors
-/// As [`crate::step`]; `states` are what they were then.
+/// As [`crate::step()`]; `states` are what they were then.
 pub fn advance_in_place(
     model: &Model,
     memory: &mut Memory,

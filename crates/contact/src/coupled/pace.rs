@@ -35,7 +35,7 @@ pub(crate) const MOST_SUB_STEPS: u32 = 4096;
 /// What candidates ask of the pace of their island.
 #[derive(Clone, Copy, Default)]
 struct Haste {
-    /// Sum of the squares of the rates of their springs and dampers [1/s²].
+    /// Sum of the squares of the rates of their springs and dampers (1/s²).
     rate_squared: f64,
     /// What they may close in the step, in sub-steps of the largest travel.
     travel: f64,
@@ -166,7 +166,7 @@ fn may_travel(fastest_mps: &[f64], pair: [usize; 2], bounds: &Bounds, step_s: f6
     (fastest_a + fastest_b) * step_s > TRAVEL_PER_SUB_STEP * bounds.half_width_m
 }
 
-/// A bound on the square of the rate of a contact of two outlines that stands in one patch [1/s²].
+/// A bound on the square of the rate of a contact of two outlines that stands in one patch (1/s²).
 #[inline(always)]
 fn standing_rate_squared(bounds: &Bounds, only: &Patch, share: f64) -> f64 {
     let most = STANDING * bounds.spring_rate_squared + bounds.damping_rate_squared;
@@ -231,7 +231,7 @@ fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
     own
 }
 
-/// A bound on the inverse mass that two bodies oppose to a contact of theirs [1/kg]. Twice that without rotation
+/// A bound on the inverse mass that two bodies oppose to a contact of theirs (1/kg). Twice that without rotation
 /// allows for a contact off the centre; its lever may tell that rotation adds less. The patch lies on the chord,
 /// so that it moves by half of that at most; and within the smaller body, so that it comes no further from that
 /// one's centre of gravity.
@@ -255,7 +255,7 @@ fn inverse_mass(bounds: &Bounds, patch: &Patch) -> f64 {
     if a.is_fixed() { of_b } else { of_body(a, patch_m, smaller_m) + of_b }
 }
 
-/// A bound on the square of the rate of a fender that stands in one patch [1/s²]: none where that is more than its
+/// A bound on the square of the rate of a fender that stands in one patch (1/s²): none where that is more than its
 /// share, its stop may be met in this step, or more may be closed than in one sub-step.
 #[inline(always)]
 fn slow_rate_squared(
@@ -287,7 +287,7 @@ fn slow_rate_squared(
 }
 
 /// Bounds on the squares of the rates of a fender and its hull by spring and stop, for all deflections that
-/// this step can reach, and by the damper [1/s²].
+/// this step can reach, and by the damper (1/s²).
 #[inline(never)]
 fn rates_squared_of_face(
     model: &Model,
@@ -348,7 +348,7 @@ fn may_touch(
     })
 }
 
-/// A bound on how fast any two points of the pair approach each other in this step [m/s].
+/// A bound on how fast any two points of the pair approach each other in this step (m/s).
 fn closing_mps(work: &Workspace, candidate: &Candidate) -> f64 {
     let (a, b) = (candidate.a as usize, candidate.b as usize);
     let apart = (work.shown[a].velocity_mps - work.shown[b].velocity_mps).length();

@@ -19,16 +19,16 @@
 use crate::memory::PatchMemory;
 use crate::number::{greater, lesser};
 
-/// V_out: the fastest that a contact presses bodies apart that were put into one another [m/s].
-pub const PRESSED_OUT_MPS: f64 = 0.08;
+/// V_out: the fastest that a contact presses bodies apart that were put into one another (m/s).
+pub const MAX_PUSH_OUT_MPS: f64 = 0.08;
 
-/// a: how fast it gets there [m/s²]: a five-hundredth of the weight.
+/// a: how fast it gets there (m/s²): a five-hundredth of the weight.
 const GENTLY_MPS2: f64 = 0.02;
 
-/// T: in which time it stops bodies that close [s].
+/// T: in which time it stops bodies that close (s).
 const STOPPING_S: f64 = 2.0;
 
-/// Bodies that what the springs hold could bring to this speed are not left to them [m/s].
+/// Bodies that what the springs hold could bring to this speed are not left to them (m/s).
 const THROWN_OUT_MPS: f64 = 0.5;
 
 /// Share of the law's force from which on a contact is taken to act by its law: that force changes from one sub-step
@@ -42,10 +42,10 @@ pub(crate) struct Put<'m> {
     /// held as much: what all of them could do together is not left to them.
     pub(crate) placed: u32,
     pub(crate) old: Option<&'m PatchMemory>,
-    /// What the contact may give them [J], and f [N].
+    /// What the contact may give them (J), and f (N).
     pub(crate) may_give_j: f64,
     pub(crate) law_n: f64,
-    /// n·K n without rotation [1/kg], and V_n [m/s].
+    /// n·K n without rotation (1/kg), and V_n (m/s).
     pub(crate) inverse_mass: f64,
     pub(crate) v_normal_mps: f64,
     /// γ; `None` of a fender with an unloading law: what it may give is what is left after its loss.
@@ -68,7 +68,7 @@ impl Put<'_> {
     /// Where the law has no more than it takes: until the bodies close again.
     #[cold]
     fn is_still_let_out(&self) -> bool {
-        let hit_mps = if self.restitution.is_none() { PRESSED_OUT_MPS } else { 0.0 };
+        let hit_mps = if self.restitution.is_none() { MAX_PUSH_OUT_MPS } else { 0.0 };
         self.v_normal_mps <= hit_mps
     }
 
@@ -81,25 +81,25 @@ impl Put<'_> {
         };
         // So little may be from one putting or from many, each by a little.
         let earned_j = self.old.map_or(0.0, |old| old.taken_j);
-        let made_j = if fastest_mps(earned_j) > PRESSED_OUT_MPS {
+        let made_j = if fastest_mps(earned_j) > MAX_PUSH_OUT_MPS {
             self.may_give_j - earned_j
         } else {
             self.may_give_j
         };
         match (fastest_mps(made_j), self.restitution) {
-            (thrown_mps, None) => thrown_mps > PRESSED_OUT_MPS,
+            (thrown_mps, None) => thrown_mps > MAX_PUSH_OUT_MPS,
             (thrown_mps, Some(restitution)) => {
-                thrown_mps > THROWN_OUT_MPS || restitution * thrown_mps > PRESSED_OUT_MPS
+                thrown_mps > THROWN_OUT_MPS || restitution * thrown_mps > MAX_PUSH_OUT_MPS
             }
         }
     }
 }
 
-/// What V_n⁺ may not fall below, with the other sign, as that of γ v_ref else [m/s].
+/// What V_n⁺ may not fall below, with the other sign, as that of γ v_ref else (m/s).
 pub(crate) fn opening_mps(v_normal_mps: f64, h: f64) -> f64 {
     let slower_mps = h * (GENTLY_MPS2 + greater(v_normal_mps, 0.0) / STOPPING_S);
     // A sub-step that is long beside T stops them.
     let opening_mps =
         lesser(slower_mps, greater(v_normal_mps, 0.0) + h * GENTLY_MPS2) - v_normal_mps;
-    lesser(opening_mps, PRESSED_OUT_MPS)
+    lesser(opening_mps, MAX_PUSH_OUT_MPS)
 }

@@ -32,26 +32,26 @@ pub(crate) struct Row {
     pub(crate) tilt_rad: f64,
     /// What f is made of.
     pub(crate) parts: ForceParts,
-    /// What spring and stop of a fender store, with its factor [J]; with an unloading law, what they can give back.
+    /// What spring and stop of a fender store, with its factor (J); with an unloading law, what they can give back.
     pub(crate) stored_j: f64,
-    /// What loads them to where they are, with its factor [J].
+    /// What loads them to where they are, with its factor (J).
     pub(crate) loaded_j: f64,
-    /// Heat by a fender's unloading law since the last (sub-)step, with its factor [J].
+    /// Heat by a fender's unloading law since the last (sub-)step, with its factor (J).
     pub(crate) hysteresis_j: f64,
 }
 
 /// What the laws say of a contact.
 pub(crate) struct Laws<'m> {
     pub(crate) material: &'m Material,
-    /// f [N].
+    /// f (N).
     pub(crate) law_n: f64,
-    /// γ v_ref [m/s].
+    /// γ v_ref (m/s).
     pub(crate) rebound_mps: f64,
-    /// What N may give the bodies in this sub-step at most: see [`may_give_j`] [J].
+    /// What N may give the bodies in this sub-step at most: see [`may_give_j`] (J).
     pub(crate) may_give_j: f64,
-    /// And T: what the shear spring stores [J].
+    /// And T: what the shear spring stores (J).
     pub(crate) may_shear_j: f64,
-    /// What is stored beyond what a force holds: see [`unheld_j`] [J].
+    /// What is stored beyond what a force holds: see [`unheld_j`] (J).
     pub(crate) unheld_j: f64,
 }
 
@@ -64,7 +64,7 @@ pub(crate) struct Begun<'w> {
     pub(crate) states: &'w [BodyState],
     pub(crate) moves: &'w [bool],
     pub(crate) inverses: &'w [InverseMatrix],
-    /// As in the workspace; and the length of this sub-step [s].
+    /// As in the workspace; and the length of this sub-step (s).
     pub(crate) behind_s: &'w [f64],
     pub(crate) h: f64,
 }
@@ -207,7 +207,7 @@ pub(crate) fn collect(
         | (u32::from(approaching) * PatchMemory::APPROACHING)
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
     if pressed_out && taken.placed > 0 {
-        note(model, aside.events, a, b, EventKind::PutInto);
+        note(model, aside.events, a, b, EventKind::PlacedInOverlap);
     }
     if let Some(row) = row {
         let Touch { depth_m, tilt_rad, stored_j, .. } = touch;
@@ -248,7 +248,7 @@ fn answered(old: Option<&PatchMemory>, placed: bool, behind_s: f64) -> Answered 
     }
 }
 
-/// γ v_ref of a fender with an unloading law: its reaction falls by that alone, never because of a speed [m/s].
+/// γ v_ref of a fender with an unloading law: its reaction falls by that alone, never because of a speed (m/s).
 const UNBOUNDED_MPS: f64 = 1e12;
 
 /// What the unloading law of a fender left of its loss, and of the tops of its plays.
@@ -275,7 +275,7 @@ fn by_unloading(
     Some(ByUnloading { tops_j: unloaded.tops_j, lost_j: unloaded.lost_j })
 }
 
-/// What a contact stores beyond what its last force holds [J]. Between outlines at least a third of
+/// What a contact stores beyond what its last force holds (J). Between outlines at least a third of
 /// f δ: a flat side stores half of it, a wedge a third.
 fn unheld_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory>) -> f64 {
     let Some(memory) = old else { return 0.0 };
@@ -290,7 +290,7 @@ fn unheld_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory>) -
     stored_j * share * share
 }
 
-/// What a contact may give the bodies [J]: what it has taken from them. A spring whose force is that of
+/// What a contact may give the bodies (J): what it has taken from them. A spring whose force is that of
 /// the sub-step's start returns a little more than it took, by up to ωh/2; where it gives nearly all of it
 /// back (γ near 1), or the first touch fell deep into a sub-step, somebody would leave faster than it
 /// came. Bodies that were *put* where they touch (`placed`), be it deeper than they were, get what the spring holds

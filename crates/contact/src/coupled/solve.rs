@@ -30,13 +30,13 @@ const SWEEPS: u32 = 400;
 /// Sweeps before each leap, and most leaps.
 const SWEEPS_PER_LEAP: u32 = 6;
 const LEAPS: u32 = 8;
-/// A sweep that changes no velocity at a contact by more than this has settled [m/s].
+/// A sweep that changes no velocity at a contact by more than this has settled (m/s).
 const SETTLED_MPS: f64 = 1e-13;
-/// A change larger than this in the last sweep is told to the user [m/s].
+/// A change larger than this in the last sweep is told to the user (m/s).
 pub(crate) const TOLD_MPS: f64 = 1e-6;
 
 /// New velocities of an island's `bodies`, from those that they have without contact, and the forces in its `ties`,
-/// whose `memories` have those that sweeps begin with. Returns the last sweep's largest change of velocity [m/s].
+/// whose `memories` have those that sweeps begin with. Returns the last sweep's largest change of velocity (m/s).
 #[inline]
 pub(crate) fn velocities(
     bodies: &mut [Velocity],
@@ -64,7 +64,7 @@ pub(crate) fn velocities(
 }
 
 /// Sweeps over all contacts until they have settled. Returns the last sweep's largest change of
-/// velocity [m/s].
+/// velocity (m/s).
 fn together(
     bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
@@ -95,7 +95,7 @@ fn push_all(bodies: &mut [Velocity], inverses: &[InverseMatrix], ties: &mut [Tie
     }
 }
 
-/// Each contact's forces in turn, given all others'. Returns the largest change of velocity [m/s].
+/// Each contact's forces in turn, given all others'. Returns the largest change of velocity (m/s).
 fn sweep(bodies: &mut [Velocity], inverses: &[InverseMatrix], ties: &mut [Tie], h: f64) -> f64 {
     let mut change_mps = 0.0;
     for tie in ties {

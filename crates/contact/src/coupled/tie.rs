@@ -27,48 +27,48 @@ pub(crate) struct Tie {
     /// As in [`Seen`].
     is_alike: bool,
     turning: f64,
-    /// n, and the levers of n and t about each body's centre of gravity [m].
+    /// n, and the levers of n and t about each body's centre of gravity (m).
     pub(crate) along_n: Vec2,
     levers_a: Levers,
     levers_b: Levers,
-    /// n·K n, t·K n and t·K t [1/kg].
+    /// n·K n, t·K n and t·K t (1/kg).
     pub(crate) normal: f64,
     cross: f64,
     tangential: f64,
-    /// n·K n without rotation [1/kg].
+    /// n·K n without rotation (1/kg).
     pub(crate) linear: f64,
-    /// κ: for how long its forces act on the velocities in this sub-step [s].
+    /// κ: for how long its forces act on the velocities in this sub-step (s).
     pub(crate) kick_s: f64,
     /// ϑ: see [`implicit_share`].
     implicit: f64,
-    /// The shear spring's force at V_t⁺ = 0 [N], and what it loses with V_t⁺: c = ϑ² k_s h [N·s/m].
+    /// The shear spring's force at V_t⁺ = 0 (N), and what it loses with V_t⁺: c = ϑ² k_s h (N·s/m).
     spring_at_rest_n: f64,
     spring_slope: f64,
-    /// V_n and V_t at the start of the sub-step [m/s].
+    /// V_n and V_t at the start of the sub-step (m/s).
     pub(crate) normal_before_mps: f64,
     pub(crate) tangential_before_mps: f64,
-    /// f, the normal law's force: N lies between 0 and it [N].
+    /// f, the normal law's force: N lies between 0 and it (N).
     pub(crate) law_n: f64,
-    /// γ v_ref: V_n⁺ may not fall below its negative [m/s].
+    /// γ v_ref: V_n⁺ may not fall below its negative (m/s).
     pub(crate) rebound_mps: f64,
-    /// The most that N may give the bodies in this sub-step [J].
+    /// The most that N may give the bodies in this sub-step (J).
     pub(crate) may_give_j: f64,
-    /// And T [J].
+    /// And T (J).
     pub(crate) may_shear_j: f64,
-    /// Stored energy that nothing holds: see [`super::let_go`] [J].
+    /// Stored energy that nothing holds: see [`super::let_go`] (J).
     pub(crate) unheld_j: f64,
     shear_stiffness_npm: f64,
     /// What T/N may come to while it sticks, and what it is while it slips.
     friction_holding: f64,
     friction_dynamic: f64,
     slide: Slide,
-    /// The forces that sweeps begin with, until others are found [N].
+    /// The forces that sweeps begin with, until others are found (N).
     pub(crate) forces: Forces,
-    /// V_n⁺ and V_t⁺ with those that are found [m/s].
+    /// V_n⁺ and V_t⁺ with those that are found (m/s).
     pub(crate) after_mps: (f64, f64),
 }
 
-/// N and T of a contact [N], and whether it slips.
+/// N and T of a contact (N), and whether it slips.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Forces {
     pub(crate) normal_n: f64,
@@ -97,8 +97,8 @@ pub(crate) enum Kind {
     Open,
 }
 
-/// Forces as lines: what they are more than now [N], and their slopes with the speeds, against which
-/// they act [N·s/m].
+/// Forces as lines: what they are more than now (N), and their slopes with the speeds, against which
+/// they act (N·s/m).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
     pub(crate) normal_n: f64,
@@ -141,7 +141,7 @@ pub(crate) struct Grip {
 }
 
 impl Grip {
-    /// V_n and V_t where only that body moves, as A [m/s].
+    /// V_n and V_t where only that body moves, as A (m/s).
     #[inline(always)]
     pub(crate) fn speeds(&self, (velocity_mps, turn_radps): Velocity) -> (f64, f64) {
         (
@@ -160,7 +160,7 @@ impl Grip {
     }
 }
 
-/// j of A and B for a direction with these levers [m]: the speed along it is j·v.
+/// j of A and B for a direction with these levers (m): the speed along it is j·v.
 #[inline]
 fn rows(Vec2 { x, y }: Vec2, lever_a_m: f64, lever_b_m: f64) -> [[f64; 3]; 2] {
     [[x, y, lever_a_m], [-x, -y, -lever_b_m]]
@@ -242,7 +242,7 @@ impl Tie {
         self.forces = begins_with;
     }
 
-    /// V_n and V_t of the two bodies as they move now [m/s].
+    /// V_n and V_t of the two bodies as they move now (m/s).
     #[inline]
     pub(crate) fn speeds(&self, velocities: &[Velocity]) -> (f64, f64) {
         self.movers.speeds(
@@ -252,7 +252,7 @@ impl Tie {
         )
     }
 
-    /// Gives the two bodies an impulse of N and T and its opposite [N·s]: on A it is −N n + T t.
+    /// Gives the two bodies an impulse of N and T and its opposite (N·s): on A it is −N n + T t.
     // Always inlined: what asks for it has mostly just looked at the same bodies.
     #[inline(always)]
     pub(crate) fn push(
@@ -294,7 +294,7 @@ impl Tie {
         }
     }
 
-    /// The speeds after a change of the forces [N].
+    /// The speeds after a change of the forces (N).
     #[inline]
     pub(crate) fn speeds_after(
         &self,
@@ -358,7 +358,7 @@ impl Tie {
         now_n + (normal_n - now_n) * (self.normal / (self.normal + follows))
     }
 
-    /// 1/(h n·K n) [kg/s].
+    /// 1/(h n·K n) (kg/s).
     #[inline]
     fn force_per_speed(&self, h: f64) -> f64 {
         1.0 / (h * self.normal)
@@ -396,19 +396,19 @@ impl Tie {
         (root.copysign(tangential_n) - mean_mps) / (h * self.tangential)
     }
 
-    /// The shear spring's force at a V_t⁺: −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺ [N].
+    /// The shear spring's force at a V_t⁺: −k_s(Δs + ϑ h V̄), V̄ = (1 − ϑ) V_t + ϑ V_t⁺ (N).
     #[inline]
     pub(crate) fn spring_n(&self, after_mps: f64) -> f64 {
         self.spring_at_rest_n - self.spring_slope * after_mps
     }
 
-    /// At V_t⁺ = 0 [N].
+    /// At V_t⁺ = 0 (N).
     #[inline]
     pub(crate) fn spring_at_rest_n(&self) -> f64 {
         self.spring_at_rest_n
     }
 
-    /// What it loses with V_t⁺ [N·s/m].
+    /// What it loses with V_t⁺ (N·s/m).
     #[inline]
     pub(crate) fn spring_slope(&self) -> f64 {
         self.spring_slope
@@ -565,13 +565,13 @@ impl Tie {
         Forces { normal_n, tangential_n, friction: now.friction }
     }
 
-    /// The largest change of its own velocity by a change of its forces [m/s].
+    /// The largest change of its own velocity by a change of its forces (m/s).
     #[inline]
     pub(crate) fn change_mps(&self, (more_n, more_t): (f64, f64), h: f64) -> f64 {
         greater((more_n * self.normal).abs(), (more_t * self.tangential).abs()) * h
     }
 
-    /// Δs at the end of the sub-step from that at its start [m]: grown by h V̄, while it slips at most what the
+    /// Δs at the end of the sub-step from that at its start (m): grown by h V̄, while it slips at most what the
     /// sliding force shears.
     #[inline]
     pub(crate) fn shear_after_m(&self, shear_m: f64, after_mps: f64, h: f64) -> f64 {
@@ -603,14 +603,14 @@ impl Tie {
         }
     }
 
-    /// ½ k_s Δs² [J].
+    /// ½ k_s Δs² (J).
     #[inline]
     pub(crate) fn shear_stored_j(&self, shear_m: f64) -> f64 {
         0.5 * self.shear_stiffness_npm * shear_m * shear_m
     }
 }
 
-/// ϑ of the shear spring: how implicit it is, from k_s t·K t [1/s²]. ½, the midpoint rule, keeps its energy
+/// ϑ of the shear spring: how implicit it is, from k_s t·K t (1/s²). ½, the midpoint rule, keeps its energy
 /// exactly, where backward Euler (1) would damp it by ωh/2 a radian: at the sub-steps that the normal law
 /// needs, a tug that rolls along a ship's side would leave with a yaw rate wrong by a seventh. Where the
 /// sub-step is long beside the spring's own period ϑ rises to 1, so that it does not ring at k_s h²/m ≫ 1.

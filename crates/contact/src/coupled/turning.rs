@@ -4,7 +4,7 @@ use crate::model::Mobility;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
 
-/// Masses of a body in surge, sway and yaw [kg, kg, kg·m²].
+/// Masses of a body in surge, sway and yaw (kg, kg, kg·m²).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Turning {
     surge_kg: f64,
@@ -23,7 +23,7 @@ impl Turning {
     /// `None` for a body that the engine does not turn, and for one with nothing to turn.
     pub(crate) fn of(mobility: &Mobility) -> Option<Turning> {
         match *mobility {
-            Mobility::Afloat { surge_kg, sway_kg, yaw_inertia_kgm2 } if surge_kg != sway_kg => {
+            Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } if surge_kg != sway_kg => {
                 Some(Turning { surge_kg, sway_kg, yaw_kgm2: yaw_inertia_kgm2 })
             }
             _ => None,
@@ -55,7 +55,7 @@ impl Turning {
         state.yaw_rate_radps = velocity.2;
     }
 
-    /// A bound on the square of the rate at which the equations turn velocities of this energy [1/s²]. In √m_x u,
+    /// A bound on the square of the rate at which the equations turn velocities of this energy (1/s²). In √m_x u,
     /// √m_y v and √I r their Jacobian has, with ρ² twice the energy, a Frobenius norm of at most
     /// ρ √(2(m_y/m_x + m_x/m_y)/I).
     fn rate_squared(&self, (u, v, r): (f64, f64, f64)) -> f64 {

@@ -6,7 +6,7 @@ use crate::vec2::Vec2;
 /// The edge of one polygon whose outward normal separates best from the other polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BestAxis {
-    /// Gap along the normal [m]; negative: least penetration.
+    /// Gap along the normal (m); negative: least penetration.
     pub(crate) gap_m: f64,
     /// True where the edge is the first polygon's.
     pub(crate) on_a: bool,

@@ -74,20 +74,20 @@ pub struct Clip {
 }
 
 impl Clip {
-    /// S, the overlap area [m²].
+    /// S, the overlap area (m²).
     #[must_use]
     pub fn area_m2(&self) -> f64 {
         self.lens.area_m2
     }
 
-    /// C, the centroid, in the first polygon's frame [m].
+    /// C, the centroid, in the first polygon's frame (m).
     #[must_use]
     pub fn centroid_m(&self) -> Vec2 {
         self.lens.centroid_m
     }
 
     /// d = Σ (P_out − P_in) over the stretches of the first polygon's boundary inside the second,
-    /// in the first one's frame [m]; n is d turned by −90°. Zero where one contains the other.
+    /// in the first one's frame (m); n is d turned by −90°. Zero where one contains the other.
     #[must_use]
     pub fn chord_m(&self) -> Vec2 {
         self.lens.chord_m
@@ -293,7 +293,7 @@ fn lies_in_both(point_m: Vec2, a: &ConvexPolygon, b_m: &[Vec2], slack_m2: f64) -
     })
 }
 
-/// What the rounding of vertices does to the area of an overlap at most [m²].
+/// What the rounding of vertices does to the area of an overlap at most (m²).
 fn rounding_m2(a: &ConvexPolygon, b: &Placed<'_>) -> f64 {
     let reach_m = a.center_m().length() + a.radius_m() + b.polygon.radius_m();
     256.0 * f64::EPSILON * reach_m * lesser(a.radius_m(), b.polygon.radius_m())
@@ -395,7 +395,7 @@ impl PairClip {
         clip(a, b, b_in_a, &mut self.hint, &mut self.buffers, wanted)
     }
 
-    /// Vertices of the last overlap, in the first polygon's frame [m].
+    /// Vertices of the last overlap, in the first polygon's frame (m).
     #[must_use]
     pub fn outline_m(&self) -> &[Vec2] {
         &self.outline_m

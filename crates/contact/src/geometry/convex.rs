@@ -22,7 +22,7 @@ pub struct ConvexPolygon {
     edges: Vec<Edge>,
     /// First edge whose direction has an angle in [0, 2π): where a walk by angle starts.
     first_by_angle: u32,
-    /// Centre of the bounding box and radius about it [m].
+    /// Centre of the bounding box and radius about it (m).
     center_m: Vec2,
     radius_m: f64,
     area_m2: f64,
@@ -62,31 +62,31 @@ impl ConvexPolygon {
         self.ends.len()
     }
 
-    /// The corners in the positive sense [m].
+    /// The corners in the positive sense (m).
     #[must_use]
     pub fn vertices(&self) -> &[Vec2] {
         &self.closed[..self.count()]
     }
 
-    /// The corners with the first repeated at the end [m].
+    /// The corners with the first repeated at the end (m).
     #[inline]
     pub(crate) fn closed(&self) -> &[Vec2] {
         &self.closed
     }
 
-    /// A corner, by its number; by the count the first again [m].
+    /// A corner, by its number; by the count the first again (m).
     #[inline]
     pub(crate) fn corner(&self, index: usize) -> Vec2 {
         self.closed[index]
     }
 
-    /// Start and end of an edge; `None` where there is none of that number [m].
+    /// Start and end of an edge; `None` where there is none of that number (m).
     #[inline(always)]
     pub(crate) fn ends(&self, edge: u32) -> Option<&[Vec2; 2]> {
         self.ends.get(edge as usize)
     }
 
-    /// The corners between the end of an edge and the start of a later one of the ring [m].
+    /// The corners between the end of an edge and the start of a later one of the ring (m).
     #[inline(always)]
     pub(crate) fn between(&self, first: u32, last: u32) -> impl Iterator<Item = Vec2> {
         let (last, count) = (last as usize, self.count());
@@ -108,21 +108,21 @@ impl ConvexPolygon {
         self.first_by_angle as usize
     }
 
-    /// Centre of the bounding circle used to cull [m].
+    /// Centre of the bounding circle used to cull (m).
     #[must_use]
     #[inline]
     pub fn center_m(&self) -> Vec2 {
         self.center_m
     }
 
-    /// Radius of the bounding circle used to cull [m].
+    /// Radius of the bounding circle used to cull (m).
     #[must_use]
     #[inline]
     pub fn radius_m(&self) -> f64 {
         self.radius_m
     }
 
-    /// Area [m²].
+    /// Area (m²).
     #[must_use]
     pub fn area_m2(&self) -> f64 {
         self.area_m2
@@ -149,7 +149,7 @@ fn without_straight_vertices(vertices: &[Vec2]) -> Vec<Vec2> {
     kept
 }
 
-/// Shoelace about the first vertex [m²].
+/// Shoelace about the first vertex (m²).
 pub(crate) fn signed_area(vertices: &[Vec2]) -> f64 {
     let origin = vertices[0];
     let twice: f64 = vertices[1..].windows(2).map(|w| (w[0] - origin).cross(w[1] - origin)).sum();

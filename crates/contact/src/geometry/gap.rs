@@ -6,7 +6,7 @@ use crate::number::greater;
 use crate::vec2::Pose;
 
 /// A bound from below on the gap between two polygons that the last clip found apart, from what it
-/// left as a hint; 0 where they are not known to be apart [m].
+/// left as a hint; 0 where they are not known to be apart (m).
 pub(crate) fn gap_m(a: &ConvexPolygon, b: &ConvexPolygon, b_in_a: Pose, hint: Hint) -> f64 {
     let placed = Placed { polygon: b, pose: b_in_a };
     match hint {

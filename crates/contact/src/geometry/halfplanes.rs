@@ -10,7 +10,7 @@ use super::convex::{ConvexPolygon, after, upper_half};
 use super::lens::{Crossing, Stretch};
 use crate::vec2::Vec2;
 
-/// Edges of the same direction to this sine, and this close, lie on one another [-, m].
+/// Edges of the same direction to this sine, and this close, lie on one another (–, m).
 /// Closer than this a chord between them would follow rounding, not shape.
 const SAME_DIRECTION: f64 = 1e-9;
 const SAME_LINE_M: f64 = 1e-9;
@@ -47,7 +47,7 @@ struct HalfPlane {
 /// Buffers of the cold path, kept between calls.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Buffers {
-    /// The second polygon's closed vertices in the first one's frame [m].
+    /// The second polygon's closed vertices in the first one's frame (m).
     pub(crate) b_m: Vec<Vec2>,
     /// Stretches of the first polygon's boundary inside the second, in the order of the walk.
     pub(crate) stretches: Vec<Stretch>,
@@ -60,12 +60,12 @@ pub(crate) struct Buffers {
 }
 
 impl Buffers {
-    /// The corners that the sweep itself found, in the positive sense [m].
+    /// The corners that the sweep itself found, in the positive sense (m).
     pub(crate) fn swept_m(&self) -> &[Vec2] {
         &self.corners[self.front..]
     }
 
-    /// Sum of those edges between them that are the first polygon's [m].
+    /// Sum of those edges between them that are the first polygon's (m).
     pub(crate) fn swept_chord_m(&self) -> Vec2 {
         let corners = self.swept_m();
         let ends = corners.iter().zip(corners.iter().cycle().skip(1));

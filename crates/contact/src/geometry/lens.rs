@@ -24,22 +24,22 @@ pub(crate) struct Stretch {
 /// The overlap of one convex piece with another, in the first one's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lens {
-    /// S [m²].
+    /// S (m²).
     pub(crate) area_m2: f64,
-    /// C [m].
+    /// C (m).
     pub(crate) centroid_m: Vec2,
-    /// d = Σ (P_out − P_in) [m]; zero where one contains the other.
+    /// d = Σ (P_out − P_in) (m); zero where one contains the other.
     pub(crate) chord_m: Vec2,
-    /// 1/|d| [1/m]; 0 where the chord is no use: there is none, or edges of the two lie on one another.
+    /// 1/|d| (1/m); 0 where the chord is no use: there is none, or edges of the two lie on one another.
     // Found here, where the processor has other work while it waits for the root and the quotient.
     pub(crate) per_chord_m: f64,
-    /// Extent along the chord's normal times the chord's length [m²].
+    /// Extent along the chord's normal times the chord's length (m²).
     pub(crate) spread_m2: f64,
     /// True where edges of the two lie on one another, so that the chord means little.
     pub(crate) collinear: bool,
 }
 
-/// The point a share of the way along an edge [m]: 0 its start, 1 its end. What rounding leaves
+/// The point a share of the way along an edge (m): 0 its start, 1 its end. What rounding leaves
 /// outside is brought back to the ends.
 #[inline(always)]
 pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
@@ -51,7 +51,7 @@ pub(crate) fn point_along(start: Vec2, end: Vec2, share: f64) -> Vec2 {
     }
 }
 
-/// A stretch with the two points where it begins and ends, P_in and P_out [m].
+/// A stretch with the two points where it begins and ends, P_in and P_out (m).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Located {
     pub(crate) at: Stretch,
@@ -111,7 +111,7 @@ pub(crate) fn ring_distance(from: u32, to: u32, count: usize) -> usize {
     if to >= from { to - from } else { to + count - from }
 }
 
-/// Where the first polygon's boundary crosses the second's, on the two edges of `crossing` [m].
+/// Where the first polygon's boundary crosses the second's, on the two edges of `crossing` (m).
 fn meeting_point(a: &ConvexPolygon, b: &Placed<'_>, crossing: Crossing) -> Vec2 {
     let (i, j) = (crossing.a as usize, crossing.b as usize);
     let (a0, a1) = (a.corner(i), a.corner(i + 1));

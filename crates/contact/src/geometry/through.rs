@@ -15,7 +15,7 @@ use super::warm::FLAT;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Rotation, Vec2, vec2};
 
-/// A shorter chord has no direction to speak of [m].
+/// A shorter chord has no direction to speak of (m).
 const SHORTEST_M: f64 = 1e-9;
 
 /// An edge of a convex polygon, and the part of it that lies behind the edge.
@@ -25,13 +25,13 @@ const SHORTEST_M: f64 = 1e-9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Edge {
     frame: Frame,
-    /// x of its start and end [m].
+    /// x of its start and end (m).
     from_m: f64,
     to_m: f64,
     /// The sides of an inscribed trapezoid: x − from ≥ y times the one, and to − x ≥ y times the other.
     from_start: f64,
     from_end: f64,
-    /// And its height [m].
+    /// And its height (m).
     height_m: f64,
 }
 
@@ -85,7 +85,7 @@ impl Edge {
 // By columns, as the processor multiplies two numbers at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Frame {
-    /// The unit vectors of the polygon's frame, and its origin [m], in the edge's.
+    /// The unit vectors of the polygon's frame, and its origin (m), in the edge's.
     of_x: Vec2,
     of_y: Vec2,
     origin_m: Vec2,
@@ -146,7 +146,7 @@ impl Frame {
 pub(crate) struct Through {
     pub(crate) lens: Lens,
     at: Stretch,
-    /// The edge's frame as A sees it, and x where A's boundary enters and leaves the overlap [m].
+    /// The edge's frame as A sees it, and x where A's boundary enters and leaves the overlap (m).
     of_a: Frame,
     enters_m: f64,
     leaves_m: f64,
@@ -188,9 +188,9 @@ pub(crate) fn find(
 
 /// What lies behind an edge, in its frame, with x counted from where the polygon comes in through the edge.
 struct Behind {
-    /// Where it comes in, x counted as in [`Edge`] [m].
+    /// Where it comes in, x counted as in [`Edge`] (m).
     first_m: f64,
-    /// Where it goes out again [m]; negative.
+    /// Where it goes out again (m); negative.
     last_m: f64,
     twice_m2: f64,
     centroid_m: Vec2,

@@ -7,14 +7,14 @@ use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
 
-/// M v in earth-fixed axes for a body turned as `state` is [N·s, N·m·s]; zero for a fixed body.
+/// M v in earth-fixed axes for a body turned as `state` is (N·s, N·m·s); zero for a fixed body.
 pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -> Wrench {
     match mobility {
         Mobility::Fixed => Wrench::default(),
         Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
             Wrench { force_n: v.linear_mps * *mass_kg, moment_nm: v.yaw_radps * *yaw_inertia_kgm2 }
         }
-        Mobility::Massive { .. } | Mobility::Afloat { .. } => {
+        Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {
             let matrix = mobility.matrix().expect("it floats");
             let rotation = Rotation::from_angle(state.heading_rad);
             let own = rotation.apply_inverse(v.linear_mps);

@@ -18,13 +18,13 @@
 use crate::host::steering::{Velocity, Way};
 use crate::state::BodyState;
 
-/// T: in which time the host comes to where the engine is, where its step varies [s].
+/// T: in which time the host comes to where the engine is, where its step varies (s).
 const CLOSING_S: f64 = 10.0;
 
-/// In which time it gets what is owed in velocity when the contact has ended, where its step varies [s].
+/// In which time it gets what is owed in velocity when the contact has ended, where its step varies (s).
 const DUE_S: f64 = 2.0;
 
-/// How near to the engine's place the host goes on from its own, when the contact has ended [m, rad].
+/// How near to the engine's place the host goes on from its own, when the contact has ended (m, rad).
 const NEAR_M: f64 = 5e-3;
 const NEAR_RAD: f64 = 1e-4;
 
@@ -48,7 +48,7 @@ pub(super) struct Lead {
     pub(super) way: Way,
     /// Whether all steps since this began were as long, so that the host is steered exactly.
     pub(super) exact: bool,
-    /// In which time `velocity` is to be nothing, where nothing touches the body any more [s].
+    /// In which time `velocity` is to be nothing, where nothing touches the body any more (s).
     pub(super) due_s: f64,
 }
 
@@ -82,7 +82,7 @@ pub(super) fn closed(start: &Start, step_s: f64) -> Velocity {
 
 /// Is the host so near to the engine's place that it may go on from its own, where nothing touches the body?
 pub(super) fn is_near(way: Way) -> bool {
-    way.linear_m.length() < NEAR_M && way.turn_rad.abs() < NEAR_RAD
+    way.linear_m.length() < NEAR_M && way.rotation_rad.abs() < NEAR_RAD
 }
 
 /// What is left of the velocity, where nothing touches the body any more, after a step.

@@ -5,7 +5,7 @@
 //! worth the name, and had the same loads before as after, which were a small part of it. A ship at rest, or
 //! one that is pushed harder all of a sudden, tells nothing of her mass.
 
-use crate::host::following::Given;
+use crate::host::cosim::Given;
 use crate::host::inertia;
 use crate::host::steering::Velocity;
 use crate::model::{Body, Mobility};
@@ -14,7 +14,7 @@ use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::Vec2;
 
-/// Longest contact that tells something [s], and least speed that it gives [m/s].
+/// Longest contact that tells something (s), and least speed that it gives (m/s).
 const LONGEST_S: f64 = 60.0;
 const LEAST_MPS: f64 = 0.02;
 
@@ -27,7 +27,7 @@ const OFF: f64 = 0.2;
 pub(super) struct Answers {
     /// Velocity and load at the end of the last step without a wrench, where there was one.
     pub(super) began: Option<(Velocity, Vec2)>,
-    /// Σ W Δt [N·s] and Σ Δt [s] since.
+    /// Σ W Δt (N·s) and Σ Δt (s) since.
     pub(super) impulse_ns: Vec2,
     pub(super) time_s: f64,
     /// That it differs was told.

@@ -2,7 +2,7 @@
 //! the wrench that it was given between them. All that is not contact is in it.
 
 use crate::admit::LARGEST_LOAD;
-use crate::host::following::Given;
+use crate::host::cosim::Given;
 use crate::host::inertia;
 use crate::host::settings::HostIntegration;
 use crate::host::steering::Velocity;

@@ -1,6 +1,6 @@
 //! The predictor: a state shown, carried on as the host itself carried it on since.
 
-use crate::host::following::Given;
+use crate::host::cosim::Given;
 use crate::host::inertia;
 use crate::host::settings::HostIntegration;
 use crate::host::steering::Velocity;

@@ -17,10 +17,10 @@ use alloc::vec::Vec;
 
 use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
-use crate::host::following::{Followed, FollowingHost, Given};
+use crate::host::cosim::{CoSimHost, Followed, Given};
+use crate::host::direct::{Beside, DirectHost};
 use crate::host::lead::Lead;
 use crate::host::mass_check::Answers;
-use crate::host::present::{Beside, PresentHost};
 use crate::host::settings::{HostIntegration, HostSettings};
 use crate::host::steering::{Velocity, Way};
 use crate::memory::Memory;
@@ -36,7 +36,7 @@ const LEAD_BYTES: usize = 88;
 const BODY_BYTES: usize = 236;
 const GIVEN_BYTES: usize = 60;
 
-impl FollowingHost {
+impl CoSimHost {
     /// All of this host as bytes, of the version [`SNAPSHOT_VERSION`]. `model` is the one that it was
     /// made for.
     ///
@@ -73,7 +73,7 @@ impl FollowingHost {
         out.0
     }
 
-    /// Becomes what [`FollowingHost::snapshot`] saved, settings included, for the same model.
+    /// Becomes what [`CoSimHost::snapshot`] saved, settings included, for the same model.
     ///
     /// # Errors
     /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the host is
@@ -84,7 +84,7 @@ impl FollowingHost {
     }
 }
 
-fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
+fn read(model: &Model, bytes: &[u8]) -> Result<CoSimHost, RestoreError> {
     let mut input = admitted(bytes, MAGIC)?;
     let delay_steps = input.word32()?;
     let integration = match input.word32()? {
@@ -92,7 +92,7 @@ fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
         1 => HostIntegration::SemiImplicit,
         _ => return Err(RestoreError::Content),
     };
-    let mut host = FollowingHost::new(model, HostSettings { delay_steps, integration });
+    let mut host = CoSimHost::new(model, HostSettings { delay_steps, integration });
     let steps = input.word32()?;
     host.last_step_s = read_step(&mut input)?;
     host.memory = read_memory(&mut input, model)?;
@@ -125,7 +125,7 @@ fn read(model: &Model, bytes: &[u8]) -> Result<FollowingHost, RestoreError> {
 /// | 4 + as many | length and bytes of the contacts' [`Memory::snapshot`] |
 /// | 232 each | bodies, in the order of their keys: state shown, state after, wrench and load, wrench, lead |
 /// | 8 | FNV-1a of all before |
-impl PresentHost {
+impl DirectHost {
     /// All of this host as bytes, of the version [`SNAPSHOT_VERSION`]. `model` is the one that it was
     /// made for.
     ///
@@ -156,14 +156,14 @@ impl PresentHost {
         out.0
     }
 
-    /// Becomes what [`PresentHost::snapshot`] saved, for the same model.
+    /// Becomes what [`DirectHost::snapshot`] saved, for the same model.
     ///
     /// # Errors
     /// [`RestoreError`] for bytes that are not a whole, unchanged snapshot of this model; the host is
     /// then as it was.
     pub fn restore(&mut self, model: &Model, bytes: &[u8]) -> Result<(), RestoreError> {
         let mut input = admitted(bytes, PRESENT_MAGIC)?;
-        let mut host = PresentHost::new(model);
+        let mut host = DirectHost::new(model);
         host.last_step_s = read_step(&mut input)?;
         host.memory = read_memory(&mut input, model)?;
         if input.0.len() as u128 != model.ranked.len() as u128 * BESIDE_BYTES as u128 + 8 {
@@ -250,7 +250,7 @@ fn write_lead(out: &mut Writer, ahead: Option<Lead>) {
     write_velocity(out, lead.velocity);
     write_velocity(out, lead.half_kick);
     out.vector(lead.way.linear_m);
-    out.number(lead.way.turn_rad);
+    out.number(lead.way.rotation_rad);
     out.word32(u32::from(lead.exact));
     out.number(lead.due_s);
 }
@@ -285,7 +285,7 @@ fn read_lead(input: &mut Reader<'_>) -> Result<Option<Lead>, RestoreError> {
     let lead = Lead {
         velocity: read_velocity(input)?,
         half_kick: read_velocity(input)?,
-        way: Way { linear_m: input.vector()?, turn_rad: input.number()? },
+        way: Way { linear_m: input.vector()?, rotation_rad: input.number()? },
         exact: read_flag(input)?,
         due_s: input.number()?,
     };

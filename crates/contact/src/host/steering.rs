@@ -45,14 +45,14 @@ impl Velocity {
         }
     }
 
-    /// How fast a point so far from the centre of gravity may go by it, as a measure of both its parts [m/s].
+    /// How fast a point so far from the centre of gravity may go by it, as a measure of both its parts (m/s).
     pub(super) fn at(self, radius_m: f64) -> f64 {
         self.linear_mps.length() + self.yaw_radps.abs() * radius_m
     }
 
     /// How far it leads in a time.
     pub(super) fn way(self, step_s: f64) -> Way {
-        Way { linear_m: self.linear_mps * step_s, turn_rad: self.yaw_radps * step_s }
+        Way { linear_m: self.linear_mps * step_s, rotation_rad: self.yaw_radps * step_s }
     }
 
     pub(super) fn times(self, factor: f64) -> Velocity {
@@ -92,31 +92,37 @@ impl Velocity {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Way {
     pub(super) linear_m: Vec2,
-    pub(super) turn_rad: f64,
+    pub(super) rotation_rad: f64,
 }
 
 impl Way {
     pub(super) fn between(from: &BodyState, to: &BodyState) -> Way {
         Way {
             linear_m: to.position_m - from.position_m,
-            turn_rad: to.heading_rad - from.heading_rad,
+            rotation_rad: to.heading_rad - from.heading_rad,
         }
     }
 
     pub(super) fn plus(self, other: Way) -> Way {
-        Way { linear_m: self.linear_m + other.linear_m, turn_rad: self.turn_rad + other.turn_rad }
+        Way {
+            linear_m: self.linear_m + other.linear_m,
+            rotation_rad: self.rotation_rad + other.rotation_rad,
+        }
     }
 
     /// The velocity that goes it in that time.
     pub(super) fn per(self, step_s: f64) -> Velocity {
-        Velocity { linear_mps: self.linear_m * (1.0 / step_s), yaw_radps: self.turn_rad / step_s }
+        Velocity {
+            linear_mps: self.linear_m * (1.0 / step_s),
+            yaw_radps: self.rotation_rad / step_s,
+        }
     }
 
     /// The state so far on; its velocity stays.
     pub(super) fn from(self, state: &BodyState) -> BodyState {
         BodyState {
             position_m: state.position_m + self.linear_m,
-            heading_rad: state.heading_rad + self.turn_rad,
+            heading_rad: state.heading_rad + self.rotation_rad,
             ..*state
         }
     }

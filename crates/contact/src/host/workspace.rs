@@ -2,14 +2,14 @@
 
 use alloc::vec::Vec;
 
-use crate::host::following::Followed;
+use crate::host::cosim::Followed;
 use crate::host::lead::Start;
 use crate::model::{BodyId, Model};
 use crate::report::{Contact, Event, EventKind, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
-/// Buffers and results of [`crate::FollowingHost::step`] and [`crate::PresentHost::step`]; nothing in it matters to the next step.
+/// Buffers and results of [`crate::CoSimHost::step`] and [`crate::DirectHost::step`]; nothing in it matters to the next step.
 #[derive(Clone, Debug)]
 pub struct HostWorkspace {
     pub(super) engine: Workspace,
@@ -58,7 +58,7 @@ impl HostWorkspace {
     /// The events of bodies with other masses.
     pub(super) fn tell_of_masses(&mut self) {
         for &body in &self.differ {
-            self.engine.events.push(Event { bodies: [body, body], kind: EventKind::MassDiffers });
+            self.engine.events.push(Event { bodies: [body, body], kind: EventKind::MassMismatch });
         }
     }
 
@@ -79,9 +79,9 @@ impl HostWorkspace {
     }
 
     /// The greatest wrench of contact on each body within the last step, one a body, in the engine's motion: see
-    /// [`Workspace::tell_peaks`]. Size fenders by it, and move the body by [`HostWorkspace::wrenches`].
+    /// [`Workspace::peak_wrenches_into`]. Size fenders by it, and move the body by [`HostWorkspace::wrenches`].
     #[must_use]
-    pub fn peaks(&self) -> &[Wrench] {
+    pub fn peak_wrenches(&self) -> &[Wrench] {
         &self.peaks
     }
 
@@ -98,7 +98,7 @@ impl HostWorkspace {
     /// The states that the last step took for the host's present, one a body: as the host will show
     /// them when they are old enough.
     #[must_use]
-    pub fn present(&self) -> &[BodyState] {
+    pub fn estimated_states(&self) -> &[BodyState] {
         &self.present
     }
 
@@ -108,7 +108,7 @@ impl HostWorkspace {
         &self.loads
     }
 
-    /// States at the end of the last step of a [`crate::PresentHost`], as [`Workspace::states_after`].
+    /// States at the end of the last step of a [`crate::DirectHost`], as [`Workspace::states_after`].
     #[must_use]
     pub fn states_after(&self) -> &[BodyState] {
         self.engine.states_after()

@@ -15,7 +15,7 @@ use crate::number::lesser;
 pub(crate) enum Answered {
     /// None: the overlap began within the last sub-step.
     Nothing,
-    /// A' [m²].
+    /// A' (m²).
     Area(f64),
     /// It is not known how the bodies came to where they are: what there is of the overlap has been answered.
     AllThereIs,
@@ -24,15 +24,15 @@ pub(crate) enum Answered {
 /// An overlap when a sub-step begins.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Growth {
-    /// S [m²], and what it grows by with the distance closed [m].
+    /// S (m²), and what it grows by with the distance closed (m).
     pub(crate) area_m2: f64,
     pub(crate) chord_m: f64,
-    /// V_n [m/s].
+    /// V_n (m/s).
     pub(crate) closing_mps: f64,
     pub(crate) answered: Answered,
 }
 
-/// c(A − A')/κ for a sub-step of length h [N], and A [m²].
+/// c(A − A')/κ for a sub-step of length h (N), and A (m²).
 ///
 /// An overlap that began anywhere in the last sub-step is answered as far as its speed goes, so that no first touch is
 /// harder than its speed; what is left comes with the next sub-step.

@@ -7,7 +7,7 @@ use crate::number::greater;
 use crate::report::ForceParts;
 use crate::touch::Touch;
 
-/// What a contact would push with, were nothing to limit it: N = max(0, spring + stop + damper) [N],
+/// What a contact would push with, were nothing to limit it: N = max(0, spring + stop + damper) (N),
 /// with the damper cṠ from the growth of the overlap.
 ///
 /// Eq. 2–3 print −(kS − c dS/dt): with c > 0 that damper pulls the bodies together and makes a
@@ -19,7 +19,7 @@ pub(crate) fn normal_force(touch: &Touch, factor: f64, damper_n: f64) -> ForcePa
     ForceParts { spring_n, stop_n, damper_n, limiter_n: 0.0 }
 }
 
-/// cṠ of the paper's method [N], by a backward difference, Ṡ = (S − S_before)/(time since then); for a new contact
+/// cṠ of the paper's method (N), by a backward difference, Ṡ = (S − S_before)/(time since then); for a new contact
 /// S_before is 0.
 #[inline]
 pub(crate) fn damper_n(

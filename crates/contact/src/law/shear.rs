@@ -6,9 +6,9 @@ use crate::report::Friction;
 /// The shear spring after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shear {
-    /// Δs [m].
+    /// Δs (m).
     pub(crate) shear_m: f64,
-    /// T on body 1 along t [N].
+    /// T on body 1 along t (N).
     pub(crate) force_n: f64,
     pub(crate) friction: Friction,
 }

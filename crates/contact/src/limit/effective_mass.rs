@@ -3,7 +3,7 @@
 use crate::ranked::RankedBody;
 use crate::vec2::Vec2;
 
-/// K = Σ_j [1/m_j + (‖r_j‖² 1 − r_j r_jᵀ)/I_j] in the axes n, t [1/kg]: ΔV_C = Δt K F.
+/// K = Σ_j [1/m_j + (‖r_j‖² 1 − r_j r_jᵀ)/I_j] in the axes n, t (1/kg): ΔV_C = Δt K F.
 ///
 /// Eq. 16 divides the torque by m_j; it is I_j. Inverses throughout, so that a fixed body is a zero
 /// and not an infinity.

@@ -6,7 +6,7 @@
 use super::effective_mass::InverseMass;
 use crate::number::{greater, lesser};
 
-/// Velocities at the contact, now and when it began [m/s].
+/// Velocities at the contact, now and when it began (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Velocities {
     pub(crate) normal_mps: f64,
@@ -15,7 +15,7 @@ pub(crate) struct Velocities {
     pub(crate) tangential_0_mps: f64,
 }
 
-/// The normal force that momentum allows in one step [N]: V_n⁺ ≥ −γ V_n⁰ (eq. 26, first line).
+/// The normal force that momentum allows in one step (N): V_n⁺ ≥ −γ V_n⁰ (eq. 26, first line).
 ///
 /// N ≤ max(0, V_n + γ max(V_n⁰, 0)) E_x/Δt. Eq. 11 and 26 print V − γV⁰: with that sign the bodies
 /// would end the contact still closing at γV⁰.
@@ -31,7 +31,7 @@ pub(crate) fn limited_normal_n(
     within(normal_n, greater(change_mps, 0.0), mass.normal * step_s)
 }
 
-/// The tangential force that momentum allows [N] (eq. 26, second line; its J is L).
+/// The tangential force that momentum allows (N) (eq. 26, second line; its J is L).
 ///
 /// With F₁ = −N n + T t, V_t⁺ = V_t + Δt (T/E_y − K_tn N). T may not carry V_t beyond −γ V_t⁰, nor
 /// beyond what it is: V_t⁺ stays within [min(V_t, −γ|V_t⁰|), max(V_t, γ|V_t⁰|)]. The limiter only

@@ -32,7 +32,7 @@ pub enum OutlineError {
     TooFar {
         /// Number of the vertex.
         vertex: usize,
-        /// The larger of its coordinates in size [m].
+        /// The larger of its coordinates in size (m).
         coordinate_m: f64,
     },
     /// Fewer than three vertices in different places.

@@ -52,7 +52,7 @@ pub(super) fn is_reflex([a, b, c]: [Vec2; 3], rounding_m: f64) -> bool {
 const MAX_WORK: u64 = 1_000_000_000;
 
 /// A cut that passes a vertex nearer than this fraction of its length, or leaves an edge at a
-/// smaller angle [rad], would make a sliver.
+/// smaller angle (rad), would make a sliver.
 const SLIVER: f64 = 1.0e-6;
 
 /// A part of the outline that is still to be cut.

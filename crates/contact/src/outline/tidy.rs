@@ -15,7 +15,7 @@ pub(super) struct Numbered {
     pub(super) number: usize,
 }
 
-/// Coordinates below this size [m] are taken as zero: they mean nothing, and their products would
+/// Coordinates below this size (m) are taken as zero: they mean nothing, and their products would
 /// underflow in [`super::exact::turn`].
 const NEGLIGIBLE_M: f64 = 1.0e-100;
 
@@ -105,7 +105,7 @@ pub(super) fn merge_collinear(ring: &mut Vec<Numbered>) -> Result<Vec<usize>, Ou
     Ok(dropped)
 }
 
-/// How far from a line the rounding of coordinates explains a point to be [m]. A point that was
+/// How far from a line the rounding of coordinates explains a point to be (m). A point that was
 /// computed on a line, a + t(b − a), turned by a heading or read from decimal text is off by some
 /// 3 to 6 ε M, M being the largest coordinate; this is 16 ε M.
 pub(super) fn rounding_m(points: impl Iterator<Item = Vec2>) -> f64 {

@@ -2,9 +2,9 @@
 //! states that are some steps old, and keeps its loads to itself.
 
 use fenderline_contact::{
-    Body, BodyId, BodyState, Event, FollowingHost, HostIntegration, HostSettings, HostWorkspace,
-    Material, Memory, Mobility, Model, Outline, Pair, PresentHost, StepError, Vec2, Workspace,
-    Wrench, advance, advance_on, vec2,
+    Body, BodyId, BodyState, CoSimHost, DirectHost, Event, HostIntegration, HostSettings,
+    HostWorkspace, Material, Memory, Mobility, Model, Outline, Pair, StepError, Vec2, Workspace,
+    Wrench, advance, advance_from_engine_states, vec2,
 };
 
 /// Bodies that may touch, their first states, and the loads that only the master knows.
@@ -67,7 +67,7 @@ pub(crate) fn tug_at_a_wall(gap_m: f64, speed_mps: f64, restitution: f64) -> Sto
 /// How a master is served.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Service {
-    /// By a [`FollowingHost`] that is told nothing.
+    /// By a [`CoSimHost`] that is told nothing.
     Following(HostSettings),
     /// The same, and told the loads.
     Told(HostSettings),
@@ -77,7 +77,7 @@ pub(crate) enum Service {
     Plain,
     /// By `advance` alone, told the loads.
     PlainTold,
-    /// By a [`PresentHost`].
+    /// By a [`DirectHost`].
     Present,
 }
 
@@ -90,9 +90,9 @@ pub(crate) struct Master {
     pub(crate) mass_factor: f64,
     /// All states since the beginning; the last are the present ones.
     pub(crate) past: Vec<Vec<BodyState>>,
-    pub(crate) host: FollowingHost,
+    pub(crate) host: CoSimHost,
     pub(crate) work: HostWorkspace,
-    pub(crate) present: PresentHost,
+    pub(crate) present: DirectHost,
     memory: Memory,
     plain: Workspace,
     service: Service,
@@ -112,9 +112,9 @@ impl Master {
             Service::Plain | Service::PlainTold | Service::Present => HostSettings::default(),
         };
         Master {
-            host: FollowingHost::new(&story.model, settings),
+            host: CoSimHost::new(&story.model, settings),
             work: HostWorkspace::new(&story.model),
-            present: PresentHost::new(&story.model),
+            present: DirectHost::new(&story.model),
             memory: Memory::new(&story.model),
             plain: Workspace::new(&story.model),
             past: vec![story.states.clone()],
@@ -208,7 +208,9 @@ fn acceleration(state: &BodyState, mobility: Mobility, sum: &Wrench) -> (Vec2, f
         Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
             [[mass_kg, 0.0, 0.0], [0.0, mass_kg, 0.0], [0.0, 0.0, yaw_inertia_kgm2]]
         }
-        Mobility::Massive { .. } | Mobility::Afloat { .. } => mobility.matrix().expect("it floats"),
+        Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {
+            mobility.matrix().expect("it floats")
+        }
     };
     let (sin, cos) = libm::sincos(state.heading_rad);
     let force = sum.force_n;
@@ -261,8 +263,15 @@ pub(crate) fn moved_by_the_engine(story: &Story, step_s: f64, duration_s: f64) -
     let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
     let mut states = story.states.clone();
     for _ in 0..(duration_s / step_s).round() as usize {
-        advance_on(&story.model, &mut memory, &mut work, &states, &story.loads, step_s)
-            .expect("a good step");
+        advance_from_engine_states(
+            &story.model,
+            &mut memory,
+            &mut work,
+            &states,
+            &story.loads,
+            step_s,
+        )
+        .expect("a good step");
         states.copy_from_slice(work.states_after());
     }
     states
@@ -271,7 +280,7 @@ pub(crate) fn moved_by_the_engine(story: &Story, step_s: f64, duration_s: f64) -
 /// A ship of 200 m × 32 m with a mass that differs between surge and sway, and is coupled in yaw.
 pub(crate) fn ship() -> (Outline, Mobility) {
     let matrix = [[1.03e8, 0.0, 0.0], [0.0, 1.5e8, 4e8], [0.0, 4e8, 4.3e11]];
-    (rectangle(200.0, 32.0), Mobility::Massive { matrix })
+    (rectangle(200.0, 32.0), Mobility::FullMatrix { matrix })
 }
 
 /// The ship, at a heading of 30°, drifting sideways on a fender 4 m wide, 60 m forward of her centre.

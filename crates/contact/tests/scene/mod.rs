@@ -8,11 +8,11 @@ use fenderline_contact::{
 pub(crate) const SHIP: usize = 0;
 /// Number of fenders.
 pub(crate) const FENDERS: usize = 8;
-/// Displacement with the smallest added mass [kg].
+/// Displacement with the smallest added mass (kg).
 pub(crate) const SHIP_MASS_KG: f64 = 9.06e7;
-/// Moment of inertia with its added part [kg·m²].
+/// Moment of inertia with its added part (kg·m²).
 pub(crate) const SHIP_YAW_INERTIA_KGM2: f64 = 8.4e11;
-/// East position at which the ship's side meets the fenders' faces [m].
+/// East position at which the ship's side meets the fenders' faces (m).
 pub(crate) const TOUCH_EAST_M: f64 = 1.0;
 
 /// A container ship of 298 × 46 m and eight fenders 4 m wide, 30 m apart, their faces at 24 m east.
@@ -43,7 +43,7 @@ pub(crate) fn berth(stiffness_npm2: f64) -> Model {
         friction_dynamic: 0.4,
         restitution: 0.1,
     });
-    builder.every_other_pair(rubber);
+    builder.all_other_pairs(rubber);
     builder.build().expect("a good model")
 }
 

@@ -12,21 +12,21 @@ use num_rational::BigRational;
 /// What two polygons have in common.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ExactOverlap {
-    /// S [m²], correctly rounded; 0 where they touch at most.
+    /// S (m²), correctly rounded; 0 where they touch at most.
     pub(crate) area_m2: f64,
-    /// ∫x dS and ∫y dS about the frame's origin [m³], correctly rounded.
+    /// ∫x dS and ∫y dS about the frame's origin (m³), correctly rounded.
     pub(crate) first_moments_m3: Vec2,
-    /// C [m], correctly rounded; `None` where the area is 0.
+    /// C (m), correctly rounded; `None` where the area is 0.
     pub(crate) centroid_m: Option<Vec2>,
     /// The sum of those edges of the overlap that are a's boundary inside b, walked in the positive
-    /// sense [m]: d = Σ (P_out − P_in) where no edges coincide. Turned by −90° it is ∂S/∂x of a.
+    /// sense (m): d = Σ (P_out − P_in) where no edges coincide. Turned by −90° it is ∂S/∂x of a.
     pub(crate) boundary_of_a_m: Vec2,
-    /// The sum of those that are b's boundary inside a [m]. The three sums add up to nothing.
+    /// The sum of those that are b's boundary inside a (m). The three sums add up to nothing.
     pub(crate) boundary_of_b_m: Vec2,
-    /// The sum of those on which the two boundaries run together, in one sense [m]. There ∂S/∂x has
+    /// The sum of those on which the two boundaries run together, in one sense (m). There ∂S/∂x has
     /// two one-sided values: d with it and d without it.
     pub(crate) shared_boundary_m: Vec2,
-    /// Corners of the overlap in the positive sense, each coordinate correctly rounded [m]. Empty
+    /// Corners of the overlap in the positive sense, each coordinate correctly rounded (m). Empty
     /// where the area is 0.
     pub(crate) vertices_m: Vec<Vec2>,
 }

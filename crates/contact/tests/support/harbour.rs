@@ -30,7 +30,7 @@ pub fn model(bodies: Vec<Body>, material: Material) -> Model {
         builder.body(body);
     }
     let material = builder.material(material);
-    builder.every_other_pair(material);
+    builder.all_other_pairs(material);
     builder.build().expect("a good model")
 }
 

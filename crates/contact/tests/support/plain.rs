@@ -25,13 +25,13 @@ pub fn plain_overlap(a: &[Vec2], b: &[Vec2]) -> Vec<Vec2> {
     ring
 }
 
-/// Shoelace about the first vertex [m²].
+/// Shoelace about the first vertex (m²).
 pub fn plain_area_m2(ring: &[Vec2]) -> f64 {
     let Some(&origin) = ring.first() else { return 0.0 };
     ring[1..].windows(2).map(|w| (w[0] - origin).cross(w[1] - origin)).sum::<f64>() * 0.5
 }
 
-/// Largest extent along either axis [m].
+/// Largest extent along either axis (m).
 pub fn perimeter_m(ring: &[Vec2]) -> f64 {
     ring.iter().zip(ring.iter().cycle().skip(1)).map(|(p, q)| (*q - *p).length()).sum()
 }

@@ -12,7 +12,7 @@ use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 const FENDER_CAUTION: f64 = 0.8;
 /// From this share of its working load on a line is a caution; at its working load it is an alarm.
 const LINE_CAUTION: f64 = 0.8;
-/// Approach speeds are watched within this distance [m].
+/// Approach speeds are watched within this distance (m).
 const NEAR_M: f64 = 100.0;
 /// An under-keel clearance below this share of the draught is a caution; our choice.
 const UNDER_KEEL_SHARE: f64 = 0.1;

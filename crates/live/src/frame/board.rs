@@ -10,7 +10,7 @@ use crate::message::{BerthEnd, ContactNow, FenderNow, Lamp, Pair, VesselNow};
 
 use super::Context;
 
-/// An end is at the fenders where it is nearer than this and a fender bears the ship [m]: a docking laser's resolution.
+/// An end is at the fenders where it is nearer than this and a fender bears the ship (m): a docking laser's resolution.
 const AT_FENDERS_M: f64 = 0.02;
 
 /// The signal for an end: the worse of the speed's and of what the end is at; of two equal ones the latter.

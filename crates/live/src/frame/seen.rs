@@ -10,7 +10,7 @@ use crate::message::{ContactNow, FenderNow};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Seen {
     contacts: Vec<ContactNow>,
-    /// Stored in each fender [J].
+    /// Stored in each fender (J).
     stored_j: Vec<f64>,
     contact_events: Vec<Event>,
     world_events: Vec<WorldEvent>,
@@ -32,7 +32,7 @@ impl Seen {
         for contact in record.contacts {
             let fender = contact.fender.map(|id| id.0 as usize);
             if let Some(fender) = fender {
-                self.stored_j[fender] += contact.stored_j;
+                self.stored_j[fender] += contact.energy.stored_j;
             }
             self.contacts.push(ContactNow {
                 bodies: [contact.body_1.0 as usize, contact.body_2.0 as usize],
@@ -103,14 +103,14 @@ fn contact_text(event: &Event, setup: &Setup, contacts: &[ContactNow]) -> Option
         EventKind::Contained => format!("{one} lies wholly within {two}"),
         EventKind::DeepOverlap => format!("{one} and {two} overlap so far that forces mean little"),
         EventKind::Teleported => format!("{one} was moved by more than its speed"),
-        EventKind::FenderOverRated(fender) => {
+        EventKind::FenderRatingExceeded(fender) => {
             format!("fender {} is over its rating", setup.fenders[fender.0 as usize].name)
         }
         EventKind::FenderFailed(fender) => {
             format!("FENDER {} HAS FAILED", setup.fenders[fender.0 as usize].name)
         }
-        EventKind::PutInto => format!("{one} was put into {two} and is pressed out slowly"),
-        EventKind::MassDiffers => format!("{one} moves with another mass than the model's"),
+        EventKind::PlacedInOverlap => format!("{one} was put into {two} and is pressed out slowly"),
+        EventKind::MassMismatch => format!("{one} moves with another mass than the model's"),
         EventKind::NotConverged => format!("the contact of {one} and {two} did not settle"),
     })
 }

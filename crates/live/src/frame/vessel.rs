@@ -63,7 +63,7 @@ pub(super) fn now(all: &Now, cast: &Cast, index: usize, berth: Option<&Berth>) -
     }
 }
 
-/// Below this a line is slack to the pilot's eye [N].
+/// Below this a line is slack to the pilot's eye (N).
 const SLACK_N: f64 = 1e3;
 
 /// The order to a tug that is a vessel, in the pilot's words, and how far she has come with it.
@@ -105,7 +105,7 @@ fn assist_now(now: &Now, cast: &Cast, tug: usize, job: &Job) -> AssistNow {
     AssistNow { order: word.word(), power, place, state, force_n: felt_n }
 }
 
-/// A point within this distance along the ship is at a place that words name [m].
+/// A point within this distance along the ship is at a place that words name (m).
 const SAME_PLACE_M: f64 = 1.0;
 
 fn pilot_text(pilots: &Pilots) -> &'static str {

@@ -23,7 +23,7 @@ pub enum Fault {
     NoRecording,
     /// It is of another format: its number.
     Format(String),
-    /// It is longer than any line is written; how long it may be [bytes].
+    /// It is longer than any line is written; how long it may be (bytes).
     TooLong(u64),
     /// The recording is larger than any is written.
     TooLarge,

@@ -53,7 +53,7 @@ pub enum Line {
         tick: u64,
         /// Who gave it.
         who: String,
-        /// When, by the server's clock [ms since 1970]; the replay does not ask for it.
+        /// When, by the server's clock (ms since 1970); the replay does not ask for it.
         at_ms: u64,
         /// What.
         action: Action,

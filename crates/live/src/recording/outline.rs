@@ -34,13 +34,13 @@ pub struct Outline {
     pub branches: usize,
     /// Ticks of all branches together: what a replay plays.
     pub ticks: u64,
-    /// Length of what a session that goes on keeps [bytes]: all whole lines but the end.
+    /// Length of what a session that goes on keeps (bytes): all whole lines but the end.
     pub kept_bytes: u64,
     pub(crate) chain: Chain,
 }
 
 impl Outline {
-    /// Reads a recording from its start to its end. Every so often `go_on` is told how much has been read [bytes], and
+    /// Reads a recording from its start to its end. Every so often `go_on` is told how much has been read (bytes), and
     /// says whether to read on.
     ///
     /// # Errors

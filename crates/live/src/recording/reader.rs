@@ -17,7 +17,7 @@ pub struct RecordingReader<R> {
     header: Header,
     shape: Shape,
     ending: Option<Ending>,
-    /// The length of what a session that goes on keeps [bytes], and its sum: all whole lines but the end.
+    /// The length of what a session that goes on keeps (bytes), and its sum: all whole lines but the end.
     kept: (u64, Chain),
 }
 
@@ -66,7 +66,7 @@ impl<R: BufRead> RecordingReader<R> {
         self.lines.line
     }
 
-    /// Length of what has been read [bytes].
+    /// Length of what has been read (bytes).
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.lines.bytes

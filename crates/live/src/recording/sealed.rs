@@ -47,7 +47,7 @@ impl Chain {
 pub(super) enum Sealed<'b> {
     /// A line whose sum is right: its object.
     Object(&'b str),
-    /// A last line that was torn off: its length [bytes].
+    /// A last line that was torn off: its length (bytes).
     Torn(u64),
     /// Nothing.
     Nothing,
@@ -61,7 +61,7 @@ pub(super) struct SealedLines<R> {
     pub(super) chain: Chain,
     /// Number of the line that was read last.
     pub(super) line: usize,
-    /// Length of all whole lines [bytes].
+    /// Length of all whole lines (bytes).
     pub(super) bytes: u64,
 }
 

@@ -4,10 +4,10 @@ use super::{Chain, FORMAT, Header, Line};
 use crate::limits::{Full, LARGEST_RECORDING_BYTES, LONGEST_HEADER_BYTES, LONGEST_LINE_BYTES};
 use crate::source::Source;
 
-/// Room that is kept for the line that ends it, and for one that says how far it has come [bytes].
+/// Room that is kept for the line that ends it, and for one that says how far it has come (bytes).
 const END_BYTES: u64 = 512;
 const MARK_BYTES: u64 = 512;
-/// More than a check sum adds to a line [bytes].
+/// More than a check sum adds to a line (bytes).
 const SUM_BYTES: u64 = 64;
 
 /// The lines that a session's owner has not taken yet, and what was written before them.
@@ -90,7 +90,7 @@ impl Writer {
         chain.seal(&Line::End {}.json())
     }
 
-    /// Length of all lines so far [bytes].
+    /// Length of all lines so far (bytes).
     pub(crate) fn bytes(&self) -> u64 {
         self.bytes
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fenderline_contact::{Contact, Friction};
-use fenderline_sim::ContactBook;
+use fenderline_sim::ContactEnergy;
 
 use super::{Column, List, Value, flag, float, name};
 
@@ -11,7 +11,7 @@ use super::{Column, List, Value, flag, float, name};
 pub(crate) struct ContactRow {
     pub(crate) t_s: f64,
     pub(crate) contact: Contact,
-    /// Work of the normal and the tangential force on the two bodies in the step [J].
+    /// Work of the normal and the tangential force on the two bodies in the step (J).
     pub(crate) work_j: [f64; 2],
 }
 
@@ -26,7 +26,7 @@ pub(crate) struct ContactWorks {
 
 impl ContactWorks {
     /// Of a step.
-    pub(crate) fn of(books: &[ContactBook]) -> ContactWorks {
+    pub(crate) fn of(books: &[ContactEnergy]) -> ContactWorks {
         let left = books.iter().map(|b| ((b.bodies, b.fender), [b.normal_j, b.tangential_j]));
         ContactWorks { left: left.collect() }
     }
@@ -114,7 +114,7 @@ pub(crate) fn contacts_columns() -> Vec<Column<ContactRow>> {
             "stored_j",
             "J",
             "stored in a fender's spring and stop at the start of the step",
-            |r| r.contact.stored_j,
+            |r| r.contact.energy.stored_j,
         ),
         float("tilt_rad", "rad", "angle between a fender's face and the hull", |r| {
             r.contact.tilt_rad

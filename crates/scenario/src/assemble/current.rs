@@ -11,7 +11,7 @@ use crate::csv::Csv;
 /// Columns of a file of currents.
 const COLUMNS: [&str; 7] =
     ["t_s", "north_m", "east_m", "north_mps", "east_mps", "speed_mps", "towards_deg"];
-/// Places [m] or times [s], and speeds [m/s], that it may have.
+/// Places (m) or times (s), and speeds (m/s), that it may have.
 const PLACES_OR_TIMES: [f64; 2] = TIMES_S;
 const FASTEST_MPS: f64 = 15.0;
 

@@ -20,9 +20,9 @@ use crate::error::{Notice, ScenarioError};
 
 /// How many harmonics a sea or a gusty wind has.
 const HARMONICS: usize = 200;
-/// Depth that is deep for every wave [m].
+/// Depth that is deep for every wave (m).
 const DEEP_M: f64 = 10_000.0;
-/// Times that a file may have [s], and directions [deg].
+/// Times that a file may have (s), and directions (deg).
 pub(super) const TIMES_S: [f64; 2] = [-1e9, 1e9];
 pub(super) const DIRECTIONS_DEG: [f64; 2] = [-720.0, 720.0];
 
@@ -136,13 +136,7 @@ impl Assembly<'_, '_> {
             let message = format!("`{path}` needs a `depth` beside it: deep water has no squat");
             return Err(self.sources.error(&item.key_span, &path, message));
         }
-        Ok(match item.choice() {
-            0 => None,
-            1 => Some(Squat::Icorels),
-            2 => Some(Squat::Barrass),
-            3 => Some(Squat::Eryuzlu),
-            other => unreachable!("the key table has no squat {other}"),
-        })
+        Ok(item.choice())
     }
 
     fn banks(&self, table: &Table) -> Checked<Vec<Bank>> {
@@ -245,7 +239,7 @@ fn wind(table: &Table) -> Result<Wind, EnvironmentError> {
         return Wind::steady(mean);
     }
     let gusts = Gusts::new(&mean, &GustSpectrum::Npd, realisation(table))?;
-    Wind::gusty(mean, gusts)
+    Wind::with_gusts(mean, gusts)
 }
 
 fn sea(table: &Table, depth_m: f64) -> Result<Sea, EnvironmentError> {

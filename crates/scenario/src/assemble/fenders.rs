@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use fenderline_contact::{FenderLaw, ReactionFactors, Stop, Unloading};
-use fenderline_sim::berthing::{BerthingSetup, Configuration, Softness};
+use fenderline_sim::berthing::BerthingSetup;
 use fenderline_sim::hydro::vessels::Standing;
 use fenderline_sim::{BodySetup, FenderSetup, FenderSource, HullPressure, Rated};
 
@@ -18,7 +18,7 @@ use crate::vessels::Belting;
 /// A stop is this many times as stiff as the fender was in the mean up to there.
 const STOP_OVER_MEAN: f64 = 50.0;
 
-/// Beyond the end of a table of factors by compression time the factor goes to 1 by this time [s]: a
+/// Beyond the end of a table of factors by compression time the factor goes to 1 by this time (s): a
 /// ship that lies on her fenders compresses them for ever.
 const STATIC_TIME_S: f64 = 1000.0;
 
@@ -28,7 +28,7 @@ struct Performance {
     /// That of its type.
     unloading: Option<Unloading>,
     rated: Option<Rated>,
-    /// Where its stop begins if nobody says otherwise [m], and how stiff it is [N/m].
+    /// Where its stop begins if nobody says otherwise (m), and how stiff it is (N/m).
     end_m: f64,
     stop_stiffness_npm: f64,
     height_m: Option<f64>,
@@ -437,15 +437,8 @@ impl Assembly<'_, '_> {
             draught_m: number("draught"),
             under_keel_clearance_m: number("under_keel_clearance"),
             block_coefficient: number("block_coefficient"),
-            softness: match table.given("softness").choice() {
-                0 => Softness::Soft,
-                _ => Softness::Hard,
-            },
-            configuration: match table.given("configuration").choice() {
-                0 => Configuration::SolidQuay,
-                1 => Configuration::SemiOpen,
-                _ => Configuration::OpenPiles,
-            },
+            softness: table.given("softness").choice(),
+            configuration: table.given("configuration").choice(),
             abnormal_factor: table.item("abnormal_factor").map(|item| *item.number()),
         }))
     }

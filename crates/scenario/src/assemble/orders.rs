@@ -129,7 +129,7 @@ impl Assembly<'_, '_> {
         let none = Arguments::new();
         let Some(order) = OrderName::of_word(what.name) else {
             debug_assert_eq!(what.name, TELEGRAPH, "all other words are in the table of orders");
-            let share = Telegraph::ALL[*what.choice()].revolutions_ratio();
+            let share = what.choice::<Telegraph>().revolutions_ratio();
             return Ok((OrderName::Engine, none.number("share", share)));
         };
         let arguments = match form(order) {

@@ -21,7 +21,7 @@ const MOTIONS: [(&str, &str, bool); 6] = [
 ];
 /// Heave, roll and pitch have to be there.
 const NEEDED: core::ops::RangeInclusive<usize> = 2..=4;
-/// How far from 0 and 180 degrees a table may begin and end [deg].
+/// How far from 0 and 180 degrees a table may begin and end (deg).
 const SLACK_DEG: f64 = 0.01;
 
 impl Assembly<'_, '_> {

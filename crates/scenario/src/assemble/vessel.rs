@@ -119,7 +119,7 @@ impl Kind {
         Some(points.iter().map(|point| self.about_gravity(*point)).collect())
     }
 
-    /// Length and beam [m].
+    /// Length and beam (m).
     pub(super) fn size_m(&self) -> [f64; 2] {
         let hull = &self.data.ship.particulars;
         [self.data.length_overall_m.unwrap_or(hull.length_m), hull.beam_m]
@@ -230,7 +230,7 @@ impl Assembly<'_, '_> {
         Ok(vessels)
     }
 
-    /// A chock, from the centre of gravity, and its height above the water [m].
+    /// A chock, from the centre of gravity, and its height above the water (m).
     pub(super) fn chock(
         &self,
         table: &Table,

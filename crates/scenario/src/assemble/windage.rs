@@ -7,7 +7,7 @@ use fenderline_sim::hydro::Particulars;
 
 use super::{Assembly, Checked};
 use crate::checked::{Item, Table};
-use crate::keys::windage::METHOD_KEYS;
+use crate::keys::windage::{METHODS, WindageMethod};
 use crate::sources::quoted;
 use crate::suggest::nearest;
 
@@ -19,7 +19,7 @@ impl Assembly<'_, '_> {
     ) -> Checked<Option<ShipWindage>> {
         let Some(item) = vessel.item("windage") else { return Ok(None) };
         let of = item.table();
-        let method = *of.given("method").choice();
+        let method = of.given("method").choice();
         self.only_particulars_of(of, item, method)?;
         let number = |name: &str| *of.given(name).number();
         let windage = ShipWindage {
@@ -30,18 +30,17 @@ impl Assembly<'_, '_> {
             centroid_forward_m: number("centroid_forward"),
             centroid_height_m: number("centroid_height"),
             method: match method {
-                0 => WindMethod::Blendermann(self.blendermann(of)?),
-                1 => WindMethod::Isherwood(Isherwood {
+                WindageMethod::Blendermann => WindMethod::Blendermann(self.blendermann(of)?),
+                WindageMethod::Isherwood => WindMethod::Isherwood(Isherwood {
                     perimeter_m: number("perimeter"),
                     superstructure_m2: number("superstructure_area"),
                     mast_groups: number("mast_groups"),
                 }),
-                2 => WindMethod::Fujiwara(Fujiwara {
+                WindageMethod::Fujiwara => WindMethod::Fujiwara(Fujiwara {
                     on_deck_m2: number("deck_area"),
                     on_deck_forward_m: number("deck_centroid_forward"),
                     top_height_m: number("top_height"),
                 }),
-                other => unreachable!("the key table has no method {other}"),
             },
         };
         windage.check().map_err(|error| self.refused(vessel, item, &error))?;
@@ -49,10 +48,16 @@ impl Assembly<'_, '_> {
     }
 
     /// A method has all of its own particulars and none of another's.
-    fn only_particulars_of(&self, of: &Table, windage: &Item, method: usize) -> Checked<()> {
-        let (name, own) = METHOD_KEYS[method];
-        for (other, keys) in METHOD_KEYS.iter().filter(|(other, _)| *other != name) {
-            for key in *keys {
+    fn only_particulars_of(
+        &self,
+        of: &Table,
+        windage: &Item,
+        method: WindageMethod,
+    ) -> Checked<()> {
+        let name = of.given("method").word();
+        for foreign in METHODS.0.iter().filter(|foreign| foreign.value != method) {
+            let other = foreign.word;
+            for key in foreign.value.keys() {
                 if let Some(item) = of.item(key) {
                     let path = of.path_of(key);
                     let message = format!("`{path}` is for the method \"{other}\", not \"{name}\"");
@@ -63,7 +68,7 @@ impl Assembly<'_, '_> {
                 }
             }
         }
-        match own.iter().find(|key| of.item(key).is_none()) {
+        match method.keys().iter().find(|key| of.item(key).is_none()) {
             None => Ok(()),
             Some(key) => {
                 let path = of.path_of(key);

@@ -6,7 +6,7 @@ use std::fmt::Display;
 use fenderline_contact::Vec2;
 use fenderline_sim::environment::Tide;
 use fenderline_sim::mooring::{
-    Fitting, Holding, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch,
+    InboardEnd, InitialLength, LineKind, LineSetup, Rope, RopeCurve, Tail, Winch,
 };
 use fenderline_sim::tug::{TugEnvelope, VectorTug};
 use fenderline_sim::{BodySetup, LineEnd, MooringSetup, TugSetup, VesselSetup};
@@ -133,9 +133,9 @@ impl Assembly<'_, '_> {
                 LinePoint::At(at_m, above_water_m) => (at_m, above_water_m),
                 LinePoint::Named(item) => self.bitts(table, item, decks[body])?,
             };
-        let fitting = match (table.item("length"), table.item("pretension")) {
-            (Some(length), None) => Fitting::Length(*length.number()),
-            (None, Some(tension)) => Fitting::Pretension(*tension.number()),
+        let initial_length = match (table.item("length"), table.item("pretension")) {
+            (Some(length), None) => InitialLength::Outboard(*length.number()),
+            (None, Some(tension)) => InitialLength::FromPretension(*tension.number()),
             (given, _) => {
                 let path = table.path_of("pretension");
                 let both = given.is_some();
@@ -158,11 +158,11 @@ impl Assembly<'_, '_> {
             line: LineSetup {
                 name: name.to_owned(),
                 kind: LineKind::Light { main: rope(table), tail },
-                holding: match table.given("winch").flag() {
-                    true => Holding::Winch(winch),
-                    false => Holding::Bitts,
+                inboard_end: match table.given("winch").flag() {
+                    true => InboardEnd::Winch(winch),
+                    false => InboardEnd::Bitts,
                 },
-                fitting,
+                initial_length,
             },
             ship,
             fairlead_m,
@@ -208,18 +208,13 @@ impl Assembly<'_, '_> {
 
 /// Where a line ends.
 enum LinePoint<'t> {
-    /// From the body's origin, and above the water [m].
+    /// From the body's origin, and above the water (m).
     At(Vec2, f64),
     /// A chock or bitts.
     Named(&'t Item),
 }
 
 fn rope(table: &Table) -> Rope {
-    let curve = match table.given("rope").choice() {
-        0 => RopeCurve::wire(),
-        1 => RopeCurve::hmpe(),
-        2 => RopeCurve::polyester(),
-        _ => RopeCurve::nylon(),
-    };
-    Rope { break_load_n: *table.given("break_load").number(), curve }
+    let curve: fn() -> RopeCurve = table.given("rope").choice();
+    Rope { break_load_n: *table.given("break_load").number(), curve: curve() }
 }

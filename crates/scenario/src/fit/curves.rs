@@ -8,15 +8,15 @@ use crate::printable::printable_number as shown;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// Rows of deflection [m] and reaction [N], deflections rising.
+/// Rows of deflection (m) and reaction (N), deflections rising.
 pub type Branch = Vec<(f64, f64)>;
 
 /// The loading of one speed and temperature, with what else is known of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadingCurve {
-    /// Speed of compression [m/s], where the file has speeds.
+    /// Speed of compression (m/s), where the file has speeds.
     pub speed_mps: Option<f64>,
-    /// Temperature [°C], where the file has temperatures.
+    /// Temperature (°C), where the file has temperatures.
     pub temperature_c: Option<f64>,
     /// From (0, 0).
     pub loading: Branch,
@@ -53,7 +53,7 @@ struct Group {
     speed_mps: Option<f64>,
     temperature_c: Option<f64>,
     is_unloading: bool,
-    /// Deflection [m], reaction [N] and number of the row.
+    /// Deflection (m), reaction (N) and number of the row.
     rows: Vec<(f64, f64, usize)>,
 }
 

@@ -9,7 +9,7 @@ use super::curves::{Branch, FenderCurves, LoadingCurve, integral, value};
 use crate::Standing;
 use crate::printable::printable_number;
 
-/// Temperature for which catalogues rate fenders [°C]: the factor is 1 at the one nearest to it.
+/// Temperature for which catalogues rate fenders (°C): the factor is 1 at the one nearest to it.
 const RATED_TEMPERATURE_C: f64 = 23.0;
 
 /// What the file of curves does not say.
@@ -19,11 +19,11 @@ pub struct FitOptions {
     pub family: String,
     /// Designation of the size.
     pub designation: String,
-    /// Extent in the direction of compression, uncompressed [m].
+    /// Extent in the direction of compression, uncompressed (m).
     pub height_m: f64,
-    /// Length along the berth [m].
+    /// Length along the berth (m).
     pub length_m: Option<f64>,
-    /// Rated deflection [m]; `None`: where the reference loading curve ends.
+    /// Rated deflection (m); `None`: where the reference loading curve ends.
     pub rated_deflection_m: Option<f64>,
     /// Share of the energy that comes back, where the file has no unloading curve.
     pub returned_energy: Option<f64>,
@@ -53,14 +53,14 @@ pub enum FitError {
     Ends {
         /// Which curve.
         curve: String,
-        /// Where it ends [m].
+        /// Where it ends (m).
         end_m: f64,
-        /// Where it would have to [m].
+        /// Where it would have to (m).
         wanted: String,
     },
     /// The reaction at the rated deflection is none.
     NoReaction {
-        /// The rated deflection [m].
+        /// The rated deflection (m).
         rated_deflection_m: f64,
     },
     /// The file has an unloading curve and the returned energy is given as well.
@@ -104,17 +104,17 @@ pub struct FittedFender {
     options: FitOptions,
     /// The curve that the family has: speed and temperature nearest to those of a rating.
     reference: LoadingCurve,
-    /// Rated deflection [m].
+    /// Rated deflection (m).
     pub rated_deflection_m: f64,
-    /// Reaction at the rated deflection [N].
+    /// Reaction at the rated deflection (N).
     pub rated_reaction_n: f64,
     /// Deflection over height against reaction over rated reaction.
     pub points: Branch,
     /// The same of the unloading curve; empty where there is none.
     pub unloading: Branch,
-    /// Time to rated deflection [s] against factor on the reaction; empty where the file has no speeds.
+    /// Time to rated deflection (s) against factor on the reaction; empty where the file has no speeds.
     pub velocity: Branch,
-    /// Temperature [°C] against factor on the reaction; empty where the file has no temperatures.
+    /// Temperature (°C) against factor on the reaction; empty where the file has no temperatures.
     pub temperature: Branch,
 }
 
@@ -173,20 +173,20 @@ impl FittedFender {
         &self.reference
     }
 
-    /// Reaction of the fit at a deflection [m] on its curve [N].
+    /// Reaction of the fit at a deflection (m) on its curve (N).
     #[must_use]
     pub fn reaction_n(&self, deflection_m: f64) -> Option<f64> {
         value(&self.points, deflection_m / self.options.height_m).map(|r| r * self.rated_reaction_n)
     }
 
-    /// Energy of the fit to a deflection [m] on its curve [J].
+    /// Energy of the fit to a deflection (m) on its curve (J).
     #[must_use]
     pub fn energy_j(&self, deflection_m: f64) -> f64 {
         let share = integral(&self.points, deflection_m / self.options.height_m);
         share * self.rated_reaction_n * self.options.height_m
     }
 
-    /// Reaction of the fitted unloading curve at a deflection [m] on it [N].
+    /// Reaction of the fitted unloading curve at a deflection (m) on it (N).
     #[must_use]
     pub fn unloading_n(&self, deflection_m: f64) -> Option<f64> {
         value(&self.unloading, deflection_m / self.options.height_m)

@@ -1,11 +1,13 @@
 //! Keys of wind, current, waves, water and banks.
 
+use fenderline_sim::hydro::Squat;
 use serde_json::json;
 
 use super::POSITION_M;
 use super::world::{DIRECTION, key};
+use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Choices, Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 pub(super) static ENVIRONMENT: TableSpec = TableSpec {
@@ -323,22 +325,25 @@ static WAVES: TableSpec = TableSpec {
     }),
 };
 
-/// In the order that [`crate::assemble`] relies on.
-static SQUATS: Choices = Choices {
-    words: &[
-        ("none", "she does not squat"),
-        (
-            "icorels",
-            "ICORELS: 2.4 V/L^2 Fh^2 / sqrt(1 - Fh^2) with the displaced volume V and the Froude number of depth Fh; \
+static SQUATS: Choices<Option<Squat>> = Choices(&[
+    Choice { word: "none", value: None, doc: "she does not squat" },
+    Choice {
+        word: "icorels",
+        value: Some(Squat::Icorels),
+        doc: "ICORELS: 2.4 V/L^2 Fh^2 / sqrt(1 - Fh^2) with the displaced volume V and the Froude number of depth Fh; \
              fades out in deep water",
-        ),
-        (
-            "barrass",
-            "Barrass in open water: block coefficient x knots^2 / 100, the same at every depth; for 1.1 to 1.4 draughts",
-        ),
-        ("eryuzlu", "Eryuzlu et al. 1994, in open water; for 1.1 to 2.5 draughts"),
-    ],
-};
+    },
+    Choice {
+        word: "barrass",
+        value: Some(Squat::Barrass),
+        doc: "Barrass in open water: block coefficient x knots^2 / 100, the same at every depth; for 1.1 to 1.4 draughts",
+    },
+    Choice {
+        word: "eryuzlu",
+        value: Some(Squat::Eryuzlu),
+        doc: "Eryuzlu et al. 1994, in open water; for 1.1 to 2.5 draughts",
+    },
+]);
 
 static BANK: TableSpec = TableSpec {
     what: "a bank",

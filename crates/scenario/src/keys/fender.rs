@@ -1,11 +1,13 @@
 //! Keys of fenders and of the berthing study.
 
+use fenderline_sim::berthing::{Configuration, Softness};
 use serde_json::json;
 
 use super::POSITION_M;
+use crate::choices::{Choice, Choices};
 use crate::library::RETURNED_ENERGY;
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Choices, CurveSpec, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{CurveSpec, KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 const SIZE: Quantity = Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e3 };
@@ -360,19 +362,17 @@ pub(super) static BERTHING: TableSpec = TableSpec {
     rules: None,
 };
 
-/// In the order that [`crate::assemble`] relies on.
-static SOFTNESSES: Choices = Choices {
-    words: &[
-        ("soft", "the fender is soft beside the hull: Cs = 1"),
-        ("hard", "the fender is hard: Cs = 0.9"),
-    ],
-};
+static SOFTNESSES: Choices<Softness> = Choices(&[
+    Choice {
+        word: "soft",
+        value: Softness::Soft,
+        doc: "the fender is soft beside the hull: Cs = 1",
+    },
+    Choice { word: "hard", value: Softness::Hard, doc: "the fender is hard: Cs = 0.9" },
+]);
 
-/// In the order that [`crate::assemble`] relies on.
-static CONFIGURATIONS: Choices = Choices {
-    words: &[
-        ("solid", "a solid quay: Cc = 0.8"),
-        ("semi_open", "partly open: Cc = 0.9"),
-        ("open", "a jetty on open piles: Cc = 1"),
-    ],
-};
+static CONFIGURATIONS: Choices<Configuration> = Choices(&[
+    Choice { word: "solid", value: Configuration::SolidQuay, doc: "a solid quay: Cc = 0.8" },
+    Choice { word: "semi_open", value: Configuration::SemiOpen, doc: "partly open: Cc = 0.9" },
+    Choice { word: "open", value: Configuration::OpenPiles, doc: "a jetty on open piles: Cc = 1" },
+]);

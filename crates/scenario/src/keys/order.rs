@@ -1,14 +1,16 @@
 //! Keys of orders. All but the telegraph are made from the table of orders in `fenderline_sim`, so that an order that
 //! is added there is a key here.
 
+use fenderline_sim::hydro::actuator::Telegraph;
 use fenderline_sim::order::{
     Absent as Default, Argument, ArgumentKind, Frame, Named, OrderName, TargetKind, Unit,
 };
 use serde_json::{Value as Json, json};
 
 use super::world::{TIME, key};
+use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{self, Is, Means, Refused};
-use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
 use crate::units::Measure;
 use crate::units::measures as unit;
 
@@ -216,18 +218,19 @@ fn rules() -> Json {
     })
 }
 
-/// In the order of [`fenderline_sim::hydro::actuator::Telegraph::ALL`].
-static TELEGRAPH_WORDS: Choices = Choices {
-    words: &[
-        ("full astern", "70 % of full revolutions astern"),
-        ("half astern", "55 % astern"),
-        ("slow astern", "40 % astern"),
-        ("dead slow astern", "30 % astern"),
-        ("stop", "stop"),
-        ("dead slow ahead", "30 % ahead"),
-        ("slow ahead", "40 % ahead"),
-        ("half ahead", "55 % ahead"),
-        ("full ahead", "70 % ahead: manoeuvring full"),
-        ("navigation full", "full revolutions"),
-    ],
-};
+pub(crate) static TELEGRAPH_WORDS: Choices<Telegraph> = Choices(&[
+    Choice {
+        word: "full astern",
+        value: Telegraph::FullAstern,
+        doc: "70 % of full revolutions astern",
+    },
+    Choice { word: "half astern", value: Telegraph::HalfAstern, doc: "55 % astern" },
+    Choice { word: "slow astern", value: Telegraph::SlowAstern, doc: "40 % astern" },
+    Choice { word: "dead slow astern", value: Telegraph::DeadSlowAstern, doc: "30 % astern" },
+    Choice { word: "stop", value: Telegraph::Stop, doc: "stop" },
+    Choice { word: "dead slow ahead", value: Telegraph::DeadSlowAhead, doc: "30 % ahead" },
+    Choice { word: "slow ahead", value: Telegraph::SlowAhead, doc: "40 % ahead" },
+    Choice { word: "half ahead", value: Telegraph::HalfAhead, doc: "55 % ahead" },
+    Choice { word: "full ahead", value: Telegraph::FullAhead, doc: "70 % ahead: manoeuvring full" },
+    Choice { word: "navigation full", value: Telegraph::NavigationFull, doc: "full revolutions" },
+]);

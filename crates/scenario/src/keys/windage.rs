@@ -3,8 +3,9 @@
 use serde_json::{Value as Json, json};
 
 use super::world::{LENGTH, PLACE, key};
+use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Choices, Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 const AREA: Quantity = Quantity { measure: &unit::AREA, low: 1e-4, high: 1e6 };
@@ -108,47 +109,65 @@ pub(crate) static WINDAGE: TableSpec = TableSpec {
         ),
     ],
     rules: Some(|| {
-        let with = |own: &[&str]| {
-            let foreign = METHOD_KEYS.iter().flat_map(|(_, keys)| keys.iter());
+        let with = |method: WindageMethod| {
+            let foreign = METHODS.0.iter().filter(|other| other.value != method);
             let refused: serde_json::Map<String, Json> = foreign
-                .filter(|key| !own.contains(key))
+                .flat_map(|other| other.value.keys())
                 .map(|key| ((*key).to_owned(), json!(false)))
                 .collect();
-            json!({ "required": own, "properties": refused })
+            json!({ "required": method.keys(), "properties": refused })
         };
-        let [(_, blendermann), (isherwood, of_isherwood), (fujiwara, of_fujiwara)] = METHOD_KEYS;
-        let is = |method| json!({ "properties": { "method": { "const": method } }, "required": ["method"] });
-        json!({
-            "if": is(isherwood),
-            "then": with(of_isherwood),
-            "else": { "if": is(fujiwara), "then": with(of_fujiwara), "else": with(blendermann) }
+        let others = METHODS.0.iter().rev().filter(|other| other.value != DEFAULT_METHOD);
+        others.fold(with(DEFAULT_METHOD), |otherwise, method| {
+            json!({
+                "if": {
+                    "properties": { "method": { "const": method.word } }, "required": ["method"]
+                },
+                "then": with(method.value),
+                "else": otherwise
+            })
         })
     }),
 };
 
-/// In the order that [`crate::assemble`] relies on.
-static METHODS: Choices = Choices {
-    words: &[
-        (
-            "blendermann",
-            "Blendermann 1994: four parameters of a type of ship; formulas and table read in a public toolbox, not \
-             in the paper",
-        ),
-        (
-            "isherwood",
-            "Isherwood 1972: a regression over merchant ships; its tables read in a public toolbox, not in the paper",
-        ),
-        (
-            "fujiwara",
-            "Fujiwara, Ueno & Nimura 1998: a regression over ships with a superstructure; coefficients read in a \
-             public code, not in the paper; no printed number was found to hold them against",
-        ),
-    ],
-};
+/// How wind forces are computed from the areas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum WindageMethod {
+    Blendermann,
+    Isherwood,
+    Fujiwara,
+}
 
-/// Each method's own particulars, in the order of the methods.
-pub(crate) const METHOD_KEYS: [(&str, &[&str]); 3] = [
-    ("blendermann", &["type"]),
-    ("isherwood", &["perimeter", "superstructure_area", "mast_groups"]),
-    ("fujiwara", &["deck_area", "deck_centroid_forward", "top_height"]),
-];
+/// The method where the file names none.
+const DEFAULT_METHOD: WindageMethod = WindageMethod::Blendermann;
+
+impl WindageMethod {
+    /// The keys that this method needs and no other method may have.
+    pub(crate) fn keys(self) -> &'static [&'static str] {
+        match self {
+            WindageMethod::Blendermann => &["type"],
+            WindageMethod::Isherwood => &["perimeter", "superstructure_area", "mast_groups"],
+            WindageMethod::Fujiwara => &["deck_area", "deck_centroid_forward", "top_height"],
+        }
+    }
+}
+
+pub(crate) static METHODS: Choices<WindageMethod> = Choices(&[
+    Choice {
+        word: "blendermann",
+        value: WindageMethod::Blendermann,
+        doc: "Blendermann 1994: four parameters of a type of ship; formulas and table read in a public toolbox, not \
+             in the paper",
+    },
+    Choice {
+        word: "isherwood",
+        value: WindageMethod::Isherwood,
+        doc: "Isherwood 1972: a regression over merchant ships; its tables read in a public toolbox, not in the paper",
+    },
+    Choice {
+        word: "fujiwara",
+        value: WindageMethod::Fujiwara,
+        doc: "Fujiwara, Ueno & Nimura 1998: a regression over ships with a superstructure; coefficients read in a \
+             public code, not in the paper; no printed number was found to hold them against",
+    },
+]);

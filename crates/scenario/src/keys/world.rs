@@ -1,10 +1,12 @@
 //! Keys of tugs and lines.
 
+use fenderline_sim::mooring::RopeCurve;
 use serde_json::json;
 
 use super::POSITION_M;
+use crate::choices::{Choice, Choices};
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Choices, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 pub(crate) const LENGTH: Quantity = Quantity { measure: &unit::LENGTH, low: 0.01, high: 5000.0 };
@@ -205,12 +207,9 @@ static TAIL: TableSpec = TableSpec {
     rules: None,
 };
 
-/// In the order that [`crate::assemble`] relies on.
-static ROPES: Choices = Choices {
-    words: &[
-        ("wire", "steel wire with a steel core"),
-        ("hmpe", "high-modulus polyethylene"),
-        ("polyester", "polyester"),
-        ("nylon", "nylon, as tails are made of"),
-    ],
-};
+static ROPES: Choices<fn() -> RopeCurve> = Choices(&[
+    Choice { word: "wire", value: RopeCurve::wire, doc: "steel wire with a steel core" },
+    Choice { word: "hmpe", value: RopeCurve::hmpe, doc: "high-modulus polyethylene" },
+    Choice { word: "polyester", value: RopeCurve::polyester, doc: "polyester" },
+    Choice { word: "nylon", value: RopeCurve::nylon, doc: "nylon, as tails are made of" },
+]);

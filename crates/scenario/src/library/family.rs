@@ -22,13 +22,13 @@ pub struct Family {
     pub standing: Standing,
     /// How the reaction falls when the hull retreats.
     pub unloading: Option<FamilyUnloading>,
-    /// Temperature [°C] against factor on the reaction.
+    /// Temperature (°C) against factor on the reaction.
     pub temperature: Option<FactorTable>,
-    /// Time to rated deflection [s] against factor on the reaction.
+    /// Time to rated deflection (s) against factor on the reaction.
     pub velocity: Option<FactorTable>,
-    /// Angle [rad] against factor on the energy.
+    /// Angle (rad) against factor on the energy.
     pub angle_energy: Option<FactorTable>,
-    /// Angle [rad] against factor on the reaction.
+    /// Angle (rad) against factor on the reaction.
     pub angle_reaction: Option<FactorTable>,
     /// Manufacturing tolerance of reaction and energy.
     pub tolerance: Option<Tolerance>,
@@ -78,17 +78,17 @@ pub struct Tolerance {
 pub struct FenderSize {
     /// Unique within the family.
     pub designation: String,
-    /// Extent in the direction of compression [m].
+    /// Extent in the direction of compression (m).
     pub height_m: f64,
-    /// Length along the berth [m].
+    /// Length along the berth (m).
     pub length_m: Option<f64>,
-    /// Rated reaction [N].
+    /// Rated reaction (N).
     pub rated_reaction_n: f64,
-    /// Rated energy as published [J]; nothing is computed from it.
+    /// Rated energy as published (J); nothing is computed from it.
     pub published_energy_j: Option<f64>,
-    /// Pressure on the hull at the rated deflection [N/m²].
+    /// Pressure on the hull at the rated deflection (N/m²).
     pub hull_pressure_npm2: Option<f64>,
-    /// Pressure of a fender blown up at no deflection [N/m²].
+    /// Pressure of a fender blown up at no deflection (N/m²).
     pub initial_pressure_npm2: Option<f64>,
     /// Where it comes from.
     pub source: String,
@@ -101,7 +101,7 @@ pub struct FenderSize {
 pub struct HullPressureLimit {
     /// Type of ship, unique.
     pub ship: String,
-    /// Greatest mean pressure under a panel [N/m²].
+    /// Greatest mean pressure under a panel (N/m²).
     pub limit_npm2: f64,
     /// Where it comes from.
     pub source: String,

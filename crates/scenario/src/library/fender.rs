@@ -13,37 +13,37 @@ pub struct CatalogueFender {
     pub family: String,
     /// Size within the family, or how it was made where it is none of the catalogue's.
     pub designation: String,
-    /// Extent in the direction of compression [m].
+    /// Extent in the direction of compression (m).
     pub height_m: f64,
-    /// Length along the berth [m], where the size has one.
+    /// Length along the berth (m), where the size has one.
     pub length_m: Option<f64>,
-    /// Rated deflection [m].
+    /// Rated deflection (m).
     pub rated_deflection_m: f64,
-    /// Reaction at the rated deflection [N].
+    /// Reaction at the rated deflection (N).
     pub rated_reaction_n: f64,
-    /// Energy to the rated deflection [J]: the integral of the reaction.
+    /// Energy to the rated deflection (J): the integral of the reaction.
     pub rated_energy_j: f64,
-    /// Rated energy as published [J], where it was. It differs from the integral by several per cent
+    /// Rated energy as published (J), where it was. It differs from the integral by several per cent
     /// (13 % for the smallest pneumatic fender) and is not used.
     pub published_energy_j: Option<f64>,
-    /// Deflection [m] against reaction [N], from (0, 0), deflections rising; straight between. It may
+    /// Deflection (m) against reaction (N), from (0, 0), deflections rising; straight between. It may
     /// reach beyond the rated deflection.
     pub curve: Vec<(f64, f64)>,
     /// How the reaction falls when the hull retreats, where the family says it.
     pub unloading: Option<Unloading>,
-    /// Temperature [°C] against factor on the reaction; empty where none is known.
+    /// Temperature (°C) against factor on the reaction; empty where none is known.
     pub temperature_factors: Vec<(f64, f64)>,
-    /// Time to rated deflection [s] against factor on the reaction; empty where none is known.
+    /// Time to rated deflection (s) against factor on the reaction; empty where none is known.
     pub velocity_factors: Vec<(f64, f64)>,
-    /// Angle of compression [rad] against factor on the energy; empty where none is known.
+    /// Angle of compression (rad) against factor on the energy; empty where none is known.
     pub angle_energy_factors: Vec<(f64, f64)>,
-    /// Angle of compression [rad] against factor on the reaction; empty where none is known.
+    /// Angle of compression (rad) against factor on the reaction; empty where none is known.
     pub angle_reaction_factors: Vec<(f64, f64)>,
     /// Manufacturing tolerance of reaction and energy, 0.1 for ±10 %, where it is known.
     pub tolerance: Option<f64>,
-    /// Pressure on the hull at the rated deflection [N/m²]; `None` where the panel sets it.
+    /// Pressure on the hull at the rated deflection (N/m²); `None` where the panel sets it.
     pub hull_pressure_npm2: Option<f64>,
-    /// Pressure of a fender blown up at no deflection [N/m²].
+    /// Pressure of a fender blown up at no deflection (N/m²).
     pub initial_pressure_npm2: Option<f64>,
     /// Whether a panel presses on the hull. Not in a family of which any size has a hull pressure of its own.
     pub has_panel: bool,

@@ -5,8 +5,9 @@ use core::f64::consts::FRAC_PI_2;
 use fenderline_contact::Unloading;
 use serde_json::json;
 
+use crate::keys::STANDINGS;
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Choices, CurveSpec, KeySpec, Kind, Quantity, TableSpec};
+use crate::spec::{CurveSpec, KeySpec, Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 /// The whole file.
@@ -47,16 +48,6 @@ const STANDING: KeySpec = KeySpec {
     absent: Refused,
     doc: "How well the source is known.",
     examples: &["\"found\""],
-};
-
-/// In the order of [`fenderline_sim::hydro::vessels::Standing`].
-static STANDINGS: Choices = Choices {
-    words: &[
-        ("found", "read in a public source"),
-        ("derived", "computed from others"),
-        ("recalled", "to be checked against the document before it is relied on"),
-        ("assumed", "nobody's but ours"),
-    ],
 };
 
 static FAMILY: TableSpec = TableSpec {
@@ -213,7 +204,7 @@ static UNLOADING: TableSpec = TableSpec {
 
 /// Energy given back over energy taken.
 pub(crate) const RETURNED_ENERGY: Quantity =
-    Quantity { measure: &unit::PLAIN_NUMBER, low: Unloading::LEAST_RETURNED, high: 1.0 };
+    Quantity { measure: &unit::PLAIN_NUMBER, low: Unloading::MIN_RETURNED_SHARE, high: 1.0 };
 
 const HOLDS: KeySpec = KeySpec {
     name: "holds",

@@ -175,7 +175,7 @@ impl FenderLibrary {
     /// A fender with a rating of the user's own on the curve of a family.
     ///
     /// # Errors
-    /// No such family, or a height [m] or rated reaction [N] that no fender has.
+    /// No such family, or a height (m) or rated reaction (N) that no fender has.
     pub fn rated(
         &self,
         family: &str,

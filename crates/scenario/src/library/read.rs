@@ -277,7 +277,9 @@ pub(crate) fn unloading_curve(
         let message = format!("`{path}` must begin with [0, 0]: without deflection no reaction");
         return Err(sources.error(&item.span, path, message));
     }
-    let Some([at, reaction]) = Unloading::above(&points, &loading) else { return Ok(points) };
+    let Some([at, reaction]) = Unloading::first_point_above(&points, &loading) else {
+        return Ok(points);
+    };
     let most = FenderLaw::Curve(loading).reaction_n(at);
     let message = format!(
         "`{path}` must not be above the loading curve: at a deflection of {at} its reaction must be between 0 and \
@@ -292,12 +294,5 @@ fn tolerance(table: &Table) -> Tolerance {
 }
 
 fn origin(table: &Table) -> (String, Standing) {
-    let standing = match table.given("standing").choice() {
-        0 => Standing::Found,
-        1 => Standing::Derived,
-        2 => Standing::Recalled,
-        3 => Standing::Assumed,
-        other => unreachable!("the key table has no standing {other}"),
-    };
-    (table.given("source").text().to_owned(), standing)
+    (table.given("source").text().to_owned(), table.given("standing").choice())
 }

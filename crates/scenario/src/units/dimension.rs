@@ -55,7 +55,7 @@ impl Dimension {
     }
 }
 
-/// As an error names it: `a speed [m/s]`, or `a quantity [kg²/m]` for one without a name.
+/// As an error names it: `a speed (m/s)`, or `a quantity (kg²/m)` for one without a name.
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match measures::ALL.iter().find(|measure| measure.dimension == *self) {

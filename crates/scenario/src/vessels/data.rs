@@ -16,13 +16,13 @@ pub struct VesselData {
     pub origin: Origin,
     /// A model in a tank of fresh water.
     pub is_model: bool,
-    /// Length of the model whose resistance a full-scale ship has in `ship` [m], where it is known.
+    /// Length of the model whose resistance a full-scale ship has in `ship` (m), where it is known.
     pub resistance_of_model_m: Option<f64>,
-    /// Length overall [m], where it is known.
+    /// Length overall (m), where it is known.
     pub length_overall_m: Option<f64>,
     /// Her manoeuvring model in deep water.
     pub ship: Mmg,
-    /// Speed at which standard manoeuvres begin [m/s].
+    /// Speed at which standard manoeuvres begin (m/s).
     pub approach_mps: Option<f64>,
     /// Rudder amidships, with its rate and stop.
     pub rudder: RateLimited,
@@ -36,7 +36,7 @@ pub struct VesselData {
     pub windage: Option<ShipWindage>,
     /// What heave, roll and pitch need.
     pub stability: Option<Stability>,
-    /// Her outline, forward and to starboard of midship [m].
+    /// Her outline, forward and to starboard of midship (m).
     pub outline_m: Option<Vec<Vec2>>,
     /// Where lines leave her.
     pub chocks: Vec<DeckPoint>,
@@ -51,20 +51,20 @@ pub struct VesselData {
 /// A propeller's shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaft {
-    /// Full revolutions [1/s].
+    /// Full revolutions (1/s).
     pub full_rps: f64,
-    /// Time from full ahead to full astern [s].
+    /// Time from full ahead to full astern (s).
     pub reversal_s: f64,
 }
 
 /// What heave, roll and pitch need.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stability {
-    /// Metacentric height GM [m].
+    /// Metacentric height GM (m).
     pub gm_m: f64,
-    /// Centre of gravity above the keel KG [m].
+    /// Centre of gravity above the keel KG (m).
     pub gravity_above_keel_m: f64,
-    /// Waterplane area [m²].
+    /// Waterplane area (m²).
     pub waterplane_m2: f64,
 }
 
@@ -73,9 +73,9 @@ pub struct Stability {
 pub struct DeckPoint {
     /// Unique among its kind on the vessel.
     pub name: String,
-    /// Forward and to starboard of midship [m].
+    /// Forward and to starboard of midship (m).
     pub at_m: Vec2,
-    /// Above the still water at her draught [m].
+    /// Above the still water at her draught (m).
     pub above_water_m: f64,
 }
 
@@ -84,15 +84,15 @@ pub struct DeckPoint {
 pub struct Belting {
     /// Unique on the vessel.
     pub name: String,
-    /// Its middle, forward and to starboard of midship [m].
+    /// Its middle, forward and to starboard of midship (m).
     pub middle_m: Vec2,
-    /// Direction in which it faces: 0 forward, positive to starboard [rad].
+    /// Direction in which it faces: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
-    /// Its length [m].
+    /// Its length (m).
     pub width_m: f64,
-    /// Its middle above the still water at her draught [m].
+    /// Its middle above the still water at her draught (m).
     pub above_water_m: f64,
-    /// Its extent up and down [m].
+    /// Its extent up and down (m).
     pub extent_m: f64,
 }
 
@@ -110,7 +110,7 @@ pub(crate) struct Coefficients {
 pub(crate) enum AddedMassForm {
     /// m'x, m'y and J'z.
     Coefficients([f64; 3]),
-    /// m_x, m_y and J_z over the density [m³, m³, m⁵], of a ship of this length and draught [m].
+    /// m_x, m_y and J_z over the density (m³, m³, m⁵), of a ship of this length and draught (m).
     Volumes([f64; 3], [f64; 2]),
 }
 

@@ -60,7 +60,7 @@ fn shown(kind: &Kind, item: &Item) -> String {
         (Kind::Quantity(quantity), Value::Number(value)) => number(quantity, *value),
         (_, Value::Vector(at)) => format!("[{}, {}] m", digits(at.x), digits(at.y)),
         (_, Value::Outline(points)) => format!("{} points", points.len()),
-        (Kind::Choice(choices), Value::Choice(index)) => choices.words[*index].0.to_owned(),
+        (_, Value::Choice(word)) => word.word.to_owned(),
         (_, Value::Text(text)) => text.clone(),
         (_, Value::Flag(flag)) => flag.to_string(),
         (_, other) => unreachable!("a vessel has no {other:?}"),

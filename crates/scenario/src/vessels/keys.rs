@@ -1,10 +1,13 @@
 //! Every key of a vessel file, as [`crate::keys`] says those of a scenario.
 
+use fenderline_sim::hydro::Series;
 use serde_json::json;
 
-use crate::keys::{AZIMUTH, FORWARD_M, LENGTH_M, STABILITY, THRUSTER, WINDAGE, key};
+use super::shape::OutlineOrigin;
+use crate::choices::{Choice, Choices};
+use crate::keys::{AZIMUTH, FORWARD_M, LENGTH_M, STABILITY, STANDINGS, THRUSTER, WINDAGE, key};
 use crate::spec::Absent::{Is, Means, Refused};
-use crate::spec::{Choices, Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec};
 use crate::units::measures as unit;
 
 const COEFFICIENT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 };
@@ -419,13 +422,18 @@ static THRUST: TableSpec = TableSpec {
     rules: None,
 };
 
-/// In the order that [`super::read`] relies on.
-static SERIES: Choices = Choices {
-    words: &[
-        ("B4-70 pitch 0.8", "Wageningen B4-70, pitch ratio 0.8"),
-        ("B4-70 pitch 1.0", "Wageningen B4-70, pitch ratio 1.0"),
-    ],
-};
+static SERIES: Choices<Series> = Choices(&[
+    Choice {
+        word: "B4-70 pitch 0.8",
+        value: Series::B4Pitch08,
+        doc: "Wageningen B4-70, pitch ratio 0.8",
+    },
+    Choice {
+        word: "B4-70 pitch 1.0",
+        value: Series::B4Pitch10,
+        doc: "Wageningen B4-70, pitch ratio 1.0",
+    },
+]);
 
 static WAKE_CHANGE: TableSpec = TableSpec {
     what: "a change of the wake",
@@ -600,14 +608,23 @@ static OUTLINE: TableSpec = TableSpec {
     rules: None,
 };
 
-/// In the order that [`super::read`] relies on.
-static ORIGINS: Choices = Choices {
-    words: &[
-        ("midship", "half the length between perpendiculars, on the centre line"),
-        ("after perpendicular", "the after perpendicular, on the centre line"),
-        ("centre of gravity", "the centre of gravity"),
-    ],
-};
+static ORIGINS: Choices<OutlineOrigin> = Choices(&[
+    Choice {
+        word: "midship",
+        value: OutlineOrigin::Midship,
+        doc: "half the length between perpendiculars, on the centre line",
+    },
+    Choice {
+        word: "after perpendicular",
+        value: OutlineOrigin::AfterPerpendicular,
+        doc: "the after perpendicular, on the centre line",
+    },
+    Choice {
+        word: "centre of gravity",
+        value: OutlineOrigin::CentreOfGravity,
+        doc: "the centre of gravity",
+    },
+]);
 
 static DECK_POINT: TableSpec = TableSpec {
     what: "a point on deck",
@@ -689,14 +706,4 @@ static SOURCE: TableSpec = TableSpec {
         ),
     ],
     rules: None,
-};
-
-/// In the order of [`fenderline_sim::hydro::vessels::Standing`].
-static STANDINGS: Choices = Choices {
-    words: &[
-        ("found", "read in a public source"),
-        ("derived", "computed from others"),
-        ("recalled", "to be checked against the document before it is relied on"),
-        ("assumed", "nobody's number but the file's own"),
-    ],
 };

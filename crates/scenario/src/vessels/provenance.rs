@@ -72,7 +72,7 @@ pub(super) fn of_file(sources: &Sources<'_>, table: &Table) -> Result<Vec<Source
         .iter()
         .map(|entry| {
             let source = entry.given("source").text();
-            let standing = standing(*entry.given("standing").choice());
+            let standing = entry.given("standing").choice();
             given(entry.given("of").texts().join(", "), Vec::new(), source, standing)
         })
         .collect();
@@ -164,14 +164,4 @@ pub(super) fn replaced(base: &Origin, table: &Table) -> Origin {
     sources.retain(|source| source.is_estimate || !source.figures.is_empty());
     sources.extend(of_leaves(own));
     Origin { sources, ..base.clone() }
-}
-
-fn standing(index: usize) -> Standing {
-    match index {
-        0 => Standing::Found,
-        1 => Standing::Derived,
-        2 => Standing::Recalled,
-        3 => Standing::Assumed,
-        other => unreachable!("the key table has no standing {other}"),
-    }
 }

@@ -4,12 +4,12 @@
 use std::f64::consts::TAU;
 use std::fmt::Display;
 
-use fenderline_sim::attitude::{FloatParticulars, Hydrostatics, oscillators_told};
+use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics, oscillator_estimates};
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::{Figure, Origin, Source};
 use fenderline_sim::hydro::{
     AddedMass, CrossFlow, DriftPolynomial, HydroError, Known, LowSpeedHull, Particulars,
-    Polynomial, Series, SternCoefficients, SternGear, SwayPolynomial, TunnelThruster, estimated,
+    Polynomial, SternCoefficients, SternGear, SwayPolynomial, TunnelThruster, estimated,
 };
 
 use fenderline_sim::{AzimuthSetup, ThrusterSetup};
@@ -27,15 +27,15 @@ use crate::sources::Sources;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// Density of the sea water in which a displacement is given [kg/m³].
+/// Density of the sea water in which a displacement is given (kg/m³).
 const SEA_KGPM3: f64 = 1025.0;
-/// Gravity of Froude numbers [m/s²].
+/// Gravity of Froude numbers (m/s²).
 const GRAVITY_MPS2: f64 = 9.81;
-/// Rate of a steering gear of which nothing is said [rad/s]: 2.32 degrees a second, IMO's 65 degrees in 28 s.
+/// Rate of a steering gear of which nothing is said (rad/s): 2.32 degrees a second, IMO's 65 degrees in 28 s.
 const USUAL_RATE_RADPS: f64 = 2.32 * TAU / 360.0;
-/// A rudder's stop of which nothing is said [rad]: 35 degrees.
+/// A rudder's stop of which nothing is said (rad): 35 degrees.
 const USUAL_STOP_RAD: f64 = 35.0 * TAU / 360.0;
-/// From full ahead to full astern where nothing is said [s].
+/// From full ahead to full astern where nothing is said (s).
 const USUAL_REVERSAL_S: f64 = 40.0;
 
 /// A vessel of a file.
@@ -187,8 +187,12 @@ impl Reading<'_, '_> {
         }
         all.extend(estimate.sources);
         all.extend(oscillators(vessel.stability.as_ref(), &particulars));
-        vessel.origin =
-            Origin { title, sources: all, route: estimate.route, outside: estimate.outside };
+        vessel.origin = Origin {
+            title,
+            sources: all,
+            estimate_method: estimate.method,
+            outside: estimate.outside,
+        };
         Ok(vessel)
     }
 
@@ -605,7 +609,7 @@ impl Reading<'_, '_> {
 /// The ways in which a displacement may be given.
 const VOLUMES: &[&str] = &["volume", "displacement", "block_coefficient", "mass_coefficient"];
 
-/// Heave, roll and pitch in water of a density [kg/m³].
+/// Heave, roll and pitch in water of a density (kg/m³).
 ///
 /// # Errors
 /// A ship that does not float upright.
@@ -614,7 +618,7 @@ pub(crate) fn hydrostatics(
     ship: &Particulars,
     water_kgpm3: f64,
 ) -> Result<Hydrostatics, fenderline_sim::attitude::AttitudeError> {
-    Hydrostatics::of(&FloatParticulars {
+    Hydrostatics::of(&HydrostaticParticulars {
         mass_kg: water_kgpm3 * ship.volume_m3,
         length_m: ship.length_m,
         beam_m: ship.beam_m,
@@ -628,7 +632,7 @@ pub(crate) fn hydrostatics(
 /// How heave, roll and pitch are estimated, where they are, in sea water.
 fn oscillators(stability: Option<&Stability>, ship: &Particulars) -> Option<Source> {
     let of_sea = |stability| hydrostatics(stability, ship, SEA_KGPM3).ok();
-    stability.and_then(of_sea).map(|of| oscillators_told(&of))
+    stability.and_then(of_sea).map(|of| oscillator_estimates(&of))
 }
 
 fn figure(name: &str, text: &str) -> Figure {
@@ -727,13 +731,7 @@ fn stern(propeller: Option<&Table>, rudder: Option<&Table>) -> SternCoefficients
     };
     SternCoefficients {
         thrust_polynomial: inner(propeller, "thrust"),
-        series: propeller.and_then(|table| table.item_if_any("series")).map(|item| {
-            match item.choice() {
-                0 => Series::B4Pitch08,
-                1 => Series::B4Pitch10,
-                other => unreachable!("the key table has no series {other}"),
-            }
-        }),
+        series: propeller.and_then(|table| table.item_if_any("series")).map(Item::choice),
         thrust_deduction: number(propeller, "thrust_deduction"),
         thrust_deduction_astern: number(propeller, "thrust_deduction_astern"),
         wake: number(propeller, "wake"),

@@ -15,8 +15,16 @@ type Read<T> = Result<T, ScenarioError>;
 const FITS: f64 = 0.02;
 /// Length of an outline over the length between perpendiculars, where nothing else is known.
 const OVERALL: [f64; 2] = [0.95, 1.2];
-/// How far beyond the outline a chock may stand [m].
+/// How far beyond the outline a chock may stand (m).
 const OUTREACH_M: f64 = 1.0;
+
+/// Where the points of an outline are measured from.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum OutlineOrigin {
+    Midship,
+    AfterPerpendicular,
+    CentreOfGravity,
+}
 
 /// The outline about midship.
 pub(super) fn outline(
@@ -31,10 +39,9 @@ pub(super) fn outline(
     let complain =
         |message: String| sources.error(&item.span, &path, format!("`{path}`: {message}"));
     let forward_m = match inner.given("origin").choice() {
-        0 => 0.0,
-        1 => -0.5 * ship.length_m,
-        2 => ship.centre_of_gravity_m,
-        other => unreachable!("the key table has no origin {other}"),
+        OutlineOrigin::Midship => 0.0,
+        OutlineOrigin::AfterPerpendicular => -0.5 * ship.length_m,
+        OutlineOrigin::CentreOfGravity => ship.centre_of_gravity_m,
     };
     let points: Vec<Vec2> =
         item.outline().iter().map(|point| *point + vec2(forward_m, 0.0)).collect();

@@ -93,7 +93,7 @@ pub(crate) fn drawn(seed: u64, anisotropic: bool, unloads: bool) -> Episode {
         law: draw.one_of(&[Law::Cone, Law::Linear, Law::Area]),
         step_s: draw.one_of(&[0.05, 0.1, 0.5, 1.0]),
         unloading: unloads.then(|| {
-            let share = draw.between(Unloading::LEAST_RETURNED, 0.95);
+            let share = draw.between(Unloading::MIN_RETURNED_SHARE, 0.95);
             draw.one_of(&[UnloadsBy::Returned(share), UnloadsBy::Curve(share)])
         }),
     }
@@ -155,7 +155,7 @@ fn setup(episode: &Episode) -> Setup {
         bodies: vec![host, tug],
         materials,
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: (0..4).map(|k| fender(k, episode)).collect(),
         berthing: None,
         loads: vec![],

@@ -13,10 +13,10 @@ use fenderline_contact::{
 
 use crate::support::{outline, rectangle, spring};
 
-/// The paper's k [N/m²].
+/// The paper's k (N/m²).
 const STIFFNESS_NPM2: f64 = 500e3;
 /// The ship's corner goes round a circle of this radius about a point this far within both sides of
-/// the quay [m].
+/// the quay (m).
 const RADIUS_M: f64 = 2.0;
 const WITHIN_M: f64 = 0.5;
 const SHIP_CORNER_M: Vec2 = vec2(149.0, 23.0);
@@ -50,7 +50,7 @@ pub(crate) fn report() -> bool {
     closed
 }
 
-/// Work on the ship round the loop, and the most that it had taken from her on the way [J].
+/// Work on the ship round the loop, and the most that it had taken from her on the way (J).
 fn round(model: &Model, heading_rad: f64, steps: u32) -> (f64, f64) {
     let turned = Rotation::from_angle(heading_rad);
     let middle_m = vec2(WITHIN_M, WITHIN_M) - turned.apply(SHIP_CORNER_M);

@@ -11,31 +11,31 @@ mod oscillator;
 mod particulars;
 
 pub use oscillator::{Motion, Oscillator};
-pub use particulars::{AttitudeError, FloatParticulars, Hydrostatics, oscillators_told};
+pub use particulars::{AttitudeError, HydrostaticParticulars, Hydrostatics, oscillator_estimates};
 
 /// Heave, roll and pitch of one ship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Attitude {
-    /// Heave, positive down, from the level of rest [m, m/s].
+    /// Heave, positive down, from the level of rest (m, m/s).
     pub heave: Motion,
-    /// Roll, positive to starboard [rad, rad/s].
+    /// Roll, positive to starboard (rad, rad/s).
     pub roll: Motion,
-    /// Pitch, positive bow up [rad, rad/s].
+    /// Pitch, positive bow up (rad, rad/s).
     pub pitch: Motion,
 }
 
 /// What drives the three in one step: mean over the step, in the body's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Drive {
-    /// Vertical force beyond weight and buoyancy, positive down [N].
+pub struct AttitudeLoad {
+    /// Vertical force beyond weight and buoyancy, positive down (N).
     pub heave_n: f64,
-    /// Moment about the longitudinal axis, positive to starboard [N·m].
+    /// Moment about the longitudinal axis, positive to starboard (N·m).
     pub roll_nm: f64,
-    /// Moment about the transverse axis, positive bow up [N·m].
+    /// Moment about the transverse axis, positive bow up (N·m).
     pub pitch_nm: f64,
 }
 
-impl Drive {
+impl AttitudeLoad {
     /// Adds a horizontal force in the body's axes (forward, to starboard) that acts `above_m` above the
     /// centre of gravity: a push to starboard up there heels her to starboard, one forward trims her by
     /// the bow down.
@@ -48,7 +48,12 @@ impl Drive {
 impl Attitude {
     /// The attitude after `step_s` seconds of a constant drive: exact for any step.
     #[must_use]
-    pub fn after(&self, hydrostatics: &Hydrostatics, drive: &Drive, step_s: f64) -> Attitude {
+    pub fn after(
+        &self,
+        hydrostatics: &Hydrostatics,
+        drive: &AttitudeLoad,
+        step_s: f64,
+    ) -> Attitude {
         Attitude {
             heave: hydrostatics.heave.after(self.heave, drive.heave_n, step_s),
             roll: hydrostatics.roll.after(self.roll, drive.roll_nm, step_s),
@@ -56,7 +61,7 @@ impl Attitude {
         }
     }
 
-    /// How far below its place at rest a point of the hull is [m]: `forward_m` ahead and `starboard_m` to
+    /// How far below its place at rest a point of the hull is (m): `forward_m` ahead and `starboard_m` to
     /// starboard of the centre of gravity. For small angles.
     #[must_use]
     pub fn sinkage_m(&self, forward_m: f64, starboard_m: f64) -> f64 {

@@ -3,31 +3,31 @@
 /// Value and rate of one motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// Heave [m] or angle [rad].
+    /// Heave (m) or angle (rad).
     pub value: f64,
-    /// Its rate [m/s, rad/s].
+    /// Its rate (m/s, rad/s).
     pub rate: f64,
 }
 
 /// M ẍ + 2ζ√(MC) ẋ + C x = F.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Oscillator {
-    /// M: mass or inertia, added mass included [kg, kg·m²].
+    /// M: mass or inertia, added mass included (kg, kg·m²).
     pub inertia: f64,
-    /// C: restoring force or moment by unit [N/m, N·m/rad].
+    /// C: restoring force or moment by unit (N/m, N·m/rad).
     pub restoring: f64,
     /// ζ, damping over critical damping.
     pub damping: f64,
 }
 
 impl Oscillator {
-    /// ω₀ = √(C/M) [rad/s].
+    /// ω₀ = √(C/M) (rad/s).
     #[must_use]
     pub fn rate_radps(&self) -> f64 {
         libm::sqrt(self.restoring / self.inertia)
     }
 
-    /// Undamped natural period [s].
+    /// Undamped natural period (s).
     #[must_use]
     pub fn period_s(&self) -> f64 {
         2.0 * core::f64::consts::PI / self.rate_radps()

@@ -5,7 +5,7 @@ use std::fmt;
 use super::oscillator::Oscillator;
 use crate::hydro::vessels::{Figure, Source, Standing};
 
-/// Standard gravity [m/s²].
+/// Standard gravity (m/s²).
 const GRAVITY_MPS2: f64 = 9.806_65;
 
 /// A ship's heave, roll and pitch.
@@ -40,20 +40,20 @@ impl std::error::Error for AttitudeError {}
 
 /// What heave, roll and pitch are made from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FloatParticulars {
-    /// Displacement [kg].
+pub struct HydrostaticParticulars {
+    /// Displacement (kg).
     pub mass_kg: f64,
-    /// Length [m].
+    /// Length (m).
     pub length_m: f64,
-    /// Beam [m].
+    /// Beam (m).
     pub beam_m: f64,
-    /// Draught [m].
+    /// Draught (m).
     pub draught_m: f64,
-    /// Waterplane area [m²].
+    /// Waterplane area (m²).
     pub waterplane_m2: f64,
-    /// Transverse metacentric height GM [m].
+    /// Transverse metacentric height GM (m).
     pub gm_m: f64,
-    /// Density of the water [kg/m³].
+    /// Density of the water (kg/m³).
     pub water_kgpm3: f64,
 }
 
@@ -75,7 +75,7 @@ impl Hydrostatics {
     /// # Errors
     /// A ship that does not float upright: no mass, no size, GM not positive, a waterplane larger than
     /// length by beam.
-    pub fn of(ship: &FloatParticulars) -> Result<Hydrostatics, AttitudeError> {
+    pub fn of(ship: &HydrostaticParticulars) -> Result<Hydrostatics, AttitudeError> {
         let positive = [
             ("displacement [kg]", ship.mass_kg),
             ("length [m]", ship.length_m),
@@ -127,7 +127,7 @@ impl Hydrostatics {
 
 /// How a ship's three oscillators were estimated, to be shown as such.
 #[must_use]
-pub fn oscillators_told(of: &Hydrostatics) -> Source {
+pub fn oscillator_estimates(of: &Hydrostatics) -> Source {
     let figures =
         [("heave", of.heave), ("roll", of.roll), ("pitch", of.pitch)].map(|(name, one)| {
             [
@@ -150,7 +150,7 @@ pub fn oscillators_told(of: &Hydrostatics) -> Source {
 mod tests {
     use super::*;
 
-    const CONTAINER: FloatParticulars = FloatParticulars {
+    const CONTAINER: HydrostaticParticulars = HydrostaticParticulars {
         mass_kg: 87.8e6,
         length_m: 298.0,
         beam_m: 46.0,
@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn the_container_ships_periods() {
         for (gm_m, roll_s) in [(1.0, 36.9), (2.0, 26.1), (5.0, 16.5)] {
-            let ship = Hydrostatics::of(&FloatParticulars { gm_m, ..CONTAINER }).unwrap();
+            let ship = Hydrostatics::of(&HydrostaticParticulars { gm_m, ..CONTAINER }).unwrap();
             assert!((ship.roll.period_s() - roll_s).abs() < 0.05, "{}", ship.roll.period_s());
             assert!((ship.heave.period_s() - 9.9).abs() < 0.1, "{}", ship.heave.period_s());
             // No period of pitch is published; a long ship pitches about as fast as she heaves.
@@ -176,13 +176,15 @@ mod tests {
     #[test]
     fn ships_that_do_not_float_upright_are_refused_by_name() {
         let refused = |ship| Hydrostatics::of(&ship).unwrap_err().to_string();
-        let said = refused(FloatParticulars { gm_m: -0.2, ..CONTAINER });
+        let said = refused(HydrostaticParticulars { gm_m: -0.2, ..CONTAINER });
         assert_eq!(said, "metacentric height GM [m] must be positive, but is -0.2");
         assert!(
-            refused(FloatParticulars { mass_kg: f64::NAN, ..CONTAINER }).contains("displacement")
+            refused(HydrostaticParticulars { mass_kg: f64::NAN, ..CONTAINER })
+                .contains("displacement")
         );
         assert!(
-            refused(FloatParticulars { waterplane_m2: 2e4, ..CONTAINER }).contains("waterplane")
+            refused(HydrostaticParticulars { waterplane_m2: 2e4, ..CONTAINER })
+                .contains("waterplane")
         );
     }
 }

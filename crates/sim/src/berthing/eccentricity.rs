@@ -6,7 +6,7 @@ use core::f64::consts::FRAC_PI_2;
 use super::check::{ANGLE, ARM, BEAM, BERTHING_ANGLE, BLOCK_COEFFICIENT, GYRADIUS, LENGTH};
 use super::error::BerthingError;
 
-/// Radius of gyration about the vertical, K = (0.19·Cb + 0.11)·L_BP [m].
+/// Radius of gyration about the vertical, K = (0.19·Cb + 0.11)·L_BP (m).
 ///
 /// Source: found (public fender design manuals that cite PIANC 2002).
 ///
@@ -17,8 +17,8 @@ pub fn gyradius_m(block_coefficient: f64, length_bp_m: f64) -> Result<f64, Berth
     Ok((0.19 * block + 0.11) * LENGTH.check(length_bp_m)?)
 }
 
-/// Ce = (K² + R² cos²γ)/(K² + R²): K the radius of gyration [m], R the distance of the point of
-/// contact from the centre of mass [m], γ the angle between R and the velocity [rad].
+/// Ce = (K² + R² cos²γ)/(K² + R²): K the radius of gyration (m), R the distance of the point of
+/// contact from the centre of mass (m), γ the angle between R and the velocity (rad).
 ///
 /// Source: found. It is also what mechanics says of a ship without spin whose point of contact is
 /// stopped dead, neither sliding nor rebounding: `tests/identities.rs` holds the engine against it.
@@ -37,7 +37,7 @@ pub fn eccentricity_factor(
 }
 
 /// K²/(K² + a²): the part of the energy *along the normal* that a frictionless contact without
-/// rebound takes, a the lever arm of the normal force about the centre of mass [m].
+/// rebound takes, a the lever arm of the normal force about the centre of mass (m).
 ///
 /// Source: mechanics; `tests/identities.rs` holds the engine against it. PIANC's Ce is for a contact
 /// that does not slide; the truth of a fender with a low-friction facing lies between both.
@@ -53,15 +53,15 @@ pub fn frictionless_factor(gyradius_m: f64, arm_m: f64) -> Result<f64, BerthingE
 /// Where a ship's parallel side touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactPoint {
-    /// Distance along the hull from the centre of mass, positive forward [m]: L/4 for a quarter-point
+    /// Distance along the hull from the centre of mass, positive forward (m): L/4 for a quarter-point
     /// berthing, L/6 for a third-point one.
     pub along_m: f64,
-    /// The ship's beam [m]; the point lies half of it off the centre line.
+    /// The ship's beam (m); the point lies half of it off the centre line.
     pub beam_m: f64,
 }
 
 impl ContactPoint {
-    /// R = √(y² + (B/2)²) [m].
+    /// R = √(y² + (B/2)²) (m).
     ///
     /// # Errors
     /// A point that no ship has.
@@ -70,7 +70,7 @@ impl ContactPoint {
         Ok(libm::hypot(along_m, 0.5 * beam_m))
     }
 
-    /// γ = 90° − α − asin(B/2R) [rad] for a ship that moves square to the berth with her bow turned
+    /// γ = 90° − α − asin(B/2R) (rad) for a ship that moves square to the berth with her bow turned
     /// in by α. The arc is taken by the quadrant of the point, so that γ holds aft of midships too.
     ///
     /// # Errors

@@ -49,9 +49,9 @@ impl Configuration {
 /// A berthing and its four factors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BerthingEnergy {
-    /// M, displacement without added mass [kg].
+    /// M, displacement without added mass (kg).
     pub displacement_kg: f64,
-    /// V, speed square to the berth at the moment of touch [m/s].
+    /// V, speed square to the berth at the moment of touch (m/s).
     pub speed_mps: f64,
     /// Cm, 1 or more.
     pub added_mass: f64,
@@ -71,7 +71,7 @@ static ABNORMAL: Range = Range::new("abnormal berthing factor", 1.25, 2.0);
 static ENERGY: Range = Range::new("energy [J]", 0.0, 1e16);
 
 impl BerthingEnergy {
-    /// Energy of a normal berthing, ½ M V² Cm Ce Cs Cc [J]. Source: found (PIANC 2002's kinetic
+    /// Energy of a normal berthing, ½ M V² Cm Ce Cs Cc (J). Source: found (PIANC 2002's kinetic
     /// method as public manuals print it).
     ///
     /// # Errors
@@ -87,7 +87,7 @@ impl BerthingEnergy {
     }
 }
 
-/// Energy of an abnormal berthing [J]: the normal one times a factor of 1.25 to 2.0 by type and size
+/// Energy of an abnormal berthing (J): the normal one times a factor of 1.25 to 2.0 by type and size
 /// of ship. Source: found; the table by type of ship is recalled and left to the user.
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use fenderline_contact::Shown;
+use fenderline_contact::DisplayNumber;
 
 /// A quantity of a berthing that is impossible or outside the range of a formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,9 +21,9 @@ pub enum BerthingError {
     },
     /// With this bow the hull meets the quay between two fenders however close they stand.
     NoClearance {
-        /// How far the compressed fender stands out [m].
+        /// How far the compressed fender stands out (m).
         projection_m: f64,
-        /// The clearance that is wanted between hull and quay [m].
+        /// The clearance that is wanted between hull and quay (m).
         clearance_m: f64,
     },
 }
@@ -32,7 +32,7 @@ impl fmt::Display for BerthingError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             BerthingError::OutOfRange { quantity, value, low, high } => {
-                let [low, high, value] = [*low, *high, *value].map(Shown);
+                let [low, high, value] = [*low, *high, *value].map(DisplayNumber);
                 write!(f, "{quantity} must be between {low} and {high}, but is {value}")
             }
             BerthingError::NoClearance { projection_m, clearance_m } => write!(

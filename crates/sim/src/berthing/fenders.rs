@@ -13,7 +13,7 @@ static PANEL_AREA: Range = Range::new("panel area [m²]", 1e-4, 1e6);
 static DEFLECTION: Range = Range::new("rated deflection [m]", 1e-6, 100.0);
 static CLOSING_SPEED: Range = Range::new("berthing speed [m/s]", 1e-9, 50.0);
 
-/// The greatest spacing of fenders along a berth [m]: 2√(R_b² − (R_b − p + c)²), so that a bow of
+/// The greatest spacing of fenders along a berth (m): 2√(R_b² − (R_b − p + c)²), so that a bow of
 /// radius R_b that compresses two fenders to a projection p keeps a clearance c from the quay, and
 /// at most 0.15 of the ship's length.
 ///
@@ -41,7 +41,7 @@ pub fn largest_spacing_m(
     Ok(lesser(2.0 * half_chord_m, by_length_m))
 }
 
-/// Mean pressure on the hull [N/m²]: the reaction over the flat area of the panel. The panel, not
+/// Mean pressure on the hull (N/m²): the reaction over the flat area of the panel. The panel, not
 /// the rubber, sets it. Limits by type of ship are data, not code: `fenders/hull_pressure.toml`.
 ///
 /// # Errors
@@ -50,7 +50,7 @@ pub fn hull_pressure_npm2(reaction_n: f64, panel_area_m2: f64) -> Result<f64, Be
     Ok(REACTION.check(reaction_n)? / PANEL_AREA.check(panel_area_m2)?)
 }
 
-/// Time to rated deflection, by which velocity factors are tabulated [s]: t = δ_rated/(0.74·V).
+/// Time to rated deflection, by which velocity factors are tabulated (s): t = δ_rated/(0.74·V).
 ///
 /// Source: found (a public calculator for cone fenders); that 0.74 V is the mean speed of the
 /// compression is recalled.

@@ -15,13 +15,13 @@ use crate::rigid_body::Inertia;
 pub struct BerthingSetup {
     /// Index of the ship in [`crate::Setup::bodies`].
     pub ship: usize,
-    /// Length between perpendiculars [m].
+    /// Length between perpendiculars (m).
     pub length_bp_m: f64,
-    /// Beam [m].
+    /// Beam (m).
     pub beam_m: f64,
-    /// Draught [m].
+    /// Draught (m).
     pub draught_m: f64,
-    /// Under-keel clearance [m].
+    /// Under-keel clearance (m).
     pub under_keel_clearance_m: f64,
     /// Block coefficient.
     pub block_coefficient: f64,
@@ -60,25 +60,25 @@ impl BerthingSetup {
 /// The first touch of a fender, by formula and as it came out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BerthingOutcome {
-    /// Start of the step of the first touch [s].
+    /// Start of the step of the first touch (s).
     pub first_touch_s: f64,
     /// Index of the fender in [`crate::Setup::fenders`].
     pub fender: usize,
-    /// Speed of the ship's centre of gravity square to the fender's face [m/s].
+    /// Speed of the ship's centre of gravity square to the fender's face (m/s).
     pub speed_mps: f64,
-    /// Angle between hull and face [rad].
+    /// Angle between hull and face (rad).
     pub angle_rad: f64,
-    /// Point of contact along the hull from the centre of gravity, positive forward [m].
+    /// Point of contact along the hull from the centre of gravity, positive forward (m).
     pub along_m: f64,
-    /// M, displacement without added mass [kg].
+    /// M, displacement without added mass (kg).
     pub displacement_kg: f64,
     /// Cm by PIANC 2002, Ueda and Vasco Costa.
     pub added_mass: [f64; 3],
     /// Mass square to the face over displacement, as the run has it.
     pub added_mass_simulated: f64,
-    /// K by formula [m].
+    /// K by formula (m).
     pub gyradius_m: f64,
-    /// K of the run, added mass included [m].
+    /// K of the run, added mass included (m).
     pub gyradius_simulated_m: f64,
     /// Ce with the formula's K.
     pub eccentricity: f64,
@@ -88,13 +88,13 @@ pub struct BerthingOutcome {
     pub softness: f64,
     /// Cc.
     pub configuration: f64,
-    /// ½ M V² Cm Ce Cs Cc with each of the three Cm [J].
+    /// ½ M V² Cm Ce Cs Cc with each of the three Cm (J).
     pub energy_j: [f64; 3],
-    /// The first of them times the abnormal berthing factor [J].
+    /// The first of them times the abnormal berthing factor (J).
     pub abnormal_energy_j: Option<f64>,
-    /// Kinetic energy of the run square to the face at first touch, ½ M Cm V² [J].
+    /// Kinetic energy of the run square to the face at first touch, ½ M Cm V² (J).
     pub kinetic_j: f64,
-    /// The most that all fenders together had taken at a time of the first hit [J], what their rubber does not give back
+    /// The most that all fenders together had taken at a time of the first hit (J), what their rubber does not give back
     /// included: from the first touch until they hold less than half of what they held at most. Loads that act meanwhile are in it.
     pub fender_energy_j: f64,
     /// That over `kinetic_j`: Ce as it came out.
@@ -107,7 +107,7 @@ pub(crate) struct Study {
     setup: BerthingSetup,
     displacement_kg: f64,
     first_hit_is_over: bool,
-    /// What rubber has turned to heat since the first touch, and the most that fenders held [J].
+    /// What rubber has turned to heat since the first touch, and the most that fenders held (J).
     heat_j: f64,
     most_stored_j: f64,
     pub(crate) outcome: Option<Result<BerthingOutcome, BerthingError>>,
@@ -118,9 +118,9 @@ pub(crate) struct StudyStep<'a> {
     pub(crate) t_s: f64,
     pub(crate) states: &'a [BodyState],
     pub(crate) contacts: &'a [Contact],
-    /// What all fenders hold at the end of the step and can give back [J].
+    /// What all fenders hold at the end of the step and can give back (J).
     pub(crate) stored_j: f64,
-    /// What their rubber has turned to heat in the step [J].
+    /// What their rubber has turned to heat in the step (J).
     pub(crate) hysteresis_j: f64,
 }
 
@@ -156,7 +156,7 @@ impl Study {
             self.outcome = Some(self.first_touch(fenders, inertias, step, contact));
         }
         let Some(Ok(outcome)) = self.outcome.as_mut() else { return };
-        let peaks_j: f64 = step.contacts.iter().map(|c| c.peak_loaded_j).sum();
+        let peaks_j: f64 = step.contacts.iter().map(|c| c.energy.peak_absorbed_j).sum();
         self.heat_j += step.hysteresis_j;
         self.most_stored_j = greater(self.most_stored_j, step.stored_j);
         // Peaks of one step need not come together; what is taken by its end does.

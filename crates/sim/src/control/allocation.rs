@@ -5,13 +5,13 @@ use fenderline_contact::number::{bounded, greater, lesser};
 /// A device that pushes sideways at a place along the hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LateralDevice {
-    /// Place ahead of the centre of gravity [m].
+    /// Place ahead of the centre of gravity (m).
     pub forward_m: f64,
-    /// Least and greatest force to starboard that it can give now [N].
+    /// Least and greatest force to starboard that it can give now (N).
     pub limits_n: [f64; 2],
 }
 
-/// Forces to starboard of all devices [N] that together give a lateral force [N] and a yaw moment [N·m],
+/// Forces to starboard of all devices (N) that together give a lateral force (N) and a yaw moment (N·m),
 /// with the least sum of squares; what one cannot give the others take as far as they can.
 ///
 /// Least squares with two conditions: f_i = λ + μ x_i. A device at its limit keeps it, and the rest is

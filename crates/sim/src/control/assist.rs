@@ -12,45 +12,45 @@ use super::station::Demand;
 use super::thrust::Sway;
 use super::turn_to;
 
-/// The speed at which a tug touches [m/s], unless she is told to come slower.
+/// The speed at which a tug touches (m/s), unless she is told to come slower.
 pub const TOUCH_MPS: f64 = 0.1;
-/// Heading [rad] and way along the side [m] by which she may be off before she waits to come alongside.
+/// Heading (rad) and way along the side (m) by which she may be off before she waits to come alongside.
 const OFF: [f64; 2] = [0.25, 3.0];
 /// What part of it does not count: near enough is there.
 const NEAR_ENOUGH: f64 = 0.3;
 /// She waits so far off, in her own lengths.
 const STAND_OFF: f64 = 0.5;
-/// Beyond this heading off the ship's normal she does not push on [rad].
+/// Beyond this heading off the ship's normal she does not push on (rad).
 const ASKEW_RAD: f64 = 0.6;
 /// With this part of the ordered force on her bow, friction holds it along the side.
 const HOLDS: f64 = 0.25;
 /// A tug whose bow is held turns about it, not about her centre of gravity: so much heavier is she to turn with
 /// thrusters at her stern, and so much less is it to leave to chance that friction drags her bow along.
 const LEANING: f64 = 6.0;
-/// So far off, in her own lengths, and from this speed on [m/s], she goes bow first.
+/// So far off, in her own lengths, and from this speed on (m/s), she goes bow first.
 const FAR: f64 = 0.75;
 const BOW_FIRST_MPS: f64 = 0.5;
 /// On the last metres she takes so much longer than elsewhere: her thrusters lag behind.
 const PATIENCE: f64 = 1.6;
-/// Ahead at these speeds she begins to steer back to her place, and does nothing else [m/s].
+/// Ahead at these speeds she begins to steer back to her place, and does nothing else (m/s).
 const STEERS_MPS: [f64; 2] = [0.5, 1.5];
-/// By no more than this [rad].
+/// By no more than this (rad).
 const MOST_STEERED_RAD: f64 = 0.5;
-/// Outwards on a line that is about to come tight [m/s].
+/// Outwards on a line that is about to come tight (m/s).
 const TAKE_UP_MPS: f64 = 0.3;
 
 /// How a vessel is handled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Handling {
-    /// Mass in surge and sway, inertia in yaw, added mass included [kg, kg, kg·m²].
+    /// Mass in surge and sway, inertia in yaw, added mass included (kg, kg, kg·m²).
     pub inertia: [f64; 3],
-    /// Time in which an error of speed is taken off [s].
+    /// Time in which an error of speed is taken off (s).
     pub speed_time_s: f64,
-    /// Time in which an error of place or heading is [s].
+    /// Time in which an error of place or heading is (s).
     pub place_time_s: f64,
-    /// The fastest turn that is asked for [rad/s].
+    /// The fastest turn that is asked for (rad/s).
     pub fastest_turn_radps: f64,
-    /// Her length [m].
+    /// Her length (m).
     pub length_m: f64,
 }
 
@@ -75,7 +75,7 @@ impl Handling {
         far.then(|| libm::atan2(going_mps.y, going_mps.x))
     }
 
-    /// The moment [N·m] that brings her to a heading, against one that she feels.
+    /// The moment (N·m) that brings her to a heading, against one that she feels.
     #[must_use]
     pub fn turning_moment(&self, state: &BodyState, heading_rad: f64, felt_nm: f64) -> f64 {
         let turn = turn_to(state.heading_rad, heading_rad) / self.place_time_s;
@@ -89,43 +89,43 @@ impl Handling {
 pub enum Task {
     /// Be at a place that moves with the ship.
     Follow {
-        /// The place [m].
+        /// The place (m).
         place_m: Vec2,
-        /// Its velocity [m/s].
+        /// Its velocity (m/s).
         velocity_mps: Vec2,
-        /// The heading [rad].
+        /// The heading (rad).
         heading_rad: f64,
     },
     /// Push with her bow.
     Push {
-        /// Point of the ship's side [m].
+        /// Point of the ship's side (m).
         place_m: Vec2,
-        /// Its velocity [m/s].
+        /// Its velocity (m/s).
         velocity_mps: Vec2,
         /// Unit vector into the ship.
         inward: Vec2,
-        /// From her centre of gravity to the tip of her bow, fender included [m].
+        /// From her centre of gravity to the tip of her bow, fender included (m).
         bow_m: f64,
-        /// Force [N].
+        /// Force (N).
         force_n: f64,
-        /// The force between them in the last step [N].
+        /// The force between them in the last step (N).
         touch_n: f64,
     },
     /// Pull on a line.
     Pull {
-        /// The ship's end of the line [m].
+        /// The ship's end of the line (m).
         place_m: Vec2,
-        /// Its velocity [m/s].
+        /// Its velocity (m/s).
         velocity_mps: Vec2,
         /// Unit vector of the pull on the ship.
         outward: Vec2,
         /// Whether the line leads over her bow: she faces the ship then and pulls astern.
         over_bow: bool,
-        /// So much longer is the line than the way between its ends [m].
+        /// So much longer is the line than the way between its ends (m).
         slack_m: f64,
-        /// Force [N].
+        /// Force (N).
         force_n: f64,
-        /// Tension of the line in the last step [N].
+        /// Tension of the line in the last step (N).
         tension_n: f64,
     },
 }
@@ -139,7 +139,7 @@ pub struct Asked {
     pub sway: Sway,
 }
 
-/// By how much she turns off a heading so that her way ahead takes her where she is going [rad], and what part steering
+/// By how much she turns off a heading so that her way ahead takes her where she is going (rad), and what part steering
 /// has in keeping her place: at speed, units at her stern push her bow round long before they push her sideways.
 fn steered(going_mps: Vec2, heading_rad: f64) -> (f64, f64) {
     let own = Rotation::from_angle(heading_rad).apply_inverse(going_mps);

@@ -10,13 +10,13 @@ use super::turn_to;
 /// many degrees as she is off, and a counter-rudder for a turn of her own length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoursePilot {
-    /// Wanted heading [rad].
+    /// Wanted heading (rad).
     pub heading_rad: f64,
-    /// Kp [rad/rad].
+    /// Kp (rad/rad).
     pub gain: f64,
-    /// Kd [rad/(rad/s)].
+    /// Kd (rad/(rad/s)).
     pub rate_gain_s: f64,
-    /// Stops of the rudder [rad].
+    /// Stops of the rudder (rad).
     pub stop_rad: f64,
 }
 
@@ -28,7 +28,7 @@ impl CoursePilot {
         CoursePilot { heading_rad, gain: 1.0, rate_gain_s, stop_rad }
     }
 
-    /// The rudder that it asks for [rad]. Astern the rudder works the other way round.
+    /// The rudder that it asks for (rad). Astern the rudder works the other way round.
     #[must_use]
     pub fn rudder_rad(&self, heading_rad: f64, yaw_rate_radps: f64, surge_mps: f64) -> f64 {
         let ask =
@@ -41,13 +41,13 @@ impl CoursePilot {
 /// Keeps a speed with the engine: a share of full revolutions by proportion and integral.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedPilot {
-    /// Wanted speed ahead through the water [m/s].
+    /// Wanted speed ahead through the water (m/s).
     pub speed_mps: f64,
-    /// Speed at full revolutions [m/s]: for the first guess.
+    /// Speed at full revolutions (m/s): for the first guess.
     pub full_speed_mps: f64,
-    /// Time in which a constant error would move the order by as much as the error itself does [s].
+    /// Time in which a constant error would move the order by as much as the error itself does (s).
     pub integral_s: f64,
-    /// The integral so far [1].
+    /// The integral so far (dimensionless).
     pub integral: f64,
 }
 

@@ -13,7 +13,7 @@ pub use course::{CoursePilot, SpeedPilot};
 pub use station::{Demand, Gains, StationPilot};
 pub use thrust::{Reach, Sway, ThrustDevice, allocate_thrust, bias_pairs};
 
-/// The smallest turn from one heading to another, −π to π [rad].
+/// The smallest turn from one heading to another, −π to π (rad).
 #[must_use]
 pub fn turn_to(from_rad: f64, to_rad: f64) -> f64 {
     libm::remainder(to_rad - from_rad, 2.0 * core::f64::consts::PI)

@@ -8,26 +8,26 @@ use super::turn_to;
 /// Force and moment that a pilot asks for, in the ship's axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Demand {
-    /// Forward [N].
+    /// Forward (N).
     pub surge_n: f64,
-    /// To starboard [N].
+    /// To starboard (N).
     pub sway_n: f64,
-    /// To starboard [N·m].
+    /// To starboard (N·m).
     pub yaw_nm: f64,
 }
 
 /// How hard a pilot works: as a mass on a damped spring, with an integral against steady weather.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains {
-    /// Mass in surge and sway, and inertia in yaw [kg, kg, kg·m²].
+    /// Mass in surge and sway, and inertia in yaw (kg, kg, kg·m²).
     pub inertia: [f64; 3],
-    /// Period of the spring [s].
+    /// Period of the spring (s).
     pub period_s: f64,
     /// Damping over critical damping.
     pub damping: f64,
-    /// Time of the integral [s]: much longer than the period.
+    /// Time of the integral (s): much longer than the period.
     pub integral_s: f64,
-    /// The fastest approach that it asks for: surge, sway [m/s], yaw [rad/s].
+    /// The fastest approach that it asks for: surge, sway (m/s), yaw (rad/s).
     pub fastest: [f64; 3],
 }
 
@@ -38,13 +38,13 @@ pub struct Gains {
 /// master brings a ship alongside: parallel, and no faster than the fenders like.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StationPilot {
-    /// Wanted place of the centre of gravity, earth-fixed [m].
+    /// Wanted place of the centre of gravity, earth-fixed (m).
     pub position_m: Vec2,
-    /// Wanted heading [rad].
+    /// Wanted heading (rad).
     pub heading_rad: f64,
     /// How hard it works.
     pub gains: Gains,
-    /// The integrals: forces and moment against steady weather, earth-fixed [N, N, N·m].
+    /// The integrals: forces and moment against steady weather, earth-fixed (N, N, N·m).
     pub steady: [f64; 3],
 }
 

@@ -6,7 +6,7 @@ use fenderline_contact::{Vec2, vec2};
 
 use super::station::Demand;
 
-/// What a device can give [N].
+/// What a device can give (N).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reach {
     /// Ahead only: from the first (negative: astern) to the second.
@@ -20,7 +20,7 @@ pub enum Reach {
 /// A device at a place of the ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThrustDevice {
-    /// Ahead and to starboard of the centre of gravity [m].
+    /// Ahead and to starboard of the centre of gravity (m).
     pub at_m: Vec2,
     /// What it can give now.
     pub reach: Reach,
@@ -35,10 +35,10 @@ pub enum Sway {
     Free,
 }
 
-/// Surge, sway and yaw of a force [N, N, N·m over the scale of length].
+/// Surge, sway and yaw of a force (N, N, N·m over the scale of length).
 type Axes = [f64; 3];
 
-/// Forces of all devices, ahead and to starboard [N], that together give the demand with the least sum of
+/// Forces of all devices, ahead and to starboard (N), that together give the demand with the least sum of
 /// squares.
 ///
 /// Least squares with conditions: f = Bᵀλ with BBᵀλ = demand. A device of one direction that cannot give its

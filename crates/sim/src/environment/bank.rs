@@ -6,7 +6,7 @@ use fenderline_contact::{Rotation, Vec2, vec2};
 use super::error::EnvironmentError;
 use crate::range::within;
 
-/// A straight vertical bank from one point to another, north and east [m].
+/// A straight vertical bank from one point to another, north and east (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bank {
     from_m: Vec2,
@@ -16,31 +16,31 @@ pub struct Bank {
 /// A ship beside a bank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShipAtBank {
-    /// Length [m].
+    /// Length (m).
     pub length_m: f64,
-    /// Beam [m].
+    /// Beam (m).
     pub beam_m: f64,
-    /// Draught [m].
+    /// Draught (m).
     pub draught_m: f64,
-    /// Midship, north and east [m].
+    /// Midship, north and east (m).
     pub position_m: Vec2,
-    /// Heading [rad].
+    /// Heading (rad).
     pub heading_rad: f64,
-    /// Speed ahead through the water [m/s].
+    /// Speed ahead through the water (m/s).
     pub surge_mps: f64,
 }
 
 /// The water between a ship and a bank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BankWater {
-    /// Density [kg/m³].
+    /// Density (kg/m³).
     pub density_kgpm3: f64,
-    /// Depth [m]; `None`: deep.
+    /// Depth (m); `None`: deep.
     pub depth_m: Option<f64>,
 }
 
 impl Bank {
-    /// Between two points [m].
+    /// Between two points (m).
     ///
     /// # Errors
     /// Points that are none, or less than a metre apart.
@@ -52,13 +52,13 @@ impl Bank {
         Ok(Bank { from_m, to_m })
     }
 
-    /// Its two ends [m].
+    /// Its two ends (m).
     #[must_use]
     pub fn ends_m(&self) -> [Vec2; 2] {
         [self.from_m, self.to_m]
     }
 
-    /// Force and moment about midship [X, Y, N] in [N, N, N·m]: suction towards the bank and, going ahead, a
+    /// Force and moment about midship [X, Y, N] in (N, N, N·m): suction towards the bank and, going ahead, a
     /// moment that turns the bow away from it. UNVALIDATED.
     ///
     /// Y = ½ρu²BT·(B/y)(0.0925 + 0.372(T/h)²), N = −½ρu²BTL·(B/y)(0.0025 + 0.0755(T/h)²) for a bank to

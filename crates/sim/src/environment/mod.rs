@@ -15,7 +15,7 @@
 //! let profile = WindProfile::Power { exponent: 1.0 / 7.0 };
 //! let mean = MeanWind { speed_mps: 12.0, from_rad: 270.0_f64.to_radians(), profile };
 //! let gusts = Gusts::new(&mean, &GustSpectrum::Npd, Realisation { harmonics: 60, seed: 1 })?;
-//! let wind = Wind::gusty(mean, gusts)?;
+//! let wind = Wind::with_gusts(mean, gusts)?;
 //! let ship = ShipWindage {
 //!     length_m: 298.0,
 //!     beam_m: 46.0,

@@ -12,14 +12,14 @@ use crate::range::within;
 /// what is ashore count up from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tide {
-    /// Always the same [m].
+    /// Always the same (m).
     Level(f64),
-    /// Points (t [s], level [m]), with straight lines between them; held before the first and beyond the
+    /// Points (t (s), level (m)), with straight lines between them; held before the first and beyond the
     /// last.
     Curve(Vec<[f64; 2]>),
-    /// A mean level [m] and constituents about it.
+    /// A mean level (m) and constituents about it.
     Harmonic {
-        /// Mean level [m].
+        /// Mean level (m).
         mean_m: f64,
         /// Summed in the order given.
         constituents: Vec<TideConstituent>,
@@ -29,11 +29,11 @@ pub enum Tide {
 /// One constituent of a tide: amplitude · cos(2πt/period − lag).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TideConstituent {
-    /// Amplitude [m].
+    /// Amplitude (m).
     pub amplitude_m: f64,
-    /// Period [s]; 44 714 s for M2 (12.4206012 h, as programs for tides list it).
+    /// Period (s); 44 714 s for M2 (12.4206012 h, as programs for tides list it).
     pub period_s: f64,
-    /// Phase lag at t = 0 [rad].
+    /// Phase lag at t = 0 (rad).
     pub lag_rad: f64,
 }
 
@@ -72,7 +72,7 @@ impl Tide {
         Ok(())
     }
 
-    /// Level above datum [m].
+    /// Level above datum (m).
     #[must_use]
     pub fn level_m(&self, t_s: f64) -> f64 {
         match self {
@@ -90,7 +90,7 @@ impl Tide {
         }
     }
 
-    /// The lowest and the highest level that it may come to from the start on [m]; of a sum of constituents, if
+    /// The lowest and the highest level that it may come to from the start on (m); of a sum of constituents, if
     /// ever all are at their ends together.
     #[must_use]
     pub fn range_m(&self) -> [f64; 2] {

@@ -9,10 +9,10 @@ use fenderline_contact::{BodyState, Wrench};
 
 /// What a provider is asked: the state of its body at the start of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Question {
-    /// Time [s].
+pub struct ForceRequest {
+    /// Time (s).
     pub t_s: f64,
-    /// Length of the step [s].
+    /// Length of the step (s).
     pub step_s: f64,
     /// State of the body.
     pub state: BodyState,
@@ -20,7 +20,7 @@ pub struct Question {
 
 /// What a provider says.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Answer {
+pub enum ForceReply {
     /// Force and moment about the centre of gravity, earth-fixed, for this step.
     Wrench(Wrench),
     /// Nothing yet.
@@ -33,25 +33,25 @@ pub enum Answer {
 ///
 /// ```
 /// use fenderline_contact::{Wrench, vec2};
-/// use fenderline_sim::external::{Answer, ForceProvider, Question};
+/// use fenderline_sim::external::{ForceReply, ForceProvider, ForceRequest};
 ///
 /// /// A current that drags with the square of the speed.
 /// struct Drag;
 ///
 /// impl ForceProvider for Drag {
-///     fn ask(&mut self, question: &Question) -> Answer {
+///     fn ask(&mut self, question: &ForceRequest) -> ForceReply {
 ///         let v = question.state.velocity_mps;
-///         Answer::Wrench(Wrench { force_n: v * (-2e5 * v.length()), moment_nm: 0.0 })
+///         ForceReply::Wrench(Wrench { force_n: v * (-2e5 * v.length()), moment_nm: 0.0 })
 ///     }
 /// }
 /// let mut state = fenderline_contact::BodyState::default();
 /// state.velocity_mps = vec2(2.0, 0.0);
-/// let answer = Drag.ask(&Question { t_s: 0.0, step_s: 0.1, state });
-/// assert_eq!(answer, Answer::Wrench(Wrench { force_n: vec2(-8e5, 0.0), moment_nm: 0.0 }));
+/// let answer = Drag.ask(&ForceRequest { t_s: 0.0, step_s: 0.1, state });
+/// assert_eq!(answer, ForceReply::Wrench(Wrench { force_n: vec2(-8e5, 0.0), moment_nm: 0.0 }));
 /// ```
 pub trait ForceProvider {
     /// The wrench for the step that begins now. Must come back within the time that the host can spare.
-    fn ask(&mut self, question: &Question) -> Answer;
+    fn ask(&mut self, question: &ForceRequest) -> ForceReply;
 }
 
 /// What happened to a provider in a step.
@@ -69,12 +69,12 @@ pub enum ProviderEvent {
     Died(String),
 }
 
-/// The largest force or moment that is taken [N, N·m]: that which the contact engine takes of a load.
+/// The largest force or moment that is taken (N, N·m): that which the contact engine takes of a load.
 const LARGEST_LOAD: f64 = 1e15;
 
 /// The wrench of one provider, from step to step.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Provided {
+pub struct HeldWrench {
     hold_s: f64,
     last: Wrench,
     silent_s: f64,
@@ -89,11 +89,11 @@ enum Stage {
     Dropped,
 }
 
-impl Provided {
+impl HeldWrench {
     /// No wrench yet. A provider that falls silent is held for `hold_s` seconds.
     #[must_use]
-    pub fn new(hold_s: f64) -> Provided {
-        Provided {
+    pub fn new(hold_s: f64) -> HeldWrench {
+        HeldWrench {
             hold_s,
             last: Wrench::default(),
             silent_s: 0.0,
@@ -106,23 +106,23 @@ impl Provided {
     pub fn ask(
         &mut self,
         provider: &mut dyn ForceProvider,
-        question: &Question,
+        question: &ForceRequest,
         events: &mut Vec<ProviderEvent>,
     ) -> Wrench {
-        let answer = if self.dead { Answer::Late } else { provider.ask(question) };
+        let answer = if self.dead { ForceReply::Late } else { provider.ask(question) };
         match answer {
-            Answer::Wrench(wrench) if can_act(&wrench) => {
+            ForceReply::Wrench(wrench) if can_act(&wrench) => {
                 if self.stage != Stage::Fresh {
                     events.push(ProviderEvent::Resumed);
                 }
                 (self.last, self.silent_s, self.stage) = (wrench, 0.0, Stage::Fresh);
             }
-            Answer::Wrench(_) => {
+            ForceReply::Wrench(_) => {
                 events.push(ProviderEvent::Refused);
                 self.without(question.step_s, events);
             }
-            Answer::Late => self.without(question.step_s, events),
-            Answer::Dead(why) => {
+            ForceReply::Late => self.without(question.step_s, events),
+            ForceReply::Dead(why) => {
                 self.dead = true;
                 events.push(ProviderEvent::Died(why));
                 self.without(question.step_s, events);
@@ -158,28 +158,28 @@ mod tests {
     use fenderline_contact::vec2;
 
     /// Plays answers in turn.
-    struct Script(Vec<Answer>);
+    struct Script(Vec<ForceReply>);
 
     impl ForceProvider for Script {
-        fn ask(&mut self, _: &Question) -> Answer {
+        fn ask(&mut self, _: &ForceRequest) -> ForceReply {
             self.0.remove(0)
         }
     }
 
     #[test]
     fn the_last_wrench_is_held_then_dropped_and_taken_up_again() {
-        let push = |n: f64| Answer::Wrench(Wrench { force_n: vec2(n, 0.0), moment_nm: 0.0 });
-        let nan = Answer::Wrench(Wrench { force_n: vec2(f64::NAN, 0.0), moment_nm: 0.0 });
+        let push = |n: f64| ForceReply::Wrench(Wrench { force_n: vec2(n, 0.0), moment_nm: 0.0 });
+        let nan = ForceReply::Wrench(Wrench { force_n: vec2(f64::NAN, 0.0), moment_nm: 0.0 });
         let mut script = Script(vec![
             push(1.0),
-            Answer::Late,
+            ForceReply::Late,
             nan,
-            Answer::Late,
+            ForceReply::Late,
             push(2.0),
-            Answer::Dead("it ended".to_owned()),
+            ForceReply::Dead("it ended".to_owned()),
         ]);
-        let question = Question { t_s: 0.0, step_s: 0.5, state: BodyState::default() };
-        let mut provided = Provided::new(1.0);
+        let question = ForceRequest { t_s: 0.0, step_s: 0.5, state: BodyState::default() };
+        let mut provided = HeldWrench::new(1.0);
         let mut seen = Vec::new();
         for _ in 0..9 {
             let mut events = Vec::new();

@@ -27,7 +27,7 @@ pub enum Order {
 }
 
 impl RateLimited {
-    /// A rudder amidships, with its rate [°/s] and stop [°].
+    /// A rudder amidships, with its rate (°/s) and stop (°).
     pub fn rudder(rate_degps: f64, stop_deg: f64) -> RateLimited {
         RateLimited { value: 0.0, rate_per_s: rate_degps.to_radians(), stop: stop_deg.to_radians() }
     }
@@ -48,11 +48,11 @@ impl RateLimited {
 /// An azimuth that turns at a constant rate: all the way round and by the shorter way, or between stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slewing {
-    /// Where it points, in (−π, π] [rad].
+    /// Where it points, in (−π, π] (rad).
     pub angle_rad: f64,
-    /// How fast it turns [rad/s].
+    /// How fast it turns (rad/s).
     pub rate_radps: f64,
-    /// Its stop to either side [rad]; `None`: it turns all the way round.
+    /// Its stop to either side (rad); `None`: it turns all the way round.
     pub stop_rad: Option<f64>,
 }
 
@@ -75,7 +75,7 @@ impl Slewing {
     }
 }
 
-/// The angle in (−π, π] [rad].
+/// The angle in (−π, π] (rad).
 fn wrapped(angle_rad: f64) -> f64 {
     let rest_rad = libm::remainder(angle_rad, TAU);
     if rest_rad <= -PI { rest_rad + TAU } else { rest_rad }
@@ -86,7 +86,7 @@ fn wrapped(angle_rad: f64) -> f64 {
 pub struct Lag {
     /// Where it is, in the quantity's own unit.
     pub value: f64,
-    /// Time constant [s]; 0 follows at once.
+    /// Time constant (s); 0 follows at once.
     pub time_constant_s: f64,
 }
 

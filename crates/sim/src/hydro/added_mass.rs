@@ -12,11 +12,11 @@ use super::particulars::Particulars;
 /// Added mass over the density of the water, about midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AddedMass {
-    /// mx/ρ [m³].
+    /// mx/ρ (m³).
     pub surge_m3: f64,
-    /// my/ρ [m³].
+    /// my/ρ (m³).
     pub sway_m3: f64,
-    /// Jz/ρ [m⁵].
+    /// Jz/ρ (m⁵).
     pub yaw_m5: f64,
 }
 
@@ -71,7 +71,7 @@ pub fn zhou_added_mass(ship: &Particulars) -> Result<AddedMass, HydroError> {
     })
 }
 
-/// Clarke, Gedling & Hine (1983), read in clarke83.m of the MSS toolbox: added mass in sway [m³] and in yaw [m⁵],
+/// Clarke, Gedling & Hine (1983), read in clarke83.m of the MSS toolbox: added mass in sway (m³) and in yaw (m⁵),
 /// both over the density:
 /// −Y'v̇ = π(T/L)²[1 + 0.16 Cb B/T − 5.1 (B/L)²] by ½ρL³ and
 /// −N'ṙ = π(T/L)²[1/12 + 0.017 Cb B/T − 0.33 B/L] by ½ρL⁵.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use fenderline_contact::Shown;
+use fenderline_contact::DisplayNumber;
 
 use crate::range::OutOfRange;
 
@@ -32,9 +32,9 @@ pub enum HydroError {
     },
     /// The water is no deeper than the draught.
     Aground {
-        /// Depth of water [m].
+        /// Depth of water (m).
         depth_m: f64,
-        /// Draught [m].
+        /// Draught (m).
         draught_m: f64,
     },
     /// A speed at which the formula has no answer: at or above the critical Froude number of depth.
@@ -48,7 +48,7 @@ impl fmt::Display for HydroError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             HydroError::OutOfRange { quantity, value, low, high } => {
-                let [low, high, value] = [*low, *high, *value].map(Shown);
+                let [low, high, value] = [*low, *high, *value].map(DisplayNumber);
                 write!(f, "{quantity} must be between {low} and {high}, but is {value}")
             }
             HydroError::NegativeAddedMass { formula, coefficient, value } => write!(
@@ -56,7 +56,7 @@ impl fmt::Display for HydroError {
                 "{formula} gives {coefficient} = {value:.4} for these particulars: use another formula"
             ),
             HydroError::Aground { depth_m, draught_m } => {
-                let [depth_m, draught_m] = [*depth_m, *draught_m].map(Shown);
+                let [depth_m, draught_m] = [*depth_m, *draught_m].map(DisplayNumber);
                 write!(f, "aground: {depth_m} m of water under a draught of {draught_m} m")
             }
             HydroError::Supercritical { froude } => write!(

@@ -6,9 +6,9 @@
 use super::error::{HydroError, within};
 use super::mmg::{Mmg, Polynomial};
 
-/// Kinematic viscosity of fresh water at 15 °C, of a tank [m²/s].
+/// Kinematic viscosity of fresh water at 15 °C, of a tank (m²/s).
 const TANK_M2PS: f64 = 1.139e-6;
-/// Kinematic viscosity of sea water at 15 °C [m²/s].
+/// Kinematic viscosity of sea water at 15 °C (m²/s).
 pub(super) const SEA_M2PS: f64 = 1.189e-6;
 
 /// C_F = 0.075/(log₁₀ Re − 2)², the ITTC 1957 model-ship correlation line (read in Morrall, NPL Ship Report 142, 1970).
@@ -23,7 +23,7 @@ pub fn ittc_1957(reynolds: f64) -> Result<f64, HydroError> {
 
 impl Mmg {
     /// The same ship with her own friction instead of that of the model whose resistance she has, both at the Froude
-    /// number of a speed [m/s]: the difference of the ITTC 1957 line on the wetted surface 1.7Ld + ∇/d (UFC 4-159-03,
+    /// number of a speed (m/s): the difference of the ITTC 1957 line on the wetted surface 1.7Ld + ∇/d (UFC 4-159-03,
     /// eq. 18 and 19, read). No form factor and no roughness, which would take more and add some.
     ///
     /// # Errors

@@ -62,8 +62,8 @@ pub use added_mass::{AddedMass, clarke_added_mass, zhou_added_mass};
 pub use blend::{Hull, polynomial_weight};
 pub use error::HydroError;
 pub use estimate::{
-    Estimated, HELD_AGAINST_SHIPS, Known, Outside, Ratio, Route, SternCoefficients, SternGear,
-    estimated, estimated_by,
+    EstimateMethod, Estimated, Known, Ratio, RatioOutOfRange, SternCoefficients, SternGear,
+    VALIDATED_RATIOS, estimated, estimated_by,
 };
 pub use friction::ittc_1957;
 pub use low_speed::{CrossFlow, LowSpeedHull, hoerner_drag_coefficient};

@@ -10,11 +10,11 @@ use super::quantities::{Controls, Force, Velocity, Water};
 /// Where a ship is and how she moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// Midship north of the origin [m].
+    /// Midship north of the origin (m).
     pub north_m: f64,
-    /// Midship east of the origin [m].
+    /// Midship east of the origin (m).
     pub east_m: f64,
-    /// Heading, clockwise from north; it is not wrapped [rad].
+    /// Heading, clockwise from north; it is not wrapped (rad).
     pub heading_rad: f64,
     /// Velocity in her own axes.
     pub velocity: Velocity,
@@ -108,7 +108,7 @@ impl Model3 {
         moved(motion, &mean, step_s)
     }
 
-    /// Accelerations [m/s², m/s², rad/s²] under the ship's own forces and others at midship.
+    /// Accelerations (m/s², m/s², rad/s²) under the ship's own forces and others at midship.
     pub fn acceleration(
         &self,
         velocity: &Velocity,
@@ -124,7 +124,7 @@ impl Model3 {
         [surge_n * self.inverse_surge, vv * sway_n + vr * yaw_nm, vr * sway_n + rr * yaw_nm]
     }
 
-    /// Kinetic energy of ship and added mass [J].
+    /// Kinetic energy of ship and added mass (J).
     pub fn kinetic_j(&self, velocity: &Velocity) -> f64 {
         let Velocity { surge_mps: u, sway_mps: v, yaw_radps: r } = *velocity;
         let [vv, vr, rr] = self.inverse;
@@ -144,7 +144,7 @@ impl Model3 {
     }
 }
 
-/// Velocity of midship towards north and east [m/s].
+/// Velocity of midship towards north and east (m/s).
 fn over_ground(heading_rad: f64, velocity: &Velocity) -> [f64; 2] {
     let (sin, cos) = libm::sincos(heading_rad);
     [

@@ -5,15 +5,15 @@ use super::error::{HydroError, within};
 /// Main particulars as they are given. [`Particulars::check`] refuses what no ship can have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particulars {
-    /// Length between perpendiculars L [m].
+    /// Length between perpendiculars L (m).
     pub length_m: f64,
-    /// Moulded beam B [m].
+    /// Moulded beam B (m).
     pub beam_m: f64,
-    /// Mean draught d [m].
+    /// Mean draught d (m).
     pub draught_m: f64,
-    /// Displaced volume ∇ [m³].
+    /// Displaced volume ∇ (m³).
     pub volume_m3: f64,
-    /// Centre of gravity forward of midship xG [m].
+    /// Centre of gravity forward of midship xG (m).
     pub centre_of_gravity_m: f64,
     /// Radius of gyration in yaw about the centre of gravity, over L.
     pub yaw_gyradius_ratio: f64,
@@ -71,17 +71,17 @@ impl Particulars {
         self.volume_m3 / (self.length_m * self.beam_m * self.draught_m)
     }
 
-    /// ½ L² d [m³]: what MMG coefficients of mass are multiplied with, before the density.
+    /// ½ L² d (m³): what MMG coefficients of mass are multiplied with, before the density.
     pub fn mass_unit_m3(&self) -> f64 {
         0.5 * self.length_m * self.length_m * self.draught_m
     }
 
-    /// ½ L⁴ d [m⁵]: the same for moments of inertia.
+    /// ½ L⁴ d (m⁵): the same for moments of inertia.
     pub fn inertia_unit_m5(&self) -> f64 {
         self.mass_unit_m3() * self.length_m * self.length_m
     }
 
-    /// Moment of inertia in yaw about the centre of gravity, over the density [m⁵].
+    /// Moment of inertia in yaw about the centre of gravity, over the density (m⁵).
     pub fn yaw_inertia_m5(&self) -> f64 {
         let gyradius_m = self.yaw_gyradius_ratio * self.length_m;
         self.volume_m3 * gyradius_m * gyradius_m

@@ -40,7 +40,7 @@ impl Series {
 /// A fixed-pitch propeller in open water.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Propeller {
-    /// Diameter D [m].
+    /// Diameter D (m).
     pub diameter_m: f64,
     /// Own K_T polynomial [k₀, k₁, k₂] over J in the first quadrant; the series' where it is not known.
     pub thrust_polynomial: Option<[f64; 3]>,
@@ -49,7 +49,7 @@ pub struct Propeller {
 }
 
 impl Propeller {
-    /// Thrust [N], positive ahead, at a speed of advance [m/s] and revolutions [1/s] of either sign.
+    /// Thrust (N), positive ahead, at a speed of advance (m/s) and revolutions (1/s) of either sign.
     pub fn thrust_n(&self, advance_mps: f64, shaft_rps: f64, water: Water) -> f64 {
         let flow = self.flow(advance_mps, shaft_rps);
         if flow.speed_squared == 0.0 {
@@ -58,7 +58,7 @@ impl Propeller {
         self.pressure_area(&flow, water) * self.thrust_coefficient(flow.cos, flow.sin)
     }
 
-    /// Torque that the shaft has to give [N m], at a speed of advance [m/s] and revolutions [1/s].
+    /// Torque that the shaft has to give (N m), at a speed of advance (m/s) and revolutions (1/s).
     pub fn torque_nm(&self, advance_mps: f64, shaft_rps: f64, water: Water) -> f64 {
         let flow = self.flow(advance_mps, shaft_rps);
         if flow.speed_squared == 0.0 {
@@ -68,7 +68,7 @@ impl Propeller {
         self.pressure_area(&flow, water) * self.diameter_m * torque
     }
 
-    /// ½ρ (va² + vp²) πD²/4 [N].
+    /// ½ρ (va² + vp²) πD²/4 (N).
     fn pressure_area(&self, flow: &Flow, water: Water) -> f64 {
         let disc_m2 = 0.25 * PI * self.diameter_m * self.diameter_m;
         0.5 * water.density_kgpm3 * flow.speed_squared * disc_m2

@@ -8,21 +8,21 @@ use std::ops::{Add, Mul};
 /// Velocity through the water at midship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Velocity {
-    /// Forward [m/s].
+    /// Forward (m/s).
     pub surge_mps: f64,
-    /// To starboard [m/s].
+    /// To starboard (m/s).
     pub sway_mps: f64,
-    /// Bow to starboard [rad/s].
+    /// Bow to starboard (rad/s).
     pub yaw_radps: f64,
 }
 
 impl Velocity {
-    /// Speed through the water U = √(u² + v²) [m/s].
+    /// Speed through the water U = √(u² + v²) (m/s).
     pub fn speed_mps(&self) -> f64 {
         (self.surge_mps * self.surge_mps + self.sway_mps * self.sway_mps).sqrt()
     }
 
-    /// Drift angle β = atan2(−v, u) [rad]: positive where the ship slides to port. 0 at rest.
+    /// Drift angle β = atan2(−v, u) (rad): positive where the ship slides to port. 0 at rest.
     pub fn drift_rad(&self) -> f64 {
         libm::atan2(-self.sway_mps, self.surge_mps)
     }
@@ -31,11 +31,11 @@ impl Velocity {
 /// A force at midship and the moment about it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Force {
-    /// Forward [N].
+    /// Forward (N).
     pub surge_n: f64,
-    /// To starboard [N].
+    /// To starboard (N).
     pub sway_n: f64,
-    /// Bow to starboard [N m].
+    /// Bow to starboard (N m).
     pub yaw_nm: f64,
 }
 
@@ -73,7 +73,7 @@ impl Mul<f64> for Force {
 /// The water: what every force is proportional to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Water {
-    /// Density [kg/m³].
+    /// Density (kg/m³).
     pub density_kgpm3: f64,
 }
 
@@ -87,9 +87,9 @@ impl Water {
 /// What the bridge has set and the machinery has reached.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Controls {
-    /// Shaft revolutions, positive ahead [1/s].
+    /// Shaft revolutions, positive ahead (1/s).
     pub shaft_rps: f64,
-    /// Rudder angle; positive turns a ship that goes ahead to starboard [rad].
+    /// Rudder angle; positive turns a ship that goes ahead to starboard (rad).
     pub rudder_rad: f64,
 }
 

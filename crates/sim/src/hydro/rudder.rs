@@ -22,7 +22,7 @@ const DRIFT_COSINES: [f64; 2] = [0.26, 0.77];
 /// A rudder and what its hull and propeller make of it, by the MMG method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rudder {
-    /// Movable area A_R [m²].
+    /// Movable area A_R (m²).
     pub area_m2: f64,
     /// Lift gradient f_α.
     pub lift_gradient: f64,
@@ -49,11 +49,11 @@ pub struct Rudder {
 /// What the propeller sends to the rudder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Race {
-    /// Speed of advance u_P = u(1 − w) [m/s].
+    /// Speed of advance u_P = u(1 − w) (m/s).
     pub advance_mps: f64,
-    /// Thrust of the propeller [N].
+    /// Thrust of the propeller (N).
     pub thrust_n: f64,
-    /// Its diameter [m].
+    /// Its diameter (m).
     pub diameter_m: f64,
 }
 
@@ -97,7 +97,7 @@ impl Rudder {
             * (along_mps * sin - across_mps * cos)
     }
 
-    /// u_R [m/s]: the method's ε√(η(u_P + κΔ)² + (1−η)u_P²), extended to parts of unlike sign by
+    /// u_R (m/s): the method's ε√(η(u_P + κΔ)² + (1−η)u_P²), extended to parts of unlike sign by
     /// (p|p| + q|q|)/√(p² + q²), which is the same where they agree.
     fn inflow_along_mps(&self, race: &Race, water: Water) -> f64 {
         let advance_mps = race.advance_mps;
@@ -116,7 +116,7 @@ impl Rudder {
         self.wake_ratio * signed / squared.sqrt()
     }
 
-    /// v_R = γ_R(Uβ − l_R r) [m/s], γ_R by the side from which the water comes.
+    /// v_R = γ_R(Uβ − l_R r) (m/s), γ_R by the side from which the water comes.
     ///
     /// γ_R is chosen by the sign of β_R, for which v_R is continuous; some sources choose it by β_P.
     fn inflow_across_mps(&self, velocity: &Velocity, length_m: f64) -> f64 {

@@ -5,7 +5,7 @@ use fenderline_contact::number::{greater, lesser};
 use super::particulars::Particulars;
 use super::shallow::{SHALLOWEST_RATIO, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
 
-/// Acceleration of gravity [m/s²].
+/// Acceleration of gravity (m/s²).
 const GRAVITY_MPS2: f64 = 9.806_65;
 /// Froude number of depth up to which a displacement ship goes in shallow water, and from which on squat is held.
 const FASTEST_FROUDE: f64 = 0.9;
@@ -44,7 +44,7 @@ impl Squat {
         }
     }
 
-    /// Largest sinkage of her keel [m] at a speed along her own axis through the water [m/s], ahead or astern.
+    /// Largest sinkage of her keel (m) at a speed along her own axis through the water (m/s), ahead or astern.
     /// From a Froude number of depth of 0.9 on it is held: no displacement ship goes faster there, and
     /// ICORELS ends at 1. Below [`SHALLOWEST_RATIO`] draughts, on the bottom too, it is that of this depth: no
     /// formula is made for less, and it does not jump where she touches.

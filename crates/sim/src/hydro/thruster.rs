@@ -16,9 +16,9 @@ const AGAIN_MPS: f64 = 15.0 * KNOT_MPS;
 /// A bow or stern thruster in a tunnel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TunnelThruster {
-    /// Thrust at rest and full power, the same to both sides [N].
+    /// Thrust at rest and full power, the same to both sides (N).
     pub bollard_n: f64,
-    /// Its place forward of midship [m].
+    /// Its place forward of midship (m).
     pub along_m: f64,
 }
 
@@ -30,7 +30,7 @@ impl TunnelThruster {
     }
 }
 
-/// What is left of a tunnel thruster's turning moment at a speed [m/s]: all at rest, half at 4 knots, all
+/// What is left of a tunnel thruster's turning moment at a speed (m/s): all at rest, half at 4 knots, all
 /// again at 15 (trials of a tanker of 60 000 t, 1967, recalled: the report was not read), by smooth steps between.
 pub fn tunnel_effect(surge_mps: f64) -> f64 {
     let speed_mps = surge_mps.abs();
@@ -46,9 +46,9 @@ pub fn tunnel_effect(surge_mps: f64) -> f64 {
 pub struct AzimuthThruster {
     /// The propeller, in open water.
     pub propeller: Propeller,
-    /// Its place forward of midship [m].
+    /// Its place forward of midship (m).
     pub along_m: f64,
-    /// Its place to starboard of the centre line [m].
+    /// Its place to starboard of the centre line (m).
     pub across_m: f64,
     /// Wake fraction at the unit.
     pub wake: f64,
@@ -57,7 +57,7 @@ pub struct AzimuthThruster {
 }
 
 impl AzimuthThruster {
-    /// Force for revolutions [1/s] and an azimuth [rad] of the thrust: 0 drives ahead, π/2 to starboard.
+    /// Force for revolutions (1/s) and an azimuth (rad) of the thrust: 0 drives ahead, π/2 to starboard.
     ///
     /// The inflow is the water's motion at the unit along its axis, yaw included: thrust falls with speed
     /// as the propeller's own curve says. Drag of the unit across its axis is not counted.
@@ -82,7 +82,7 @@ impl AzimuthThruster {
         (1.0 - self.wake) * (along_mps * cos + across_mps * sin)
     }
 
-    /// Revolutions [1/s], up to `most_rps`, that give a thrust [N] in a direction at a velocity: the most
+    /// Revolutions (1/s), up to `most_rps`, that give a thrust (N) in a direction at a velocity: the most
     /// where that is not enough, and none where the stream alone gives more.
     pub fn revolutions_at(
         &self,
@@ -105,7 +105,7 @@ impl AzimuthThruster {
         0.5 * (low + high)
     }
 
-    /// Revolutions [1/s] that give a thrust ahead at rest [N]: thrust goes with their square.
+    /// Revolutions (1/s) that give a thrust ahead at rest (N): thrust goes with their square.
     pub fn revolutions_for(&self, thrust_n: f64, water: Water) -> f64 {
         let of_one_n = (1.0 - self.thrust_deduction) * self.propeller.thrust_n(0.0, 1.0, water);
         libm::sqrt(greater(thrust_n, 0.0) / of_one_n)

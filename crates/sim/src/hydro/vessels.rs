@@ -4,7 +4,7 @@
 use fenderline_contact::number::bounded;
 
 use super::actuator::RateLimited;
-use super::estimate::{Outside, Route};
+use super::estimate::{EstimateMethod, RatioOutOfRange};
 use super::mmg::Mmg;
 
 /// How well the source of a number or of a formula is known, the surest first.
@@ -94,9 +94,9 @@ pub struct Origin {
     /// Every number of hers.
     pub sources: Vec<Source>,
     /// The formulas by which her hull, propeller or rudder are estimated; `None` where they are her own.
-    pub route: Option<Route>,
+    pub estimate_method: Option<EstimateMethod>,
     /// Where she is outside the range in which those formulas were held against ships.
-    pub outside: Vec<Outside>,
+    pub outside: Vec<RatioOutOfRange>,
 }
 
 impl Origin {
@@ -113,13 +113,13 @@ pub struct Vessel {
     pub origin: Origin,
     /// Her manoeuvring model.
     pub ship: Mmg,
-    /// Speed of approach of the standard manoeuvres [m/s]; `None` where nobody said.
+    /// Speed of approach of the standard manoeuvres (m/s); `None` where nobody said.
     pub approach_mps: Option<f64>,
     /// Rudder amidships, with its rate and stop.
     pub steering: RateLimited,
     /// A model in a tank of fresh water.
     pub is_model: bool,
-    /// Length of the model whose resistance a full-scale ship has in `ship` [m], where it is known.
+    /// Length of the model whose resistance a full-scale ship has in `ship` (m), where it is known.
     pub resistance_of_model_m: Option<f64>,
 }
 

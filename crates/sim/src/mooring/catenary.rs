@@ -7,29 +7,29 @@ use super::solve::root;
 /// A uniform cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cable {
-    /// Unstretched length [m], above 0.
+    /// Unstretched length (m), above 0.
     pub length_m: f64,
-    /// EA [N], above 0.
+    /// EA (N), above 0.
     pub axial_stiffness_n: f64,
-    /// Weight per unstretched length in water (or air) [N/m], above 0.
+    /// Weight per unstretched length in water (or air) (N/m), above 0.
     pub weight_npm: f64,
 }
 
 /// A cable in equilibrium between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Catenary {
-    /// Horizontal tension H, the same all along (the bottom has no friction) [N].
+    /// Horizontal tension H, the same all along (the bottom has no friction) (N).
     pub horizontal_n: f64,
-    /// Vertical pull of the cable on its upper end, downwards [N].
+    /// Vertical pull of the cable on its upper end, downwards (N).
     pub upper_vertical_n: f64,
-    /// Vertical pull of the cable on its lower end, upwards; negative where it hangs below that end [N].
+    /// Vertical pull of the cable on its lower end, upwards; negative where it hangs below that end (N).
     pub lower_vertical_n: f64,
-    /// Unstretched length that lies on the bottom [m].
+    /// Unstretched length that lies on the bottom (m).
     pub on_bottom_m: f64,
 }
 
 impl Catenary {
-    /// Tension at the upper end [N], the greatest of the cable.
+    /// Tension at the upper end (N), the greatest of the cable.
     #[must_use]
     pub fn upper_tension_n(&self) -> f64 {
         libm::hypot(self.horizontal_n, self.upper_vertical_n)

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use fenderline_contact::Shown;
+use fenderline_contact::DisplayNumber;
 
 use crate::range::OutOfRange;
 
@@ -21,9 +21,9 @@ pub enum MooringError {
     TooShort {
         /// The line.
         line: String,
-        /// Its length [m].
+        /// Its length (m).
         length_m: f64,
-        /// Distance of its ends [m].
+        /// Distance of its ends (m).
         span_m: f64,
     },
     /// A tension that the line cannot be fitted with: above what it holds, or below what its own weight
@@ -31,7 +31,7 @@ pub enum MooringError {
     Pretension {
         /// The line.
         line: String,
-        /// The tension [N].
+        /// The tension (N).
         tension_n: f64,
     },
 }
@@ -49,7 +49,7 @@ impl fmt::Display for MooringError {
                 write!(
                     f,
                     "line `{line}` cannot be fitted with a tension of {} N",
-                    Shown(*tension_n)
+                    DisplayNumber(*tension_n)
                 )
             }
         }

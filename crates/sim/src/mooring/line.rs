@@ -5,7 +5,7 @@ use fenderline_contact::number::{bounded, greater, lesser};
 use super::catenary::{Cable, catenary};
 use super::error::MooringError;
 use super::rope::Rope;
-use super::winch::{Winch, WinchNotes, WinchOrder};
+use super::winch::{Winch, WinchOrder, WinchReport};
 use crate::range::{OutOfRange, within};
 
 /// A line before it is made fast.
@@ -16,9 +16,9 @@ pub struct LineSetup {
     /// What it is made of.
     pub kind: LineKind,
     /// What holds it on board.
-    pub holding: Holding,
+    pub inboard_end: InboardEnd,
     /// How much of it is outboard at the start.
-    pub fitting: Fitting,
+    pub initial_length: InitialLength,
 }
 
 /// What a line is made of.
@@ -33,11 +33,11 @@ pub enum LineKind {
     },
     /// A cable that hangs in a catenary.
     Heavy {
-        /// Weight per unstretched length in water [N/m].
+        /// Weight per unstretched length in water (N/m).
         weight_npm: f64,
-        /// EA [N].
+        /// EA (N).
         axial_stiffness_n: f64,
-        /// Break load [N].
+        /// Break load (N).
         break_load_n: f64,
         /// The lower end lies on a level bottom: an anchor cable.
         on_bottom: bool,
@@ -49,13 +49,13 @@ pub enum LineKind {
 pub struct Tail {
     /// Its rope.
     pub rope: Rope,
-    /// Its unstretched length [m].
+    /// Its unstretched length (m).
     pub length_m: f64,
 }
 
 /// What holds a line on board.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Holding {
+pub enum InboardEnd {
     /// Turned up on bitts: it holds until the line parts.
     Bitts,
     /// A winch.
@@ -64,14 +64,14 @@ pub enum Holding {
 
 /// How much of a line is outboard at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fitting {
-    /// Unstretched length outboard, the tail included [m]; not less than the distance of the ends.
-    Length(f64),
-    /// As much as gives this tension at the ship's end [N].
-    Pretension(f64),
+pub enum InitialLength {
+    /// Unstretched length outboard, the tail included (m); not less than the distance of the ends.
+    Outboard(f64),
+    /// As much as gives this tension at the ship's end (N).
+    FromPretension(f64),
 }
 
-/// Where the two ends of a line are: north, east, up [m].
+/// Where the two ends of a line are: north, east, up (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineEnds {
     /// The ship's fairlead.
@@ -83,7 +83,7 @@ pub struct LineEnds {
 /// What changes of a line: plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineState {
-    /// Unstretched length outboard, the tail included [m].
+    /// Unstretched length outboard, the tail included (m).
     pub length_m: f64,
     /// It has parted.
     pub parted: bool,
@@ -92,15 +92,15 @@ pub struct LineState {
 /// A line's forces in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LineLoad {
-    /// Tension at the ship's end [N].
+    /// Tension at the ship's end (N).
     pub tension_n: f64,
-    /// Force on the ship at her fairlead: north, east, up [N].
+    /// Force on the ship at her fairlead: north, east, up (N).
     pub on_ship_n: [f64; 3],
-    /// Force on what the other end is fast to [N].
+    /// Force on what the other end is fast to (N).
     pub on_shore_n: [f64; 3],
     /// What the winch did.
-    pub winch: WinchNotes,
-    /// The tension at which the line parted in this step [N].
+    pub winch: WinchReport,
+    /// The tension at which the line parted in this step (N).
     pub parted_at_n: Option<f64>,
 }
 
@@ -108,10 +108,10 @@ pub struct LineLoad {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     setup: LineSetup,
-    /// Tensions at which a light line's rope or tail has a corner, increasing [N].
+    /// Tensions at which a light line's rope or tail has a corner, increasing (N).
     corners_n: Vec<f64>,
     break_load_n: f64,
-    /// Outboard with an empty drum [m].
+    /// Outboard with an empty drum (m).
     longest_m: f64,
 }
 
@@ -127,9 +127,9 @@ impl Line {
         let break_load_n = break_load(&setup.kind);
         let mut line = Line { setup, corners_n, break_load_n, longest_m: 0.0 };
         let length_m = line.fitted_length_m(ends)?;
-        let reserve_m = match line.setup.holding {
-            Holding::Winch(winch) => winch.reserve_m,
-            Holding::Bitts => 0.0,
+        let reserve_m = match line.setup.inboard_end {
+            InboardEnd::Winch(winch) => winch.reserve_m,
+            InboardEnd::Bitts => 0.0,
         };
         line.longest_m = length_m + reserve_m;
         Ok((line, LineState { length_m, parted: false }))
@@ -141,7 +141,7 @@ impl Line {
         &self.setup
     }
 
-    /// Least break load of rope and tail [N].
+    /// Least break load of rope and tail (N).
     #[must_use]
     pub fn break_load_n(&self) -> f64 {
         self.break_load_n
@@ -157,13 +157,13 @@ impl Line {
         order: WinchOrder,
         step_s: f64,
     ) -> LineLoad {
-        let mut winch = WinchNotes::default();
+        let mut winch = WinchReport::default();
         if state.parted {
             return LineLoad::default();
         }
-        match &self.setup.holding {
-            Holding::Winch(of) => self.work_winch(of, state, ends, (order, step_s), &mut winch),
-            Holding::Bitts => winch.no_winch = order != WinchOrder::Hold,
+        match &self.setup.inboard_end {
+            InboardEnd::Winch(of) => self.work_winch(of, state, ends, (order, step_s), &mut winch),
+            InboardEnd::Bitts => winch.no_winch = order != WinchOrder::Hold,
         }
         let load = LineLoad { winch, ..self.load(state.length_m, ends) };
         let greatest_n = greatest(&load);
@@ -180,7 +180,7 @@ impl Line {
         state: &mut LineState,
         ends: &LineEnds,
         (order, step_s): (WinchOrder, f64),
-        notes: &mut WinchNotes,
+        notes: &mut WinchReport,
     ) {
         let wanted_m = state.length_m + winch.ordered_m(order, step_s, notes);
         if wanted_m < state.length_m {
@@ -213,19 +213,19 @@ impl Line {
 
     fn fitted_length_m(&self, ends: &LineEnds) -> Result<f64, MooringError> {
         let line = || self.setup.name.clone();
-        match self.setup.fitting {
-            Fitting::Length(length_m) => {
+        match self.setup.initial_length {
+            InitialLength::Outboard(length_m) => {
                 let span_m = Span::of(ends).distance_m;
                 if length_m < span_m || length_m < self.shortest_m() {
                     return Err(MooringError::TooShort { line: line(), length_m, span_m });
                 }
                 Ok(length_m)
             }
-            Fitting::Pretension(tension_n) => {
+            InitialLength::FromPretension(tension_n) => {
                 let error = || MooringError::Pretension { line: line(), tension_n };
-                let held_n = match self.setup.holding {
-                    Holding::Winch(winch) => lesser(winch.render_n, self.break_load_n),
-                    Holding::Bitts => self.break_load_n,
+                let held_n = match self.setup.inboard_end {
+                    InboardEnd::Winch(winch) => lesser(winch.render_n, self.break_load_n),
+                    InboardEnd::Bitts => self.break_load_n,
                 };
                 let length_m = self.length_for(tension_n, ends).ok_or_else(error)?;
                 if tension_n > held_n || length_m < self.shortest_m() {
@@ -327,7 +327,7 @@ impl Line {
 struct Span {
     distance_m: f64,
     horizontal_m: f64,
-    /// Height of the shore end above the ship's [m].
+    /// Height of the shore end above the ship's (m).
     up_m: f64,
     /// Unit vector from the ship's end to the shore's; zero where they are in one place.
     towards_shore: [f64; 3],
@@ -367,7 +367,7 @@ fn heavy_load(cable: &Cable, span: &Span, on_bottom: bool) -> LineLoad {
     }
 }
 
-/// The greater tension of the two ends [N].
+/// The greater tension of the two ends (N).
 fn greatest(load: &LineLoad) -> f64 {
     let [n, e, u] = load.on_shore_n;
     greater(load.tension_n, libm::hypot(libm::hypot(n, e), u))
@@ -422,12 +422,12 @@ fn check(setup: &LineSetup, ends: &LineEnds) -> Result<(), OutOfRange> {
             within("break load of the cable [N]", *break_load_n, 1.0, 1e10)?;
         }
     }
-    match setup.fitting {
-        Fitting::Length(length_m) => within("length of the line [m]", length_m, 0.0, 1e5)?,
-        Fitting::Pretension(tension_n) => within("pretension [N]", tension_n, 0.0, 1e9)?,
+    match setup.initial_length {
+        InitialLength::Outboard(length_m) => within("length of the line [m]", length_m, 0.0, 1e5)?,
+        InitialLength::FromPretension(tension_n) => within("pretension [N]", tension_n, 0.0, 1e9)?,
     };
-    match &setup.holding {
-        Holding::Winch(winch) => winch.check(),
-        Holding::Bitts => Ok(()),
+    match &setup.inboard_end {
+        InboardEnd::Winch(winch) => winch.check(),
+        InboardEnd::Bitts => Ok(()),
     }
 }

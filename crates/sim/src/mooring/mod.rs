@@ -17,8 +17,8 @@
 //! let setup = LineSetup {
 //!     name: "fore spring".into(),
 //!     kind: LineKind::Light { main, tail: Some(Tail { rope: nylon, length_m: 11.0 }) },
-//!     holding: Holding::Winch(Winch::of_design(1e6, 150.0)),
-//!     fitting: Fitting::Pretension(100e3),
+//!     inboard_end: InboardEnd::Winch(Winch::of_design(1e6, 150.0)),
+//!     initial_length: InitialLength::FromPretension(100e3),
 //! };
 //! let ends = LineEnds { ship_m: [120.0, 20.0, 8.0], shore_m: [70.0, 25.0, 3.0] };
 //! let (line, mut state) = Line::new(setup, &ends)?;
@@ -38,6 +38,8 @@ mod winch;
 
 pub use catenary::{Cable, Catenary, catenary};
 pub use error::{MooringError, RopeError};
-pub use line::{Fitting, Holding, Line, LineEnds, LineKind, LineLoad, LineSetup, LineState, Tail};
+pub use line::{
+    InboardEnd, InitialLength, Line, LineEnds, LineKind, LineLoad, LineSetup, LineState, Tail,
+};
 pub use rope::{Rope, RopeCurve};
-pub use winch::{Winch, WinchNotes, WinchOrder};
+pub use winch::{Winch, WinchOrder, WinchReport};

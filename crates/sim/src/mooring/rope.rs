@@ -15,7 +15,7 @@ pub struct RopeCurve {
 /// A rope of a break load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rope {
-    /// Line design break force [N].
+    /// Line design break force (N).
     pub break_load_n: f64,
     /// How it stretches.
     pub curve: RopeCurve,

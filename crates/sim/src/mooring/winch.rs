@@ -7,13 +7,13 @@ use crate::range::{OutOfRange, within};
 /// A winch with a band brake on a split drum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Winch {
-    /// Tension at which the brake renders [N].
+    /// Tension at which the brake renders (N).
     pub render_n: f64,
-    /// Tension against which the motor heaves no more [N].
+    /// Tension against which the motor heaves no more (N).
     pub stall_n: f64,
-    /// Greatest rate of heaving and paying out [m/s].
+    /// Greatest rate of heaving and paying out (m/s).
     pub rate_mps: f64,
-    /// Rope left on the drum at the start [m].
+    /// Rope left on the drum at the start (m).
     pub reserve_m: f64,
 }
 
@@ -23,16 +23,16 @@ pub enum WinchOrder {
     /// Brake on.
     #[default]
     Hold,
-    /// Heave in [m/s].
+    /// Heave in (m/s).
     Heave(f64),
-    /// Pay out [m/s].
+    /// Pay out (m/s).
     PayOut(f64),
 }
 
 /// What happened at the winch in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WinchNotes {
-    /// Rope that the brake let go [m]; 0 where it held.
+pub struct WinchReport {
+    /// Rope that the brake let go (m); 0 where it held.
     pub rendered_m: f64,
     /// The motor heaved less than it was told, because of the tension.
     pub stalled: bool,
@@ -65,8 +65,8 @@ impl Winch {
         Ok(())
     }
 
-    /// Rope that an order moves in a step, out positive [m], its rate within the winch's.
-    pub(super) fn ordered_m(&self, order: WinchOrder, step_s: f64, notes: &mut WinchNotes) -> f64 {
+    /// Rope that an order moves in a step, out positive (m), its rate within the winch's.
+    pub(super) fn ordered_m(&self, order: WinchOrder, step_s: f64, notes: &mut WinchReport) -> f64 {
         let (sign, rate_mps) = match order {
             WinchOrder::Hold => return 0.0,
             WinchOrder::Heave(rate_mps) => (-1.0, rate_mps),

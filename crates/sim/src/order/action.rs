@@ -15,7 +15,7 @@ use crate::world::{Assist, Job, PushJob};
 /// An order at a time of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Order {
-    /// When it is given [s].
+    /// When it is given (s).
     pub at_s: f64,
     /// What it asks for.
     pub action: Action,
@@ -35,7 +35,7 @@ pub enum Action {
 /// An order to a vessel. A manual order to a control takes it from the pilot that had it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum VesselAction {
-    /// Rudder angle; positive turns to starboard going ahead [rad].
+    /// Rudder angle; positive turns to starboard going ahead (rad).
     Rudder(f64),
     /// Revolutions over full revolutions, −1 to 1.
     Engine(f64),
@@ -47,12 +47,12 @@ pub enum VesselAction {
         unit: usize,
         /// Thrust over the thrust at rest and full power, 0 to 1.
         power: Option<f64>,
-        /// Direction of the thrust from the bow, positive to starboard [rad].
+        /// Direction of the thrust from the bow, positive to starboard (rad).
         direction_rad: Option<f64>,
     },
-    /// Keep a heading with the rudder; with the azimuth units where there is no rudder [rad].
+    /// Keep a heading with the rudder; with the azimuth units where there is no rudder (rad).
     Course(f64),
-    /// Keep a speed ahead through the water with the engine; with the azimuth units where there is no engine [m/s].
+    /// Keep a speed ahead through the water with the engine; with the azimuth units where there is no engine (m/s).
     Speed(f64),
     /// Go to a place and stay there with engine, thrusters and tugs.
     Station(Station),
@@ -74,11 +74,11 @@ pub enum LineAction {
 /// Where a ship shall go, and how fast at most.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
-    /// Place of the centre of gravity [m].
+    /// Place of the centre of gravity (m).
     pub position_m: Vec2,
-    /// Heading [rad].
+    /// Heading (rad).
     pub heading_rad: f64,
-    /// The greatest surge and sway velocity [m/s].
+    /// The greatest surge and sway velocity (m/s).
     pub fastest_mps: [f64; 2],
 }
 

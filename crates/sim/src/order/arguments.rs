@@ -11,7 +11,7 @@ use crate::setup::Setup;
 pub enum Value {
     /// A number in its SI unit.
     Number(f64),
-    /// Two coordinates [m].
+    /// Two coordinates (m).
     Place(Vec2),
     /// A name, as the index of what it names.
     Index(usize),

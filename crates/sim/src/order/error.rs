@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use fenderline_contact::Shown;
+use fenderline_contact::DisplayNumber;
 
 use super::table::{Argument, Gear, OrderName, TargetKind};
 use crate::world::NotAtTheSide;
@@ -85,9 +85,9 @@ pub enum OrderError {
     },
     /// The force is more than the tug's bollard pull.
     BeyondBollardPull {
-        /// The force [N].
+        /// The force (N).
         force_n: f64,
-        /// Her bollard pull [N].
+        /// Her bollard pull (N).
         pull_n: f64,
     },
     /// The ship has no side at the place that the words name.
@@ -164,7 +164,7 @@ impl fmt::Display for OrderError {
                     _ => "m",
                 };
                 let space = if unit.is_empty() { "" } else { " " };
-                let [value, low, high] = [*value, *low, *high].map(Shown);
+                let [value, low, high] = [*value, *low, *high].map(DisplayNumber);
                 write!(
                     f,
                     "the {} must be between {low} and {high}{space}{unit}, but is {value}",

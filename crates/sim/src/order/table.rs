@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::mooring::Holding;
+use crate::mooring::InboardEnd;
 use crate::setup::Setup;
 
 /// Who an order is for.
@@ -58,9 +58,9 @@ pub enum ArgumentKind {
         /// The greatest.
         high: f64,
     },
-    /// Two coordinates, each at most this far from 0 [m].
+    /// Two coordinates, each at most this far from 0 (m).
     Place {
-        /// The greatest magnitude of a coordinate [m].
+        /// The greatest magnitude of a coordinate (m).
         most_m: f64,
         /// Whose axes.
         frame: Frame,
@@ -223,9 +223,9 @@ orders! {
     LetGo = "let_go" to Line with None: &[];
 }
 
-/// One knot [m/s].
+/// One knot (m/s).
 const KNOT_MPS: f64 = 1852.0 / 3600.0;
-/// The farthest that a place beside a ship may be from her centre of gravity, along and across [m].
+/// The farthest that a place beside a ship may be from her centre of gravity, along and across (m).
 const FARTHEST_BESIDE_M: f64 = 1e4;
 const UNCHANGED: Absent = Absent::Means("as before");
 const TUG_FORCE: &[Argument] = &[
@@ -415,7 +415,7 @@ impl Gear {
             Gear::AzimuthUnits => vessel().is_some_and(|v| !v.azimuths.is_empty()),
             Gear::Winch => {
                 let line = setup.world.lines.get(target);
-                line.is_some_and(|line| matches!(line.line.holding, Holding::Winch(_)))
+                line.is_some_and(|line| matches!(line.line.inboard_end, InboardEnd::Winch(_)))
             }
         }
     }

@@ -108,7 +108,7 @@ pub struct TugWords {
 
 /// A vector tug whose place is within this share of the half beam works on the centre line, at bow or stern.
 const CENTRE_SHARE: f64 = 0.3;
-/// A tug that stands off lies parallel to the ship, her side this far from the ship's [m].
+/// A tug that stands off lies parallel to the ship, her side this far from the ship's (m).
 const STAND_OFF_M: f64 = 25.0;
 
 impl SidePlace {
@@ -148,7 +148,7 @@ impl SidePlace {
     }
 }
 
-/// How far across a hull reaches on a side (1 starboard, −1 port) at a distance forward of her origin [m].
+/// How far across a hull reaches on a side (1 starboard, −1 port) at a distance forward of her origin (m).
 fn side_at(outline: &Outline, along_m: f64, side: f64) -> Option<f64> {
     let vertices = outline.vertices();
     let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
@@ -162,7 +162,7 @@ fn side_at(outline: &Outline, along_m: f64, side: f64) -> Option<f64> {
     })
 }
 
-/// Direction of the force on a ship, from her bow, positive to starboard [rad], of a tug that pushes or pulls at a place
+/// Direction of the force on a ship, from her bow, positive to starboard (rad), of a tug that pushes or pulls at a place
 /// of hers. At a side a push goes in and a pull out. On the centre line a tug astern pushes ahead and pulls astern, and
 /// one ahead the other way about.
 fn direction_rad(at_m: Vec2, pulls: bool, lead: Lead, beam_m: f64) -> f64 {

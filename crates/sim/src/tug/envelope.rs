@@ -7,13 +7,13 @@ use crate::range::{OutOfRange, within};
 /// Limits of a tug that goes along with a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TugEnvelope {
-    /// Bollard pull [N].
+    /// Bollard pull (N).
     pub bollard_pull_n: f64,
-    /// Length on the waterline [m].
+    /// Length on the waterline (m).
     pub length_m: f64,
-    /// Beam [m].
+    /// Beam (m).
     pub beam_m: f64,
-    /// Draught of hull and skeg [m].
+    /// Draught of hull and skeg (m).
     pub draught_m: f64,
     /// Drag coefficient of the hull across the flow; 0.73 is ours, for a tug beam-on.
     pub drag_coefficient: f64,
@@ -33,8 +33,8 @@ impl TugEnvelope {
         Ok(())
     }
 
-    /// The greatest force [N] that the tug gives at an angle [rad] from the direction in which she and the
-    /// ship go through the water, at a speed [m/s].
+    /// The greatest force (N) that the tug gives at an angle (rad) from the direction in which she and the
+    /// ship go through the water, at a speed (m/s).
     ///
     /// Derived by us, unvalidated (no published envelope was found): the tug lies along the force.
     /// Her thrust gives the force F and overcomes her own drag D against the motion, |F·e + D·x| = BP, so

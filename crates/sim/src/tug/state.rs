@@ -18,15 +18,15 @@ pub struct VectorTug {
     pub name: String,
     /// What she can give.
     pub envelope: TugEnvelope,
-    /// Where she pushes, from midship, forward and to starboard [m].
+    /// Where she pushes, from midship, forward and to starboard (m).
     pub push_at_m: Vec2,
-    /// The fairlead that her line is fast to, likewise [m].
+    /// The fairlead that her line is fast to, likewise (m).
     pub pull_at_m: Vec2,
-    /// From an order to its beginning [s].
+    /// From an order to its beginning (s).
     pub delay_s: f64,
-    /// Time constant of the force [s].
+    /// Time constant of the force (s).
     pub force_lag_s: f64,
-    /// Time constant of its direction [s].
+    /// Time constant of its direction (s).
     pub direction_lag_s: f64,
 }
 
@@ -38,16 +38,16 @@ pub enum TugOrder {
     StandBy,
     /// Push against the hull.
     Push {
-        /// Force [N].
+        /// Force (N).
         force_n: f64,
-        /// Direction of the force on the ship from her bow, positive to starboard [rad].
+        /// Direction of the force on the ship from her bow, positive to starboard (rad).
         direction_rad: f64,
     },
     /// Pull on the line.
     Pull {
-        /// Force [N].
+        /// Force (N).
         force_n: f64,
-        /// Direction of the force on the ship from her bow, positive to starboard [rad].
+        /// Direction of the force on the ship from her bow, positive to starboard (rad).
         direction_rad: f64,
     },
 }
@@ -57,11 +57,11 @@ pub enum TugOrder {
 pub struct TugState {
     /// The order she carries out.
     pub order: TugOrder,
-    /// Orders given but not begun, oldest first, with the time [s] at which they begin.
+    /// Orders given but not begun, oldest first, with the time (s) at which they begin.
     pub waiting: Vec<(f64, TugOrder)>,
-    /// Force [N].
+    /// Force (N).
     pub force_n: f64,
-    /// Its direction from the ship's bow, positive to starboard [rad].
+    /// Its direction from the ship's bow, positive to starboard (rad).
     pub direction_rad: f64,
     /// She is on her line rather than at the hull.
     pub on_line: bool,
@@ -70,9 +70,9 @@ pub struct TugState {
 /// A tug's force in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TugForce {
-    /// [X, Y, N] about midship in the ship's axes [N, N, N·m].
+    /// [X, Y, N] about midship in the ship's axes (N, N, N·m).
     pub force: [f64; 3],
-    /// Point where it acts, from midship [m].
+    /// Point where it acts, from midship (m).
     pub at_m: Vec2,
     /// The order asks for more than she can give at this speed and angle: she gives what she can.
     pub limited: bool,
@@ -115,7 +115,7 @@ impl VectorTug {
     }
 
     /// The force at the end of a step from `t_s`, with the ship going through the water at a velocity in
-    /// her own axes (forward, to starboard) [m/s]. Force and direction follow the order exactly as
+    /// her own axes (forward, to starboard) (m/s). Force and direction follow the order exactly as
     /// exponentials, whatever the step; from push to pull and back she lets go first. An order counts from
     /// the step at whose start it is due.
     pub fn step(

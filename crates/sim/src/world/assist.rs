@@ -15,7 +15,7 @@ use crate::setup::BodySetup;
 pub struct Assist {
     /// What.
     pub job: Job,
-    /// Her fastest beside the ship [m/s].
+    /// Her fastest beside the ship (m/s).
     pub fastest_mps: f64,
 }
 
@@ -26,9 +26,9 @@ pub enum Job {
     Follow {
         /// Index of the ship's body.
         ship: usize,
-        /// The place of her own centre of gravity in the ship's frame [m].
+        /// The place of her own centre of gravity in the ship's frame (m).
         at_m: Vec2,
-        /// Her heading from that of the ship [rad].
+        /// Her heading from that of the ship (rad).
         heading_rad: f64,
     },
     /// Push with the bow.
@@ -37,9 +37,9 @@ pub enum Job {
     Pull {
         /// Index of the line.
         line: usize,
-        /// Direction of the pull from the ship's bow, positive to starboard [rad].
+        /// Direction of the pull from the ship's bow, positive to starboard (rad).
         direction_rad: f64,
-        /// Force [N].
+        /// Force (N).
         force_n: f64,
     },
 }
@@ -49,23 +49,23 @@ pub enum Job {
 pub struct PushJob {
     /// Index of the ship's body.
     pub ship: usize,
-    /// Point of the ship's side in her frame [m].
+    /// Point of the ship's side in her frame (m).
     pub at_m: Vec2,
     /// Unit vector into the ship there, in her frame.
     pub inward: Vec2,
-    /// From the tug's centre of gravity to the tip of her bow, fender included [m].
+    /// From the tug's centre of gravity to the tip of her bow, fender included (m).
     pub bow_m: f64,
-    /// Force [N].
+    /// Force (N).
     pub force_n: f64,
 }
 
-/// Farthest from the ship's outline that a point to push at may be named [m].
+/// Farthest from the ship's outline that a point to push at may be named (m).
 const FARTHEST_OFF_M: f64 = 2.0;
 
 /// A point that is not at a ship's side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotAtTheSide {
-    /// How far it is off [m].
+    /// How far it is off (m).
     pub off_m: f64,
 }
 
@@ -122,7 +122,7 @@ fn nearest_side(outline: &Outline, at_m: Vec2) -> (Vec2, Vec2) {
     (best.1, best.2)
 }
 
-/// How far a body and the fenders on its fore side reach ahead of its origin [m].
+/// How far a body and the fenders on its fore side reach ahead of its origin (m).
 fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSetup>) -> f64 {
     let (_, most) = outline.bounds();
     fenders
@@ -136,9 +136,9 @@ fn reach_ahead<'f>(outline: &Outline, fenders: impl Iterator<Item = &'f FenderSe
 pub struct AssistPilot {
     /// What was ordered.
     pub order: Assist,
-    /// The normal force between her and the ship that she pushes, in the last step [N].
+    /// The normal force between her and the ship that she pushes, in the last step (N).
     pub touch_n: f64,
-    /// A moment learnt against what leans on her bow [N·m].
+    /// A moment learnt against what leans on her bow (N·m).
     pub steady_nm: f64,
 }
 

@@ -13,7 +13,7 @@ pub struct ThrusterSetup {
     pub name: String,
     /// The thruster.
     pub tunnel: TunnelThruster,
-    /// Time constant [s].
+    /// Time constant (s).
     pub lag_s: f64,
 }
 
@@ -24,13 +24,13 @@ pub struct AzimuthSetup {
     pub name: String,
     /// The unit.
     pub unit: AzimuthThruster,
-    /// Thrust at rest and full power [N].
+    /// Thrust at rest and full power (N).
     pub bollard_n: f64,
-    /// Time constant of the thrust [s].
+    /// Time constant of the thrust (s).
     pub lag_s: f64,
-    /// Rate of turn [rad/s].
+    /// Rate of turn (rad/s).
     pub rate_radps: f64,
-    /// How far it turns to either side of ahead [rad]; `None`: all the way round.
+    /// How far it turns to either side of ahead (rad); `None`: all the way round.
     pub stop_rad: Option<f64>,
 }
 
@@ -39,7 +39,7 @@ pub struct AzimuthSetup {
 pub struct AzimuthOrder {
     /// Thrust over that at rest and full power, 0 to 1.
     pub power: f64,
-    /// Direction of the thrust from the bow, positive to starboard [rad].
+    /// Direction of the thrust from the bow, positive to starboard (rad).
     pub direction_rad: f64,
 }
 

@@ -13,7 +13,7 @@ use crate::control::{
 };
 use crate::hydro::{Force, Velocity, Water};
 
-/// Time in which a moment is learnt against what leans on a tug's bow [s].
+/// Time in which a moment is learnt against what leans on a tug's bow (s).
 const LEARNING_S: f64 = 15.0;
 /// Below this share of its thrust a unit is not turned for it: its direction means nothing.
 const IDLE: f64 = 0.01;
@@ -154,7 +154,7 @@ fn azimuth_devices(setup: &VesselSetup) -> Vec<ThrustDevice> {
     setup.azimuths.iter().map(device).collect()
 }
 
-/// From the centre of gravity [m].
+/// From the centre of gravity (m).
 fn azimuth_place(setup: &VesselSetup, azimuth: &AzimuthSetup) -> Vec2 {
     let ahead_m = setup.ship.particulars.centre_of_gravity_m;
     vec2(azimuth.unit.along_m - ahead_m, azimuth.unit.across_m)

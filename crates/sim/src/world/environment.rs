@@ -19,11 +19,11 @@ pub struct Environment {
     pub current: Option<Current>,
     /// Waves.
     pub sea: Option<Sea>,
-    /// Density of the water [kg/m³].
+    /// Density of the water (kg/m³).
     pub water_density_kgpm3: f64,
-    /// Density of the air [kg/m³].
+    /// Density of the air (kg/m³).
     pub air_density_kgpm3: f64,
-    /// Depth of the water below datum [m], negative where the bottom dries; `None`: deep.
+    /// Depth of the water below datum (m), negative where the bottom dries; `None`: deep.
     pub depth_m: Option<f64>,
     /// Level of the water above datum.
     pub tide: Tide,
@@ -51,13 +51,13 @@ impl Default for Environment {
 }
 
 impl Environment {
-    /// Depth of the water at a time [m], tide within, 0 where the bottom has fallen dry; `None`: deep.
+    /// Depth of the water at a time (m), tide within, 0 where the bottom has fallen dry; `None`: deep.
     #[must_use]
     pub fn depth_at_m(&self, t_s: f64) -> Option<f64> {
         self.depth_m.map(|depth_m| greater(depth_m + self.tide.level_m(t_s), 0.0))
     }
 
-    /// The least and the greatest depth of a run [m]; `None`: deep.
+    /// The least and the greatest depth of a run (m); `None`: deep.
     #[must_use]
     pub fn depth_range_m(&self) -> Option<[f64; 2]> {
         self.depth_m
@@ -79,13 +79,13 @@ impl Environment {
         hydro::Water { density_kgpm3: self.water_density_kgpm3 }
     }
 
-    /// Current over a ship's draught [m/s].
+    /// Current over a ship's draught (m/s).
     pub(crate) fn current(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {
         let current = self.current.as_ref();
         current.map_or(Vec2::ZERO, |current| current.velocity(position_m, t_s, draught_m))
     }
 
-    /// DU/Dt: mean acceleration of the water that a hull lies in, followed for a step [m/s²].
+    /// DU/Dt: mean acceleration of the water that a hull lies in, followed for a step (m/s²).
     pub(crate) fn water_acceleration(
         &self,
         position_m: Vec2,

@@ -14,28 +14,28 @@ pub struct MooringSetup {
     pub line: LineSetup,
     /// Index of the body that has the winch or the bitts.
     pub ship: usize,
-    /// Fairlead in that body's frame [m], and above the still water [m].
+    /// Fairlead in that body's frame (m), and above the still water (m).
     pub fairlead_m: Vec2,
-    /// Height of the fairlead above the still water [m]; above datum where that body is fixed.
+    /// Height of the fairlead above the still water (m); above datum where that body is fixed.
     pub fairlead_above_water_m: f64,
     /// What the other end is fast to.
     pub end: LineEnd,
-    /// When it is made fast [s].
+    /// When it is made fast (s).
     pub from_s: f64,
 }
 
 /// What the far end of a line is fast to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LineEnd {
-    /// A bollard or an anchor: north, east and above datum [m].
+    /// A bollard or an anchor: north, east and above datum (m).
     Fixed([f64; 3]),
-    /// Another body, a quay's too: its index, the place in its frame and the height [m].
+    /// Another body, a quay's too: its index, the place in its frame and the height (m).
     OnBody {
         /// Index into [`crate::Setup::bodies`].
         body: usize,
-        /// Place in the body's frame [m].
+        /// Place in the body's frame (m).
         at_m: Vec2,
-        /// Height above the still water [m]; above datum where the body is fixed.
+        /// Height above the still water (m); above datum where the body is fixed.
         above_water_m: f64,
     },
 }
@@ -114,7 +114,7 @@ impl Mooring {
 }
 
 impl MooringSetup {
-    /// The bodies at its ends, with the place in the body's frame [m] and the force on it in the last step [N].
+    /// The bodies at its ends, with the place in the body's frame (m) and the force on it in the last step (N).
     pub(crate) fn ends_on(&self, mooring: &Mooring) -> impl Iterator<Item = (usize, Vec2, Vec2)> {
         let LineLoad { on_ship_n, on_shore_n, .. } = mooring.load;
         let flat = |force_n: [f64; 3]| vec2(force_n[0], force_n[1]);

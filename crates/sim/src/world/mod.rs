@@ -84,12 +84,12 @@ impl World {
     }
 
     /// Adds to each body's load what its vessel feels in the step that begins at `states`, whose velocities belong to
-    /// `velocities_t_s`: the water's are taken at that time, so that a ship adrift is not dragged by her own step.
+    /// `velocity_time_s`: the water's are taken at that time, so that a ship adrift is not dragged by her own step.
     pub(crate) fn step(
         &mut self,
         setup: &WorldSetup,
         states: &[BodyState],
-        (t_s, velocities_t_s, step_s): (f64, f64, f64),
+        (t_s, velocity_time_s, step_s): (f64, f64, f64),
         loads: &mut [Wrench],
     ) {
         self.events.clear();
@@ -102,7 +102,7 @@ impl World {
             let helpers: Vec<_> = helpers.map(|&tug| setup.tugs[tug].device(vessel)).collect();
             let helpers_n = &mut self.helpers_n;
             let stream = Stream {
-                velocity: vessel.velocity(state, &setup.environment, velocities_t_s),
+                velocity: vessel.velocity(state, &setup.environment, velocity_time_s),
                 water: setup.environment.density(),
             };
             let here = (state, &stream);
@@ -132,10 +132,10 @@ impl World {
                 self.events.push(WorldEvent { who: index, kind: WorldEventKind::Aground });
             }
             own.aground = aground;
-            let velocity = vessel.velocity(state, &setup.environment, velocities_t_s);
-            let times = (t_s, velocities_t_s, step_s);
+            let velocity = vessel.velocity(state, &setup.environment, velocity_time_s);
+            let times = (t_s, velocity_time_s, step_s);
             let forces = vessel.forces(own, (state, &velocity), &setup.environment, times);
-            let carried = vessel.carried(state, &setup.environment, (velocities_t_s, step_s));
+            let carried = vessel.carried(state, &setup.environment, (velocity_time_s, step_s));
             let wrench = vessel.wrench(&forces, &carried, state);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
@@ -168,7 +168,7 @@ impl World {
     }
 
     /// Forgets those orders that are not taken yet and that `keep` does not want.
-    pub(crate) fn keep_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
+    pub(crate) fn retain_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
         self.orders.drain(..self.taken);
         self.taken = 0;
         self.orders.retain(keep);

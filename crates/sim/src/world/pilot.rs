@@ -25,16 +25,16 @@ pub struct Pilots {
     pub station: Option<StationPilot>,
     /// On the azimuth units, at work on a ship.
     pub assist: Option<AssistPilot>,
-    /// Thrust ahead that stood when a course was ordered to azimuth units without a speed [N].
+    /// Thrust ahead that stood when a course was ordered to azimuth units without a speed (N).
     pub ahead_n: f64,
 }
 
 /// What the pilots need to know of a ship, found once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Abilities {
-    /// Force at rest at full revolutions astern (negative) and ahead [N].
+    /// Force at rest at full revolutions astern (negative) and ahead (N).
     pub(crate) bollard_n: [f64; 2],
-    /// Speed at full revolutions ahead [m/s].
+    /// Speed at full revolutions ahead (m/s).
     full_speed_mps: f64,
     /// Mass in surge and sway, inertia in yaw, added mass included.
     pub(crate) inertia: [f64; 3],

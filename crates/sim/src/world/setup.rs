@@ -37,8 +37,8 @@ pub struct ProviderSetup {
     pub body: usize,
     /// Program and arguments.
     pub command: Vec<String>,
-    /// How long a step waits for its answer [s].
+    /// How long a step waits for its answer (s).
     pub timeout_s: f64,
-    /// How long its last wrench is held when it falls silent [s].
+    /// How long its last wrench is held when it falls silent (s).
     pub hold_s: f64,
 }

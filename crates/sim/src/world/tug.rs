@@ -27,7 +27,7 @@ pub struct TugAtWork {
     pub state: TugState,
     /// Force in the last step, in the vessel's axes about midship.
     pub force: Force,
-    /// Where it acts, from midship [m].
+    /// Where it acts, from midship (m).
     pub at_m: Vec2,
     /// She could not give all that she was ordered to in the last step.
     pub limited: bool,
@@ -43,7 +43,7 @@ impl TugAtWork {
         }
     }
 
-    /// Orders a force to starboard of the vessel [N]: a push where it points away from the tug's side, a
+    /// Orders a force to starboard of the vessel (N): a push where it points away from the tug's side, a
     /// pull on her line where it points towards it.
     pub(crate) fn push_or_pull(&mut self, setup: &TugSetup, t_s: f64, starboard_n: f64) {
         let direction_rad = FRAC_PI_2.copysign(starboard_n);
@@ -91,7 +91,7 @@ impl TugAtWork {
 }
 
 impl TugSetup {
-    /// Direction of a push square to the ship, away from the tug's side, from the ship's bow [rad]. A pull is in the
+    /// Direction of a push square to the ship, away from the tug's side, from the ship's bow (rad). A pull is in the
     /// opposite direction.
     #[must_use]
     pub fn square_push_rad(&self) -> f64 {

@@ -7,7 +7,7 @@ use super::azimuth::{AzimuthOrder, AzimuthSetup, AzimuthState, ThrusterSetup};
 use super::environment::Environment;
 use super::fault::Faults;
 use super::pilot::Pilots;
-use crate::attitude::{Attitude, Drive, Hydrostatics};
+use crate::attitude::{Attitude, AttitudeLoad, Hydrostatics};
 use crate::environment::waves::{
     DriftHull, FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion, mean_drift,
 };
@@ -18,7 +18,7 @@ use crate::hydro::shallow::SHALLOWEST_RATIO;
 use crate::hydro::vessels::Origin;
 use crate::hydro::{Controls, Force, Mmg, Velocity};
 
-/// How much water a ship that was aground needs under her keel to be afloat again [m]; our choice.
+/// How much water a ship that was aground needs under her keel to be afloat again (m); our choice.
 const REFLOATED_M: f64 = 0.02;
 
 /// A ship of a set-up: what turns a body into a vessel.
@@ -33,9 +33,9 @@ pub struct VesselSetup {
     pub ship: Mmg,
     /// The same in deep water, from which her hull follows the tide.
     pub deep: Mmg,
-    /// Rudder where it starts, with its rate and stop [rad].
+    /// Rudder where it starts, with its rate and stop (rad).
     pub rudder: RateLimited,
-    /// Shaft where it starts, with its rate and its full revolutions as the stop [1/s].
+    /// Shaft where it starts, with its rate and its full revolutions as the stop (1/s).
     pub shaft: RateLimited,
     /// Tunnel thrusters.
     pub thrusters: Vec<ThrusterSetup>,
@@ -56,16 +56,16 @@ pub struct VesselSetup {
 pub struct Float {
     /// The three oscillators.
     pub hydrostatics: Hydrostatics,
-    /// Centre of gravity above the still waterline [m]; negative below it.
+    /// Centre of gravity above the still waterline (m); negative below it.
     pub gravity_above_water_m: f64,
-    /// Draught [m].
+    /// Draught (m).
     pub draught_m: f64,
 }
 
 /// What the bridge has ordered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VesselOrders {
-    /// Rudder [rad].
+    /// Rudder (rad).
     pub rudder_rad: f64,
     /// Revolutions over full ones.
     pub shaft: f64,
@@ -94,9 +94,9 @@ pub struct VesselState {
     pub attitude: Attitude,
     /// First-order wave motion, to be superposed.
     pub wave_motion: FirstOrderMotion,
-    /// How much deeper her keel is because she is under way in shallow water [m].
+    /// How much deeper her keel is because she is under way in shallow water (m).
     pub squat_m: f64,
-    /// Water under her keel, squat taken off [m]; `None` where the water is deep. Negative: how much too deep she
+    /// Water under her keel, squat taken off (m); `None` where the water is deep. Negative: how much too deep she
     /// sits.
     pub under_keel_m: Option<f64>,
     /// She is on the bottom.
@@ -133,7 +133,7 @@ pub struct VesselForces {
 pub(crate) struct Carried {
     /// Less what her hull's force has of the momentum that turns with her: about midship, in her axes.
     pub(crate) ideal: Force,
-    /// The stream that she is in [m/s].
+    /// The stream that she is in (m/s).
     pub(crate) stream_mps: Vec2,
     /// What water that speeds up does to her: about her centre of gravity, earth-fixed.
     pub(crate) along: Wrench,
@@ -216,7 +216,7 @@ impl VesselState {
 }
 
 impl VesselSetup {
-    /// Thrust of all azimuth units at rest and full power [N].
+    /// Thrust of all azimuth units at rest and full power (N).
     #[must_use]
     pub fn bollard_pull_n(&self) -> f64 {
         self.azimuths.iter().map(|azimuth| azimuth.bollard_n).sum()
@@ -328,7 +328,7 @@ impl VesselSetup {
         })
     }
 
-    /// Her squat in this state [m]; none in deep water.
+    /// Her squat in this state (m); none in deep water.
     pub(crate) fn squat_m(&self, state: &BodyState, environment: &Environment, t_s: f64) -> f64 {
         let (Some(squat), Some(depth_m)) = (environment.squat, environment.depth_at_m(t_s)) else {
             return 0.0;
@@ -337,7 +337,7 @@ impl VesselSetup {
         squat.sinkage_m(&self.ship.particulars, depth_m, surge_mps)
     }
 
-    /// Water under the keel of a ship that squats by so much [m]; none is told of where the water is deep.
+    /// Water under the keel of a ship that squats by so much (m); none is told of where the water is deep.
     pub(crate) fn under_keel_m(
         &self,
         squat_m: f64,
@@ -480,8 +480,8 @@ impl VesselSetup {
 
     /// What heels and trims her: forces of the hull and its appendages at half the draught, of the wind at
     /// the height of its area.
-    pub(crate) fn drive(&self, forces: &VesselForces, float: &Float) -> Drive {
-        let mut drive = Drive::default();
+    pub(crate) fn drive(&self, forces: &VesselForces, float: &Float) -> AttitudeLoad {
+        let mut drive = AttitudeLoad::default();
         let gravity_m = float.gravity_above_water_m;
         let water_m = -0.5 * float.draught_m - gravity_m;
         let below = [
@@ -501,7 +501,7 @@ impl VesselSetup {
     }
 }
 
-/// Mass matrix over surge, sway and yaw about the centre of gravity [kg, kg·m, kg·m²].
+/// Mass matrix over surge, sway and yaw about the centre of gravity (kg, kg·m, kg·m²).
 #[must_use]
 pub fn mass_matrix(ship: &Mmg, density_kgpm3: f64) -> [[f64; 3]; 3] {
     let hull = &ship.particulars;

@@ -68,7 +68,7 @@ pub(crate) fn two(
         bodies: vec![one, two],
         materials: vec![NamedMaterial { name: "fender".into(), material }],
         pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: vec![],
         berthing: None,
         loads: vec![],

@@ -144,7 +144,7 @@ fn coupled(step_s: f64, duration_s: f64, bodies: Vec<BodySetup>) -> Setup {
         bodies,
         materials: berth_materials(),
         pairs: vec![],
-        every_other_pair: None,
+        all_other_pairs: None,
         fenders: vec![],
         berthing: None,
         loads: vec![],

@@ -59,7 +59,7 @@ fn run(name: &str, text: &str, values: &mut Values) {
     }
 }
 
-/// By fender, or pair of bodies: the sum of the patches' peak normal forces in a step [N], and the largest depth [m].
+/// By fender, or pair of bodies: the sum of the patches' peak normal forces in a step (N), and the largest depth (m).
 fn step_peaks(
     record: &StepRecord<'_>,
     bodies: &[(String, bool)],

@@ -5,7 +5,7 @@ use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::manoeuvres::{turning_circle, zig_zag};
 use fenderline_sim::hydro::vessels::Vessel;
 use fenderline_sim::hydro::{
-    Known, Particulars, Route, SternCoefficients, SternGear, estimated_by,
+    EstimateMethod, Known, Particulars, SternCoefficients, SternGear, estimated_by,
 };
 
 use super::Values;
@@ -13,8 +13,8 @@ use super::manoeuvres::Trial;
 use super::ships::vessel;
 
 /// The routes, by the names that they have in `validation/estimated_ships.toml`.
-pub(in crate::validate) const ROUTES: [(&str, Route); 2] =
-    [("yoshimura_masumoto", Route::YoshimuraMasumoto), ("clarke", Route::Clarke)];
+pub(in crate::validate) const ROUTES: [(&str, EstimateMethod); 2] =
+    [("yoshimura_masumoto", EstimateMethod::YoshimuraMasumoto), ("clarke", EstimateMethod::Clarke)];
 
 /// The ships that errors are taken over.
 pub(in crate::validate) const SHIPS: [&str; 6] =
@@ -39,7 +39,7 @@ pub(super) fn compute(values: &mut Values) {
 }
 
 /// All measures of all ships by one route.
-pub(in crate::validate) fn compute_route(values: &mut Values, name: &str, route: Route) {
+pub(in crate::validate) fn compute_route(values: &mut Values, name: &str, route: EstimateMethod) {
     for ship in SHIPS {
         let measures = measured(&estimate_of(ship, route));
         let also = ALSO.iter().filter(|(same, _)| *same == ship).map(|(_, other)| *other);
@@ -70,7 +70,7 @@ fn measured(vessel: &Vessel) -> [f64; 4] {
 }
 
 /// She as a user would describe her who has no test of hers.
-pub(super) fn estimate_of(name: &str, route: Route) -> Vessel {
+pub(super) fn estimate_of(name: &str, route: EstimateMethod) -> Vessel {
     let of = |known: &Known| estimated_by(route, known).expect("a ship").model;
     let library = |key: &str| {
         let own = vessel(key);
@@ -134,7 +134,7 @@ fn gear(propeller_m: f64, rudder_m2: f64, aspect_ratio: f64) -> SternGear {
     }
 }
 
-/// A ship that is not in the data, by her model, her speed of approach [m/s] and her rudder's rate [°/s].
+/// A ship that is not in the data, by her model, her speed of approach (m/s) and her rudder's rate (°/s).
 fn other(ship: fenderline_sim::hydro::Mmg, approach_mps: f64, rate_degps: f64) -> Vessel {
     Vessel {
         ship,

@@ -73,7 +73,7 @@ fn last_but_finest(shape: &str) -> (f64, f64) {
     (reaction, energy)
 }
 
-/// Reaction [N] and energy [J] at a deflection [m] on a curve of straight pieces.
+/// Reaction (N) and energy (J) at a deflection (m) on a curve of straight pieces.
 fn on_curve(curve: &[(f64, f64)], deflection_m: f64) -> (f64, f64) {
     let (mut reaction_n, mut energy_j) = (0.0, 0.0);
     for piece in curve.windows(2) {

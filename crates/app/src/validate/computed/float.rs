@@ -1,6 +1,6 @@
 //! Periods of heave and roll of the container ship.
 
-use fenderline_sim::attitude::{FloatParticulars, Hydrostatics};
+use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics};
 
 use super::Values;
 use super::ships::{SEA_KGPM3, container};
@@ -14,7 +14,7 @@ pub(super) fn compute(values: &mut Values) {
 
 fn afloat(gm_m: f64) -> Hydrostatics {
     let hull = container();
-    let ship = FloatParticulars {
+    let ship = HydrostaticParticulars {
         mass_kg: SEA_KGPM3 * hull.volume_m3,
         length_m: hull.length_m,
         beam_m: hull.beam_m,

@@ -65,7 +65,7 @@ fn force_astern(values: &mut Values) {
     }
 }
 
-/// Thrust over ρn²D⁴ at J = va/(nD) and n [1/s].
+/// Thrust over ρn²D⁴ at J = va/(nD) and n (1/s).
 fn thrust_coefficient(propeller: &Propeller, advance: f64, shaft_rps: f64) -> f64 {
     let diameter_m = propeller.diameter_m;
     let square = diameter_m * diameter_m;

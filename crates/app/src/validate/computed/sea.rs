@@ -9,7 +9,7 @@ use fenderline_sim::tug::TugEnvelope;
 use super::Values;
 use super::ships::SEA_KGPM3;
 
-/// Acceleration of gravity [m/s²].
+/// Acceleration of gravity (m/s²).
 const GRAVITY_MPS2: f64 = 9.806_65;
 /// Metres a second in a knot.
 const KNOT_MPS: f64 = 1852.0 / 3600.0;

@@ -3,7 +3,7 @@
 use fenderline_sim::hydro::manoeuvres::{Approach, turning_circle, zig_zag};
 use fenderline_sim::hydro::shallow::{CorrectionSet, Corrections};
 use fenderline_sim::hydro::vessels::Vessel;
-use fenderline_sim::hydro::{Mmg, Model3, Particulars, Route, Water};
+use fenderline_sim::hydro::{EstimateMethod, Mmg, Model3, Particulars, Water};
 
 use super::Values;
 use super::estimates::{self, estimate_of};
@@ -83,7 +83,7 @@ pub(super) fn compute(values: &mut Values) {
 /// Tactical diameters of ships that are estimated from particulars alone, by the route that the program takes.
 fn estimated(values: &mut Values) {
     for name in estimates::SHIPS {
-        let vessel = estimate_of(name, Route::YoshimuraMasumoto);
+        let vessel = estimate_of(name, EstimateMethod::YoshimuraMasumoto);
         let deep = Measures::of(&vessel, vessel.ship);
         for (ratio, depth) in DEPTHS {
             let ship = vessel.ship.at_depth(ratio * vessel.ship.particulars.draught_m);

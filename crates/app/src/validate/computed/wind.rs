@@ -8,7 +8,7 @@ use fenderline_sim::environment::wind::{
 
 use super::Values;
 
-/// Density of the air of the side force, as validation/independent/ship_formulas.py has it [kg/m³].
+/// Density of the air of the side force, as validation/independent/ship_formulas.py has it (kg/m³).
 const AIR_KGPM3: f64 = 1.224;
 
 pub(super) fn compute(values: &mut Values) {

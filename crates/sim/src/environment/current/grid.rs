@@ -43,7 +43,7 @@ impl CurrentGrid {
         Ok(CurrentGrid { times_s, north_m, east_m, velocities_mps })
     }
 
-    /// Velocity at a place and a time [m/s].
+    /// Velocity at a place and a time (m/s).
     #[must_use]
     pub fn at(&self, position_m: Vec2, t_s: f64) -> Vec2 {
         let time = place(self.times_s.len(), |i| self.times_s[i], t_s);

@@ -1,6 +1,6 @@
 //! Current: the same everywhere, by depth, or on a grid in space and time.
 //!
-//! Velocities are those that the water moves with, north and east [m/s]. A ship's forces come from her
+//! Velocities are those that the water moves with, north and east (m/s). A ship's forces come from her
 //! velocity relative to [`Current::velocity`].
 
 mod grid;
@@ -16,7 +16,7 @@ pub use profile::CurrentProfile;
 /// A current.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Current {
-    /// The same everywhere and always [m/s].
+    /// The same everywhere and always (m/s).
     Uniform(Vec2),
     /// The same at every place, another one at every depth.
     Layered(CurrentProfile),
@@ -34,7 +34,7 @@ impl Current {
         Ok(Current::Uniform(velocity_mps))
     }
 
-    /// Velocity that a hull of a draught meets at a place and a time [m/s]: by depth, the mean over the
+    /// Velocity that a hull of a draught meets at a place and a time (m/s): by depth, the mean over the
     /// draught.
     #[must_use]
     pub fn velocity(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {

@@ -10,12 +10,12 @@ use crate::range::within;
 /// Velocity by depth: straight lines between points, held above the first and below the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurrentProfile {
-    /// Depth below the surface [m] and velocity [m/s], downwards.
+    /// Depth below the surface (m) and velocity (m/s), downwards.
     points: Vec<(f64, Vec2)>,
 }
 
 impl CurrentProfile {
-    /// From points (depth [m], velocity north and east [m/s]).
+    /// From points (depth (m), velocity north and east (m/s)).
     ///
     /// # Errors
     /// No point, depths that do not increase from 0 or below, a current above 15 m/s.
@@ -28,7 +28,7 @@ impl CurrentProfile {
         Ok(CurrentProfile { points })
     }
 
-    /// Velocity at a depth [m/s].
+    /// Velocity at a depth (m/s).
     #[must_use]
     pub fn at(&self, depth_m: f64) -> Vec2 {
         let at = place(self.points.len(), |i| self.points[i].0, depth_m);
@@ -36,7 +36,7 @@ impl CurrentProfile {
         low + (high - low) * at.share
     }
 
-    /// Mean velocity from the surface to a draught [m/s], exact for the straight lines; without a draught
+    /// Mean velocity from the surface to a draught (m/s), exact for the straight lines; without a draught
     /// that at the surface.
     #[must_use]
     pub fn mean_over(&self, draught_m: f64) -> Vec2 {

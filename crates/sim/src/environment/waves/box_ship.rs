@@ -19,15 +19,15 @@ use crate::range::{OutOfRange, within};
 /// (heave) and with the slope (pitch) amidships. Deep water.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxShip {
-    /// Length on the waterline [m].
+    /// Length on the waterline (m).
     pub length_m: f64,
-    /// Beam [m].
+    /// Beam (m).
     pub beam_m: f64,
-    /// Draught [m].
+    /// Draught (m).
     pub draught_m: f64,
     /// Block coefficient; the box is so much narrower than the ship.
     pub block_coefficient: f64,
-    /// Natural period of roll [s].
+    /// Natural period of roll (s).
     pub roll_period_s: f64,
     /// Damping of roll as a share of the critical one; 0.15 unless it is known.
     pub roll_damping: f64,
@@ -51,7 +51,7 @@ impl BoxShip {
         Ok(())
     }
 
-    /// Operators for a wave of ω > 0 [rad/s] towards μ from the bow [rad] at a speed [m/s].
+    /// Operators for a wave of ω > 0 (rad/s) towards μ from the bow (rad) at a speed (m/s).
     #[must_use]
     pub fn at(&self, frequency_radps: f64, direction_rad: f64, speed_mps: f64) -> [Complex; 6] {
         let (cos, sin) = (libm::cos(direction_rad), libm::sin(direction_rad));

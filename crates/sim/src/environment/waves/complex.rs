@@ -18,7 +18,7 @@ impl Complex {
         Complex { re, im }
     }
 
-    /// From modulus and phase [rad].
+    /// From modulus and phase (rad).
     #[must_use]
     pub fn polar(modulus: f64, phase_rad: f64) -> Complex {
         Complex::new(modulus * libm::cos(phase_rad), modulus * libm::sin(phase_rad))

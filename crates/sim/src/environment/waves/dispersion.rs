@@ -4,7 +4,7 @@ use fenderline_contact::number::greater;
 
 use super::GRAVITY_MPS2;
 
-/// Wave number k [rad/m] of a wave of ω > 0 [rad/s] in water of a depth > 0 [m]: ω² = g k tanh(kh) (linear
+/// Wave number k (rad/m) of a wave of ω > 0 (rad/s) in water of a depth > 0 (m): ω² = g k tanh(kh) (linear
 /// theory), by Newton's method from above the root, where it cannot overshoot.
 #[must_use]
 pub fn wave_number(frequency_radps: f64, depth_m: f64) -> f64 {

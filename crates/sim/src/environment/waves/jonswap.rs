@@ -9,9 +9,9 @@ use crate::range::{OutOfRange, within};
 /// DNV-RP-C205, read in the MSS toolbox's waveSpectrum.m, and integrated in validation/independent/ship_formulas.py).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jonswap {
-    /// Hs, significant wave height [m].
+    /// Hs, significant wave height (m).
     pub height_m: f64,
-    /// Tp, period of the peak [s].
+    /// Tp, period of the peak (s).
     pub peak_period_s: f64,
     /// γ, peak enhancement; 1 is Pierson–Moskowitz, 3.3 the mean of JONSWAP.
     pub peak_enhancement: f64,
@@ -29,13 +29,13 @@ impl Jonswap {
         Ok(())
     }
 
-    /// ω_p [rad/s].
+    /// ω_p (rad/s).
     #[must_use]
     pub fn peak_radps(&self) -> f64 {
         TAU / self.peak_period_s
     }
 
-    /// S(ω) [m²·s/rad] for ω > 0 [rad/s].
+    /// S(ω) (m²·s/rad) for ω > 0 (rad/s).
     #[must_use]
     pub fn density(&self, frequency_radps: f64) -> f64 {
         let ratio = self.peak_radps() / frequency_radps;

@@ -27,5 +27,5 @@ pub use motion::{FirstOrderMotion, MotionResponse, ShipInWaves, first_order_moti
 pub use rao::RaoTable;
 pub use sea::{DIRECTIONS, RegularWave, Sea};
 
-/// Acceleration of gravity [m/s²].
+/// Acceleration of gravity (m/s²).
 pub(super) const GRAVITY_MPS2: f64 = 9.806_65;

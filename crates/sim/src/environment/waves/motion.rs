@@ -19,16 +19,16 @@ pub enum MotionResponse {
 /// Where a ship is in the waves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShipInWaves {
-    /// Midship, north and east [m].
+    /// Midship, north and east (m).
     pub position_m: Vec2,
-    /// Velocity, north and east [m/s].
+    /// Velocity, north and east (m/s).
     pub velocity_mps: Vec2,
-    /// Heading [rad].
+    /// Heading (rad).
     pub heading_rad: f64,
 }
 
-/// Motion of a ship by the waves alone, to be superposed: surge, sway, heave down [m], roll to starboard,
-/// pitch bow up, yaw [rad].
+/// Motion of a ship by the waves alone, to be superposed: surge, sway, heave down (m), roll to starboard,
+/// pitch bow up, yaw (rad).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FirstOrderMotion {
     /// The motion.

@@ -22,8 +22,8 @@ pub struct RaoTable {
 }
 
 impl RaoTable {
-    /// From the waves' own frequencies [rad/s] (not those of encounter), directions μ from 0 to π [rad], and
-    /// operators, direction fastest: surge, sway, heave down [m/m], roll, pitch bow up, yaw [rad/m].
+    /// From the waves' own frequencies (rad/s) (not those of encounter), directions μ from 0 to π (rad), and
+    /// operators, direction fastest: surge, sway, heave down (m/m), roll, pitch bow up, yaw (rad/m).
     ///
     /// # Errors
     /// Axes that do not increase, directions that do not reach from 0 to π, a wrong number of operators, an

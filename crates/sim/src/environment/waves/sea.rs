@@ -22,11 +22,11 @@ const STRIDE: usize = 4;
 /// One regular wave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RegularWave {
-    /// Height from trough to crest [m].
+    /// Height from trough to crest (m).
     pub height_m: f64,
-    /// Period [s].
+    /// Period (s).
     pub period_s: f64,
-    /// Phase ε at t = 0 in the origin [rad]; 0 is a crest.
+    /// Phase ε at t = 0 in the origin (rad); 0 is a crest.
     pub phase_rad: f64,
 }
 
@@ -45,7 +45,7 @@ pub(super) struct Component {
     pub(super) frequency_radps: f64,
     pub(super) amplitude_m: f64,
     pub(super) phase_rad: f64,
-    /// k, north and east [rad/m].
+    /// k, north and east (rad/m).
     pub(super) number_radpm: Vec2,
     /// Which of the sea's directions it has.
     pub(super) direction: usize,
@@ -59,7 +59,7 @@ impl Component {
 }
 
 impl Sea {
-    /// One regular wave that runs towards a direction, clockwise from north, in water of a depth [m].
+    /// One regular wave that runs towards a direction, clockwise from north, in water of a depth (m).
     ///
     /// # Errors
     /// A wave that is none, or steeper than 1/7, at which waves break.
@@ -84,7 +84,7 @@ impl Sea {
         Ok(Sea { towards_rad, directions_rad: vec![towards_rad], components: vec![component] })
     }
 
-    /// A JONSWAP sea that runs towards a direction, in water of a depth [m] (which sets the lengths of the
+    /// A JONSWAP sea that runs towards a direction, in water of a depth (m) (which sets the lengths of the
     /// waves, not their spectrum). Scaled so that 4√m₀ is Hs exactly: the spectrum's own m₀ is 0.2 %
     /// too great at γ 3.3, because its A is an approximation.
     ///
@@ -135,7 +135,7 @@ impl Sea {
         Ok(self)
     }
 
-    /// Direction that the waves run towards, of a short-crested sea the mean one, clockwise from north [rad].
+    /// Direction that the waves run towards, of a short-crested sea the mean one, clockwise from north (rad).
     #[must_use]
     pub fn towards_rad(&self) -> f64 {
         self.towards_rad
@@ -147,7 +147,7 @@ impl Sea {
         self.directions_rad.len() > 1
     }
 
-    /// Elevation of the surface at a place and a time [m].
+    /// Elevation of the surface at a place and a time (m).
     #[must_use]
     pub fn elevation_m(&self, position_m: Vec2, t_s: f64) -> f64 {
         let heights =
@@ -155,13 +155,13 @@ impl Sea {
         heights.sum()
     }
 
-    /// m₀ = Σ½a² [m²].
+    /// m₀ = Σ½a² (m²).
     #[must_use]
     pub fn variance_m2(&self) -> f64 {
         self.components.iter().map(|c| 0.5 * c.amplitude_m * c.amplitude_m).sum()
     }
 
-    /// T₀₁ = 2π m₀/m₁, the mean period [s]; that of a regular wave is its own.
+    /// T₀₁ = 2π m₀/m₁, the mean period (s); that of a regular wave is its own.
     #[must_use]
     pub fn mean_period_s(&self) -> f64 {
         let m1: f64 = self
@@ -172,7 +172,7 @@ impl Sea {
         core::f64::consts::TAU * self.variance_m2() / m1
     }
 
-    /// 4√m₀ [m].
+    /// 4√m₀ (m).
     #[must_use]
     pub fn significant_height_m(&self) -> f64 {
         4.0 * self.variance_m2().sqrt()
@@ -185,7 +185,7 @@ fn check_place(towards_rad: f64, depth_m: f64) -> Result<(), EnvironmentError> {
     Ok(())
 }
 
-/// Angles off the mean direction that halve each of [`DIRECTIONS`] equal shares of cosⁿ [rad].
+/// Angles off the mean direction that halve each of [`DIRECTIONS`] equal shares of cosⁿ (rad).
 fn equal_shares(exponent: f64) -> Vec<f64> {
     let energy = |to_rad: f64| {
         integral(|angle_rad| libm::pow(libm::cos(angle_rad), exponent), 0.0, to_rad, SUB_INTERVALS)

@@ -12,11 +12,11 @@ use crate::range::{OutOfRange, within};
 /// ISO 15016 on the Esso Osaka, but 20 to 36 % above it on a loaded container ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fujiwara {
-    /// A_OD, lateral projected area of superstructures, tanks and containers on the deck [m²].
+    /// A_OD, lateral projected area of superstructures, tanks and containers on the deck (m²).
     pub on_deck_m2: f64,
-    /// Its centroid forward of midship [m].
+    /// Its centroid forward of midship (m).
     pub on_deck_forward_m: f64,
-    /// H_BR, top of the superstructure above the waterline [m].
+    /// H_BR, top of the superstructure above the waterline (m).
     pub top_height_m: f64,
 }
 

@@ -7,7 +7,7 @@ use super::spectrum::GustSpectrum;
 use crate::environment::error::EnvironmentError;
 use crate::environment::harmonics::{Harmonic, Realisation};
 
-/// The band of a gust record [Hz]: from one gust an hour to one in two seconds; no ship follows faster ones.
+/// The band of a gust record (Hz): from one gust an hour to one in two seconds; no ship follows faster ones.
 const BAND_HZ: [f64; 2] = [1.0 / 3600.0, 0.5];
 
 /// The part of the wind's speed that changes; a pure function of time.
@@ -36,7 +36,7 @@ impl Gusts {
         Ok(Gusts { harmonics: realisation.harmonics_of(density, BAND_HZ[0], BAND_HZ[1]) })
     }
 
-    /// Speed above the mean at a time [m/s].
+    /// Speed above the mean at a time (m/s).
     #[must_use]
     pub fn speed_mps(&self, t_s: f64) -> f64 {
         let speeds = self
@@ -46,7 +46,7 @@ impl Gusts {
         speeds.sum()
     }
 
-    /// Standard deviation of the speed [m/s]: √Σ½a².
+    /// Standard deviation of the speed (m/s): √Σ½a².
     #[must_use]
     pub fn deviation_mps(&self) -> f64 {
         self.harmonics.iter().map(|h| 0.5 * h.amplitude * h.amplitude).sum::<f64>().sqrt()

@@ -14,9 +14,9 @@ use crate::range::{OutOfRange, within};
 /// was not read).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isherwood {
-    /// S, length of the perimeter of the lateral projection without waterline, masts and ventilators [m].
+    /// S, length of the perimeter of the lateral projection without waterline, masts and ventilators (m).
     pub perimeter_m: f64,
-    /// A_SS, lateral projected area of the superstructure [m²].
+    /// A_SS, lateral projected area of the superstructure (m²).
     pub superstructure_m2: f64,
     /// M, groups of masts or king posts seen from the side.
     pub mast_groups: f64,

@@ -8,15 +8,15 @@ use super::series::WindSeries;
 use crate::environment::error::EnvironmentError;
 use crate::range::{OutOfRange, within};
 
-/// Height that wind speeds are stated at [m].
+/// Height that wind speeds are stated at (m).
 pub(super) const REFERENCE_HEIGHT_M: f64 = 10.0;
 
 /// A steady wind at 10 m and its profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeanWind {
-    /// Mean speed 10 m above the water [m/s].
+    /// Mean speed 10 m above the water (m/s).
     pub speed_mps: f64,
-    /// Where it comes from, clockwise from north [rad].
+    /// Where it comes from, clockwise from north (rad).
     pub from_rad: f64,
     /// How it grows with height.
     pub profile: WindProfile,
@@ -35,7 +35,7 @@ pub enum WindProfile {
     },
     /// U(z) = U₁₀ ln(z/z₀)/ln(10/z₀), the logarithmic law.
     Logarithmic {
-        /// z₀ [m]; 0.0002 m over open sea (class 1 of Davenport and Wieringa, read in the crate wind-profile).
+        /// z₀ (m); 0.0002 m over open sea (class 1 of Davenport and Wieringa, read in the crate wind-profile).
         roughness_m: f64,
     },
 }
@@ -61,7 +61,7 @@ impl MeanWind {
         Ok(())
     }
 
-    /// Mean speed at a height [m/s]. The laws do not hold close to the surface: below 1 m the speed is
+    /// Mean speed at a height (m/s). The laws do not hold close to the surface: below 1 m the speed is
     /// that at 1 m.
     #[must_use]
     pub fn speed_at(&self, height_m: f64) -> f64 {
@@ -106,7 +106,7 @@ impl Wind {
     ///
     /// # Errors
     /// As [`MeanWind::check`].
-    pub fn gusty(mean: MeanWind, gusts: Gusts) -> Result<Wind, EnvironmentError> {
+    pub fn with_gusts(mean: MeanWind, gusts: Gusts) -> Result<Wind, EnvironmentError> {
         mean.check()?;
         Ok(Wind(Course::Mean(mean, Some(gusts))))
     }
@@ -117,8 +117,8 @@ impl Wind {
         Wind(Course::Series(series))
     }
 
-    /// Speed 10 m above the water, without gusts [m/s], and direction that it comes from, clockwise from
-    /// north [rad], at a time.
+    /// Speed 10 m above the water, without gusts (m/s), and direction that it comes from, clockwise from
+    /// north (rad), at a time.
     #[must_use]
     pub fn mean_at(&self, t_s: f64) -> (f64, f64) {
         match &self.0 {
@@ -133,7 +133,7 @@ impl Wind {
         matches!(self.0, Course::Series(_))
     }
 
-    /// Velocity of the air at a height above the water and a time, north and east [m/s].
+    /// Velocity of the air at a height above the water and a time, north and east (m/s).
     #[must_use]
     pub fn velocity(&self, height_m: f64, t_s: f64) -> Vec2 {
         match &self.0 {

@@ -10,12 +10,12 @@ use crate::range::within;
 /// the first and after the last. From one point to the next the wind turns the shorter way round.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindSeries {
-    /// Time [s], speed [m/s], direction that it comes from, without jumps by a full turn [rad].
+    /// Time (s), speed (m/s), direction that it comes from, without jumps by a full turn (rad).
     points: Vec<[f64; 3]>,
 }
 
 impl WindSeries {
-    /// From points: time [s], speed [m/s], direction that it comes from, clockwise from north [rad].
+    /// From points: time (s), speed (m/s), direction that it comes from, clockwise from north (rad).
     ///
     /// # Errors
     /// No point, times that do not increase, a wind that is none ([`super::MeanWind::check`] has the same
@@ -35,7 +35,7 @@ impl WindSeries {
         Ok(WindSeries { points })
     }
 
-    /// Speed [m/s] and direction that it comes from [rad] at a time.
+    /// Speed (m/s) and direction that it comes from (rad) at a time.
     #[must_use]
     pub fn at(&self, t_s: f64) -> (f64, f64) {
         let at = place(self.points.len(), |i| self.points[i][0], t_s);

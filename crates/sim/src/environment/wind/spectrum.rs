@@ -3,7 +3,7 @@
 use super::mean::REFERENCE_HEIGHT_M;
 use crate::range::{OutOfRange, within};
 
-/// Spectrum of the gusts about a mean wind, one-sided, in [(m/s)²/Hz] over f in [Hz], 10 m above the
+/// Spectrum of the gusts about a mean wind, one-sided, in ((m/s)²/Hz) over f in (Hz), 10 m above the
 /// water. U is the mean speed there, the hourly mean but for Davenport and Harris (10 minutes; recalled).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GustSpectrum {
@@ -65,7 +65,7 @@ impl GustSpectrum {
         Ok(())
     }
 
-    /// S(f) [(m/s)²/Hz] for f > 0 [Hz] and a mean wind above 0 [m/s].
+    /// S(f) ((m/s)²/Hz) for f > 0 (Hz) and a mean wind above 0 (m/s).
     #[must_use]
     pub fn density(&self, f_hz: f64, mean_mps: f64) -> f64 {
         let pow = libm::pow;

@@ -11,17 +11,17 @@ use crate::range::{OutOfRange, within};
 /// Wind areas of a ship and the method that turns them into forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShipWindage {
-    /// Length overall [m].
+    /// Length overall (m).
     pub length_m: f64,
-    /// Beam [m].
+    /// Beam (m).
     pub beam_m: f64,
-    /// Frontal projected area above the water [m²].
+    /// Frontal projected area above the water (m²).
     pub frontal_m2: f64,
-    /// Lateral projected area above the water [m²].
+    /// Lateral projected area above the water (m²).
     pub lateral_m2: f64,
-    /// Centroid of the lateral area forward of midship [m].
+    /// Centroid of the lateral area forward of midship (m).
     pub centroid_forward_m: f64,
-    /// Centroid of the lateral area above the waterline [m].
+    /// Centroid of the lateral area above the waterline (m).
     pub centroid_height_m: f64,
     /// How the coefficients are found.
     pub method: WindMethod,
@@ -114,7 +114,7 @@ impl ShipWindage {
         Ok(())
     }
 
-    /// Coefficients at an angle γ [rad]. They are computed for |γ| from 0 to π and mirrored, so that port
+    /// Coefficients at an angle γ (rad). They are computed for |γ| from 0 to π and mirrored, so that port
     /// and starboard agree at every angle, 180° among them.
     #[must_use]
     pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
@@ -130,7 +130,7 @@ impl ShipWindage {
         WindCoefficients { sway: side * one_side.sway, yaw: side * one_side.yaw, ..one_side }
     }
 
-    /// Force and moment about midship, [X, Y, N] in [N, N, N·m], in air of a density [kg/m³] (1.224 at
+    /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³) (1.224 at
     /// 15 °C). The relative wind is that 10 m above the water, which the methods are stated for (recalled).
     #[must_use]
     pub fn force(&self, relative: &RelativeWind, air_density_kgpm3: f64) -> [f64; 3] {
@@ -143,7 +143,7 @@ impl ShipWindage {
         ]
     }
 
-    /// Heeling moment about the waterline that goes with a side force, positive to starboard [N·m]: the
+    /// Heeling moment about the waterline that goes with a side force, positive to starboard (N·m): the
     /// force at the centroid of the lateral area, times κ by Blendermann (K = κ·s_H·Y).
     #[must_use]
     pub fn roll_moment_nm(&self, sway_n: f64) -> f64 {

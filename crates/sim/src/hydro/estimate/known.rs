@@ -24,9 +24,9 @@ pub struct Known {
 /// What must be known of a propeller and its rudder, and what may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SternGear {
-    /// Diameter of the propeller [m].
+    /// Diameter of the propeller (m).
     pub propeller_m: f64,
-    /// Movable area of the rudder [m²].
+    /// Movable area of the rudder (m²).
     pub rudder_m2: f64,
     /// Diameter of the propeller over span of the rudder; at most 1 counts.
     pub propeller_to_span: f64,
@@ -36,8 +36,9 @@ pub struct SternGear {
     pub own: SternCoefficients,
 }
 
-/// What may be known of a propeller and its rudder behind the hull; named as in [`Propulsion`], [`Wake`] and
-/// [`Rudder`].
+/// What may be known of a propeller and its rudder behind the hull; named as in
+/// [`Propulsion`](crate::hydro::mmg::Propulsion), [`Wake`](crate::hydro::mmg::Wake) and
+/// [`Rudder`](crate::hydro::rudder::Rudder).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SternCoefficients {
     /// K_T = k₀ + k₁J + k₂J².

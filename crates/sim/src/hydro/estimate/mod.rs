@@ -5,8 +5,8 @@
 //! | what | by | standing |
 //! |---|---|---|
 //! | added mass | Zhou's regression | found in public programs |
-//! | hull under way, rudder and hull | [`Route`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, signs by KCS and KVLCC2 |
-//! | hull of any other vessel | [`Route`]: Clarke, Gedling & Hine (1983) with cross-flow drag | found in a public toolbox |
+//! | hull under way, rudder and hull | [`EstimateMethod`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, signs by KCS and KVLCC2 |
+//! | hull of any other vessel | [`EstimateMethod`]: Clarke, Gedling & Hine (1983) with cross-flow drag | found in a public toolbox |
 //! | cross-flow drag | Hoerner's midship section | found in a public toolbox |
 //! | resistance ahead | C_T = 0.004 on Mumford's wetted surface | *recalled* |
 //! | resistance astern | UFC 4-159-03 (`resistance.rs`) | found in a stored copy of the manual |
@@ -18,8 +18,8 @@
 
 mod clarke;
 mod known;
+mod method;
 mod resistance;
-mod route;
 mod stern;
 mod yoshimura_masumoto;
 
@@ -32,7 +32,7 @@ use super::particulars::Particulars;
 use super::vessels::{Figure, Source, Standing};
 
 pub use known::{Known, SternCoefficients, SternGear};
-pub use route::{HELD_AGAINST_SHIPS, Outside, Ratio, Route};
+pub use method::{EstimateMethod, Ratio, RatioOutOfRange, VALIDATED_RATIOS};
 
 /// A ship of which something was estimated.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,41 +42,41 @@ pub struct Estimated {
     /// What had to be estimated, and by what.
     pub sources: Vec<Source>,
     /// By which formulas her hull, propeller or rudder were estimated; `None` where they are her own.
-    pub route: Option<Route>,
+    pub method: Option<EstimateMethod>,
     /// Where that was outside the range in which the formulas were held against ships.
-    pub outside: Vec<Outside>,
+    pub outside: Vec<RatioOutOfRange>,
 }
 
-/// The model of a ship from what is known of her, by the route for her particulars.
+/// The model of a ship from what is known of her, by the method for her particulars.
 ///
 /// # Errors
 /// Numbers that no ship has, or particulars for which the regression of added mass does not hold.
 pub fn estimated(known: &Known) -> Result<Estimated, HydroError> {
-    estimated_by(Route::of(&known.particulars), known)
+    estimated_by(EstimateMethod::of(&known.particulars), known)
 }
 
-/// The same by a route that is asked for.
+/// The same by a method that is asked for.
 ///
 /// # Errors
 /// As [`estimated`].
-pub fn estimated_by(route: Route, known: &Known) -> Result<Estimated, HydroError> {
+pub fn estimated_by(method: EstimateMethod, known: &Known) -> Result<Estimated, HydroError> {
     let ship = known.particulars.check()?;
     let mut sources = Vec::new();
     let added_mass = match known.added_mass {
         Some(added_mass) => added_mass,
         None => added_mass(&ship, &mut sources)?,
     };
-    let hull = hull(route, known, &ship, &added_mass, &mut sources);
+    let hull = hull(method, known, &ship, &added_mass, &mut sources);
     let propulsion = match &known.gear {
-        Some(gear) => Some(stern::propulsion(route, &ship, gear, &mut sources)?),
+        Some(gear) => Some(stern::propulsion(method, &ship, gear, &mut sources)?),
         None => None,
     };
     let model = Mmg { particulars: ship, added_mass, hull, propulsion }.check()?;
     let hull_is_hers = known.polynomial.is_some() || known.low_speed.is_some();
     let stern_is_hers = known.gear.as_ref().is_none_or(|gear| stern::is_hers(&gear.own));
-    let used = (!(hull_is_hers && stern_is_hers)).then_some(route);
-    let outside = used.map_or_else(Vec::new, |route| route.outside(&ship));
-    Ok(Estimated { model, sources, route: used, outside })
+    let used = (!(hull_is_hers && stern_is_hers)).then_some(method);
+    let outside = used.map_or_else(Vec::new, |method| method.outside(&ship));
+    Ok(Estimated { model, sources, method: used, outside })
 }
 
 fn told(group: &str, figures: Vec<Figure>, source: &str, standing: Standing) -> Source {
@@ -105,7 +105,7 @@ fn added_mass(ship: &Particulars, all: &mut Vec<Source>) -> Result<AddedMass, Hy
 }
 
 fn hull(
-    route: Route,
+    method: EstimateMethod,
     known: &Known,
     ship: &Particulars,
     added: &AddedMass,
@@ -114,7 +114,7 @@ fn hull(
     let hull = match (known.polynomial, known.low_speed) {
         (under_way, Some(low_speed)) => return Hull { under_way, low_speed },
         (Some(polynomial), None) => Hull::from_polynomial(polynomial, ship, added),
-        (None, None) => estimated_hull(route, ship, added, all),
+        (None, None) => estimated_hull(method, ship, added, all),
     };
     if hull.under_way.is_some() {
         all.push(told(
@@ -143,14 +143,14 @@ fn hull(
 
 /// A hull of which only particulars are known.
 fn estimated_hull(
-    route: Route,
+    method: EstimateMethod,
     ship: &Particulars,
     added: &AddedMass,
     all: &mut Vec<Source>,
 ) -> Hull {
     let ahead = resistance::ahead(ship);
-    let mut hull = match route {
-        Route::YoshimuraMasumoto => {
+    let mut hull = match method {
+        EstimateMethod::YoshimuraMasumoto => {
             let polynomial = Polynomial::Drift(yoshimura_masumoto::polynomial(ship, added, ahead));
             all.push(told(
                 "hull under way",
@@ -160,7 +160,7 @@ fn estimated_hull(
             ));
             Hull::from_polynomial(polynomial, ship, added)
         }
-        Route::Clarke => {
+        EstimateMethod::Clarke => {
             let low_speed = LowSpeedHull::from_linear(&clarke::linear(ship, ahead), ship);
             all.push(told(
                 "linear hull derivatives",

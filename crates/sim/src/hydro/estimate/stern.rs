@@ -1,9 +1,9 @@
-//! Propeller and rudder behind the hull: what is known of them, and the route's formulas for the rest.
+//! Propeller and rudder behind the hull: what is known of them, and the method's formulas for the rest.
 
 use fenderline_contact::number::{greater, lesser};
 
 use super::known::{SternCoefficients, SternGear};
-use super::route::Route;
+use super::method::EstimateMethod;
 use super::{told, yoshimura_masumoto};
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::mmg::{Propulsion, Wake};
@@ -19,7 +19,7 @@ const DEDUCTION_ASTERN: f64 = 0.314;
 /// x'_P of a ship of which it is not known.
 const PROPELLER_PLACE: f64 = -0.48;
 
-/// What the route says of the wake in a turn.
+/// What the method says of the wake in a turn.
 struct WakeChange {
     rate: f64,
     limit: f64,
@@ -30,9 +30,9 @@ impl WakeChange {
     /// Hard over the propeller leaves the wake: C₂ = 1/(1 − w₀) gives back all of it. Of the two ships whose change is
     /// known KVLCC2 gets 65 % back (mean of both sides, C₁ 2.0) and Esso Osaka 111 % (C₁ 1.4).
     /// A set of hers that has a wake and no change of it was made without one.
-    fn by(route: Route, own_wake: Option<f64>, wake: f64) -> WakeChange {
-        match route {
-            Route::YoshimuraMasumoto if own_wake.is_none() => WakeChange {
+    fn by(method: EstimateMethod, own_wake: Option<f64>, wake: f64) -> WakeChange {
+        match method {
+            EstimateMethod::YoshimuraMasumoto if own_wake.is_none() => WakeChange {
                 rate: 2.0,
                 limit: 1.0 / (1.0 - wake),
                 source: (
@@ -50,7 +50,7 @@ impl WakeChange {
     }
 }
 
-/// What the route says of rudder, race and hull.
+/// What the method says of rudder, race and hull.
 struct Interaction {
     wake_ratio: f64,
     race_gain: f64,
@@ -63,9 +63,9 @@ struct Interaction {
 }
 
 impl Interaction {
-    fn by(route: Route, ship: &Particulars, wake: f64) -> Interaction {
-        match route {
-            Route::YoshimuraMasumoto => {
+    fn by(method: EstimateMethod, ship: &Particulars, wake: f64) -> Interaction {
+        match method {
+            EstimateMethod::YoshimuraMasumoto => {
                 let wake_ratio = yoshimura_masumoto::wake_ratio(wake);
                 Interaction {
                     wake_ratio,
@@ -78,7 +78,7 @@ impl Interaction {
                     source: ("Yoshimura & Masumoto (2012), as in public programs", Standing::Found),
                 }
             }
-            Route::Clarke => Interaction {
+            EstimateMethod::Clarke => Interaction {
                 wake_ratio: 1.0,
                 race_gain: 0.5,
                 straightening: [0.4, 0.5],
@@ -92,7 +92,7 @@ impl Interaction {
     }
 }
 
-/// Is everything her own that the route would estimate?
+/// Is everything her own that the method would estimate?
 pub(super) fn is_hers(own: &SternCoefficients) -> bool {
     let numbers = [
         own.wake_ratio,
@@ -132,7 +132,7 @@ impl Missing<'_> {
 /// # Errors
 /// A propeller or a rudder that no ship of her size has.
 pub(super) fn propulsion(
-    route: Route,
+    method: EstimateMethod,
     ship: &Particulars,
     gear: &SternGear,
     all: &mut Vec<Source>,
@@ -165,7 +165,7 @@ pub(super) fn propulsion(
         taylor,
         ("w = 0.5 Cb − 0.05, Taylor, as in public programs", Standing::Found),
     );
-    let usual = Interaction::by(route, ship, wake);
+    let usual = Interaction::by(method, ship, wake);
     let by = usual.source;
     let astern = match own.thrust_deduction {
         None => (0.6 * wake, ("as ahead", Standing::Assumed)),
@@ -188,7 +188,7 @@ pub(super) fn propulsion(
     );
     let (rate, limits) = own.wake_change.unwrap_or_else(|| {
         let WakeChange { rate, limit, source: (source, standing) } =
-            WakeChange::by(route, own.wake, wake);
+            WakeChange::by(method, own.wake, wake);
         let figures = vec![Figure::of("C₁", rate, ""), Figure::of("C₂", limit, "")];
         missing.all.push(told("wake in a turn", figures, source, standing));
         (rate, [limit; 2])

@@ -27,7 +27,7 @@ const HOERNER: [[f64; 2]; 20] = [
     [4.0031, 0.5593],
 ];
 
-/// Drag coefficient of a midship section by its beam and draught [m], linear between the points of
+/// Drag coefficient of a midship section by its beam and draught (m), linear between the points of
 /// Hoerner's curve and constant beyond its ends.
 pub fn hoerner_drag_coefficient(beam_m: f64, draught_m: f64) -> f64 {
     let ratio = 0.5 * beam_m / draught_m;

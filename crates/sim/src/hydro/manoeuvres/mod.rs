@@ -9,9 +9,9 @@ mod turning;
 mod zig_zag;
 
 pub use steady::{Crabbing, bollard_pull_n, crabbing, self_propulsion_rps};
-pub use stop::{CrashStop, crash_stop, crash_stop_watched};
-pub use turning::{SteadyTurn, TurningCircle, turning_circle, turning_circle_watched};
-pub use zig_zag::{ZigZag, zig_zag, zig_zag_watched};
+pub use stop::{CrashStop, crash_stop, crash_stop_observed};
+pub use turning::{SteadyTurn, TurningCircle, turning_circle, turning_circle_observed};
+pub use zig_zag::{ZigZag, zig_zag, zig_zag_observed};
 
 use std::fmt;
 
@@ -27,14 +27,14 @@ pub enum ManoeuvreError {
     NoPropeller,
     /// No revolutions within the propeller's range hold the speed.
     NoBalance {
-        /// The speed [m/s].
+        /// The speed (m/s).
         speed_mps: f64,
     },
     /// Something that ends the manoeuvre did not happen in time.
     NotReached {
         /// What.
         what: &'static str,
-        /// How long it was waited for [s].
+        /// How long it was waited for (s).
         after_s: f64,
     },
 }
@@ -58,13 +58,13 @@ impl std::error::Error for ManoeuvreError {}
 /// How a manoeuvre begins and is stepped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
-    /// Speed [m/s].
+    /// Speed (m/s).
     pub speed_mps: f64,
-    /// Revolutions [1/s].
+    /// Revolutions (1/s).
     pub shaft_rps: f64,
     /// Rudder amidships, with its rate and stop.
     pub steering: RateLimited,
-    /// Time step [s].
+    /// Time step (s).
     pub step_s: f64,
 }
 
@@ -87,7 +87,7 @@ impl Approach {
 /// Where a ship is within a manoeuvre, after each step: what a track is drawn from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
-    /// Time since the order [s].
+    /// Time since the order (s).
     pub time_s: f64,
     /// Place, heading and velocity; north is the course of the approach.
     pub motion: Motion,
@@ -129,7 +129,7 @@ impl<'a> Trial<'a> {
         (self.watch)(&Moment { time_s: self.time_s, motion: self.motion, controls });
     }
 
-    /// One step under an order of rudder [rad] and revolutions [1/s]; the controls are those of mid-step.
+    /// One step under an order of rudder (rad) and revolutions (1/s); the controls are those of mid-step.
     fn advance(&mut self, rudder_rad: f64, shaft_rps: f64) {
         let half_s = 0.5 * self.step_s;
         self.steering.step(rudder_rad, half_s);

@@ -7,7 +7,7 @@ use crate::hydro::quantities::{Controls, Force, Velocity};
 /// Halvings of an interval: enough for every bit of a double.
 const HALVINGS: usize = 60;
 
-/// Revolutions [1/s] at which thrust and resistance balance on a straight course.
+/// Revolutions (1/s) at which thrust and resistance balance on a straight course.
 ///
 /// # Errors
 /// [`ManoeuvreError::NoPropeller`]; [`ManoeuvreError::NoBalance`] where none between 0 and
@@ -31,7 +31,7 @@ pub fn self_propulsion_rps(model: &Model3, speed_mps: f64) -> Result<f64, Manoeu
     Ok(0.5 * (low + high))
 }
 
-/// Pull [N] on a line to a bollard at revolutions [1/s]: the force ahead at rest, less thrust deduction.
+/// Pull (N) on a line to a bollard at revolutions (1/s): the force ahead at rest, less thrust deduction.
 ///
 /// # Errors
 /// [`ManoeuvreError::NoPropeller`].
@@ -46,13 +46,13 @@ pub fn bollard_pull_n(model: &Model3, shaft_rps: f64) -> Result<f64, ManoeuvreEr
 /// What a ship does under a steady side force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crabbing {
-    /// Speed across, to starboard [m/s].
+    /// Speed across, to starboard (m/s).
     pub sway_mps: f64,
-    /// Speed ahead that comes with it [m/s].
+    /// Speed ahead that comes with it (m/s).
     pub surge_mps: f64,
-    /// Rate of turn that comes with it [rad/s].
+    /// Rate of turn that comes with it (rad/s).
     pub yaw_radps: f64,
-    /// Time to 90 % of the speed across [s].
+    /// Time to 90 % of the speed across (s).
     pub rise_s: f64,
 }
 

@@ -9,15 +9,15 @@ const PATIENCE: f64 = 200.0;
 /// The measures of a crash stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrashStop {
-    /// Way along the track until the ship lies still ahead [m].
+    /// Way along the track until the ship lies still ahead (m).
     pub track_reach_m: f64,
-    /// Way along the course of the approach [m].
+    /// Way along the course of the approach (m).
     pub head_reach_m: f64,
-    /// Way across it, positive to starboard [m].
+    /// Way across it, positive to starboard (m).
     pub lateral_m: f64,
-    /// Change of heading, positive to starboard [rad].
+    /// Change of heading, positive to starboard (rad).
     pub heading_rad: f64,
-    /// Time [s].
+    /// Time (s).
     pub time_s: f64,
 }
 
@@ -38,14 +38,14 @@ pub fn crash_stop(
     astern_rps: f64,
     shaft_rate_rps2: f64,
 ) -> Result<CrashStop, ManoeuvreError> {
-    crash_stop_watched(model, approach, astern_rps, shaft_rate_rps2, &mut |_| {})
+    crash_stop_observed(model, approach, astern_rps, shaft_rate_rps2, &mut |_| {})
 }
 
 /// [`crash_stop`], showing every step to `watch`.
 ///
 /// # Errors
 /// As [`crash_stop`].
-pub fn crash_stop_watched(
+pub fn crash_stop_observed(
     model: &Model3,
     approach: &Approach,
     astern_rps: f64,

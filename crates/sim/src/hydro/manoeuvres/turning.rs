@@ -5,22 +5,22 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::{Model3, Motion};
 
-/// Time that a turn may take [s], in lengths over speed of approach.
+/// Time that a turn may take (s), in lengths over speed of approach.
 const PATIENCE: f64 = 400.0;
 
 /// The measures of a turning circle, of midship, from the start of the rudder; lengths are positive to
 /// the side of the turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningCircle {
-    /// Advance at 90° [m].
+    /// Advance at 90° (m).
     pub advance_m: f64,
-    /// Transfer at 90° [m].
+    /// Transfer at 90° (m).
     pub transfer_m: f64,
-    /// Time to 90° [s].
+    /// Time to 90° (s).
     pub quarter_s: f64,
-    /// Tactical diameter: transfer at 180° [m].
+    /// Tactical diameter: transfer at 180° (m).
     pub tactical_diameter_m: f64,
-    /// Time to 180° [s].
+    /// Time to 180° (s).
     pub half_s: f64,
     /// The turn after two full circles.
     pub steady: SteadyTurn,
@@ -33,13 +33,13 @@ pub struct SteadyTurn {
     pub speed_ratio: f64,
     /// r' = rL/U, positive to starboard.
     pub yaw_rate: f64,
-    /// Drift angle β [rad], positive where the ship slides to port.
+    /// Drift angle β (rad), positive where the ship slides to port.
     pub drift_rad: f64,
-    /// Diameter of midship's circle [m].
+    /// Diameter of midship's circle (m).
     pub diameter_m: f64,
 }
 
-/// Turns with the rudder at an angle [rad] until 720° and gives the measures.
+/// Turns with the rudder at an angle (rad) until 720° and gives the measures.
 ///
 /// # Errors
 /// [`ManoeuvreError::NotReached`] for a rudder that does not turn the ship.
@@ -48,14 +48,14 @@ pub fn turning_circle(
     approach: &Approach,
     rudder_rad: f64,
 ) -> Result<TurningCircle, ManoeuvreError> {
-    turning_circle_watched(model, approach, rudder_rad, &mut |_| {})
+    turning_circle_observed(model, approach, rudder_rad, &mut |_| {})
 }
 
 /// [`turning_circle`], showing every step to `watch`.
 ///
 /// # Errors
 /// As [`turning_circle`].
-pub fn turning_circle_watched(
+pub fn turning_circle_observed(
     model: &Model3,
     approach: &Approach,
     rudder_rad: f64,

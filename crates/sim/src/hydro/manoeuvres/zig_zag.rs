@@ -11,18 +11,18 @@ const PATIENCE: f64 = 100.0;
 /// The measures of a zig-zag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ZigZag {
-    /// First overshoot: the greatest heading beyond the check angle after the second execute [rad].
+    /// First overshoot: the greatest heading beyond the check angle after the second execute (rad).
     pub first_overshoot_rad: f64,
-    /// Second overshoot, after the third execute [rad].
+    /// Second overshoot, after the third execute (rad).
     pub second_overshoot_rad: f64,
-    /// Time from the first execute to the second [s].
+    /// Time from the first execute to the second (s).
     pub second_execute_s: f64,
-    /// Distance sailed until the second execute: IMO's initial turning ability [m].
+    /// Distance sailed until the second execute: IMO's initial turning ability (m).
     pub initial_turning_m: f64,
 }
 
 /// Rudder to `rudder_rad`, over to the other side whenever the heading has changed by `check_rad` (both
-/// angles [rad]; the rudder's sign is the side of the first execute). The 10/10 manoeuvre has both at 10°.
+/// angles (rad); the rudder's sign is the side of the first execute). The 10/10 manoeuvre has both at 10°.
 ///
 /// # Errors
 /// [`ManoeuvreError::NotReached`] for a ship that does not answer her rudder.
@@ -32,14 +32,14 @@ pub fn zig_zag(
     rudder_rad: f64,
     check_rad: f64,
 ) -> Result<ZigZag, ManoeuvreError> {
-    zig_zag_watched(model, approach, rudder_rad, check_rad, &mut |_| {})
+    zig_zag_observed(model, approach, rudder_rad, check_rad, &mut |_| {})
 }
 
 /// [`zig_zag`], showing every step to `watch`.
 ///
 /// # Errors
 /// As [`zig_zag`].
-pub fn zig_zag_watched(
+pub fn zig_zag_observed(
     model: &Model3,
     approach: &Approach,
     rudder_rad: f64,
@@ -62,7 +62,7 @@ pub fn zig_zag_watched(
 }
 
 impl Trial<'_> {
-    /// Steps until the heading is `check_rad` to a side; the distance sailed [m].
+    /// Steps until the heading is `check_rad` to a side; the distance sailed (m).
     fn heading_to(
         &mut self,
         rudder_rad: f64,
@@ -83,7 +83,7 @@ impl Trial<'_> {
         Ok(sailed_m)
     }
 
-    /// Steps until the ship swings back; the greatest heading to the side [rad].
+    /// Steps until the ship swings back; the greatest heading to the side (rad).
     fn swing(&mut self, rudder_rad: f64, side: f64) -> Result<f64, ManoeuvreError> {
         let patience_s = self.leg_s();
         let mut greatest_rad = side * self.motion.heading_rad;

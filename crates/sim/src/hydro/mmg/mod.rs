@@ -65,7 +65,7 @@ pub struct Parts {
 }
 
 impl Mmg {
-    /// Surge and sway force [N] and yaw moment [N m] about midship: X, Y, N.
+    /// Surge and sway force (N) and yaw moment (N m) about midship: X, Y, N.
     pub fn forces(&self, velocity: &Velocity, controls: &Controls, water: Water) -> Force {
         let Parts { hull, propeller, rudder } = self.parts(velocity, controls, water);
         hull + propeller + rudder

@@ -10,7 +10,7 @@ use crate::hydro::quantities::{Force, Velocity, Water};
 pub enum Polynomial {
     /// In v' = v/U and r' = rL/U (Yasukawa & Yoshimura 2015). Holds no term of the added mass.
     Sway(SwayPolynomial),
-    /// In the drift angle β [rad] and r' (the form of Yoshimura & Masumoto). Xβr holds −m'y and Yr holds
+    /// In the drift angle β (rad) and r' (the form of Yoshimura & Masumoto). Xβr holds −m'y and Yr holds
     /// −m'x: the added mass' Coriolis terms are within.
     Drift(DriftPolynomial),
     /// No polynomial: the form for low speed, with the cross-flow drag that a ship under way has in shallow water, where

@@ -8,7 +8,7 @@ use crate::hydro::quantities::Water;
 /// Drag coefficient of a hull abeam where no water passes under her keel, UFC 4-159-03 (recalled).
 const BLOCKED_DRAG: f64 = 3.2;
 
-/// Force [N] of a current abeam on a ship that lies in water of a depth, UFC 4-159-03:
+/// Force (N) of a current abeam on a ship that lies in water of a depth, UFC 4-159-03:
 /// ½ρ V² L T C_y, C_y = C₀ + (3.2 − C₀)(T/h)², C₀ = 0.22 √(L² A_m/(B∇)), of the current's sign.
 ///
 /// `midship_coefficient` is A_m/(B T).

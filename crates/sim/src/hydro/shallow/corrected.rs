@@ -9,7 +9,7 @@ use crate::hydro::particulars::Particulars;
 use crate::hydro::rudder::Rudder;
 
 impl Corrections {
-    /// A ship in deep water, as she is in water of a depth [m], which must be deeper than her draught.
+    /// A ship in deep water, as she is in water of a depth (m), which must be deeper than her draught.
     ///
     /// The cross-flow drag of a ship which crabs, drifts or lies at her berth grows by [`shallow_cross_flow_drag`]; that
     /// of a ship under way does not. How she moves decides, as in [`crate::hydro::polynomial_weight`]: a ship without a

@@ -128,7 +128,7 @@ pub struct Corrections {
 }
 
 impl Corrections {
-    /// Of a set, for a ship in water of a depth [m], which may be infinite; held below [`SHALLOWEST_RATIO`] draughts.
+    /// Of a set, for a ship in water of a depth (m), which may be infinite; held below [`SHALLOWEST_RATIO`] draughts.
     ///
     /// # Panics
     /// With a depth that is no number.

@@ -6,12 +6,12 @@ use super::draught_over_depth;
 use crate::hydro::error::HydroError;
 use crate::hydro::particulars::Particulars;
 
-/// Acceleration of gravity [m/s²].
+/// Acceleration of gravity (m/s²).
 const GRAVITY_MPS2: f64 = 9.806_65;
 /// Knots in a metre a second.
 const KNOTS: f64 = 3600.0 / 1852.0;
 
-/// Largest squat in open shallow water by Barrass: Cb V²/100 [m], V in knots. For h/T 1.1 to 1.4.
+/// Largest squat in open shallow water by Barrass: Cb V²/100 (m), V in knots. For h/T 1.1 to 1.4.
 ///
 /// # Errors
 /// [`HydroError::Aground`].
@@ -26,7 +26,7 @@ pub fn barrass_squat_m(
 }
 
 /// Squat at the bow by ICORELS (1980), with the 2.4 of open water; some authorities take 2.0 for container ships and 1.7
-/// for fine ones: 2.4 ∇/L² Fh²/√(1 − Fh²) [m], Fh = V/√(gh).
+/// for fine ones: 2.4 ∇/L² Fh²/√(1 − Fh²) (m), Fh = V/√(gh).
 ///
 /// # Errors
 /// [`HydroError::Aground`]; [`HydroError::Supercritical`] from Fh = 1.
@@ -45,7 +45,7 @@ pub fn icorels_squat_m(
 }
 
 /// Squat at the bow in unrestricted shallow water by Eryuzlu et al. (1994):
-/// 0.298 h²/T (V/√(gT))^2.289 (h/T)^−2.972 [m].
+/// 0.298 h²/T (V/√(gT))^2.289 (h/T)^−2.972 (m).
 ///
 /// # Errors
 /// [`HydroError::Aground`].

@@ -31,11 +31,11 @@ use waterline::Waterline;
 /// A hull that waves drift away.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriftHull {
-    /// Length on the waterline [m].
+    /// Length on the waterline (m).
     pub length_m: f64,
-    /// Beam [m].
+    /// Beam (m).
     pub beam_m: f64,
-    /// Draught [m].
+    /// Draught (m).
     pub draught_m: f64,
     /// Block coefficient.
     pub block_coefficient: f64,
@@ -66,8 +66,8 @@ impl DriftHull {
     }
 
     /// Mean force to starboard of and along the bow, and moment about midship, over ρga², in a regular wave of
-    /// amplitude a and wave number k > 0 [rad/m] that runs towards μ from the bow [rad]: [X, Y, N] in
-    /// [m, m, m²].
+    /// amplitude a and wave number k > 0 (rad/m) that runs towards μ from the bow (rad): [X, Y, N] in
+    /// (m, m, m²).
     #[must_use]
     pub fn coefficients(&self, number_radpm: f64, direction_rad: f64) -> [f64; 3] {
         let reflected = Waterline::of(self).reflection(direction_rad);
@@ -85,8 +85,8 @@ impl DriftHull {
     }
 }
 
-/// The mean drift force of a sea on a hull, [X, Y, N] about midship in [N, N, N·m], by her heading and her velocity
-/// through the water, north and east [m/s]: ρg Σ a²·C(k, μ) over the sea's harmonics, which is the integral of
+/// The mean drift force of a sea on a hull, [X, Y, N] about midship in (N, N, N·m), by her heading and her velocity
+/// through the water, north and east (m/s): ρg Σ a²·C(k, μ) over the sea's harmonics, which is the integral of
 /// 2ρg S(ω)·C over the spectrum.
 #[must_use]
 pub fn mean_drift(

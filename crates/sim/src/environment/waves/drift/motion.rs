@@ -13,7 +13,7 @@ const BEAM_OVER_DRAUGHT: [f64; 2] = [2.0, 9.0];
 const PITCH_GYRATION: f64 = 0.25;
 
 /// The part of the SNNM method (ITTC 7.5-04-01-01.1; Liu & Papanikolaou 2020, see [`super::depth`]) that is due to
-/// motions, for a ship at rest on an even keel, over ρga² [m], forward. In its angle α the wave comes from ahead at 0.
+/// motions, for a ship at rest on an even keel, over ρga² (m), forward. In its angle α the wave comes from ahead at 0.
 ///
 /// 4 B²/L · 241.2 C_B^1.34 k_yy² a₁ a₂ ω̄^b₁ exp(b₁/d₁ (1 − ω̄^d₁)), ω̄ over the frequency at which it is largest.
 pub(super) fn surge_m(hull: &DriftHull, number_radpm: f64, direction_rad: f64) -> f64 {

@@ -34,7 +34,7 @@ impl Waterline {
     }
 
     /// ½∫sin²θ n dl over what waves towards μ meet, n into the hull and θ between wave and side: [X, Y, N] over
-    /// ρga², [m, m, m²]. What lies in the lee of something else is taken to be met, as the hull is convex.
+    /// ρga², (m, m, m²). What lies in the lee of something else is taken to be met, as the hull is convex.
     pub(super) fn reflection(&self, direction_rad: f64) -> [f64; 3] {
         let towards = [libm::cos(direction_rad), libm::sin(direction_rad)];
         let mut sum = [0.0; 3];
@@ -62,7 +62,7 @@ impl Waterline {
         sum
     }
 
-    /// The corners of the starboard side from the stern on: [forward of midship, half beam] [m].
+    /// The corners of the starboard side from the stern on: [forward of midship, half beam] (m).
     fn corner(&self, index: u32) -> [f64; 2] {
         let share = |number: u32| f64::from(number) / f64::from(CHORDS);
         let half_beam = |share: f64| self.half_beam_m * share * (2.0 - share);

@@ -1,0 +1,77 @@
+//! `fenderline serve` and `fenderline replay`: the command line of the live server.
+
+use fenderline_serve::{Options, Replayed, ServeError, Server};
+
+use crate::cli::{ReplayArgs, ServeArgs};
+use crate::failure::Failure;
+use crate::interrupt::stop_on_interrupt;
+use crate::progress::Progress;
+use crate::terminal::{say, tell};
+
+/// Serves until it is interrupted.
+///
+/// # Errors
+/// Bad input: a scenario, an address or a page that cannot be used. A port that is taken.
+pub(crate) fn serve(args: &ServeArgs) -> Result<(), Failure> {
+    let options = Options {
+        scenario: args.scenario.clone(),
+        set: args.set.clone(),
+        bind: args.bind,
+        port: args.port,
+        allow_remote: args.allow_remote,
+        host_names: args.host.clone(),
+        page: args.page.clone(),
+        gallery: args.gallery.clone(),
+        sessions: args.sessions.clone(),
+        is_paused: args.paused,
+        nmea_tcp: args.nmea_tcp,
+        nmea_udp: args.nmea_udp,
+        origin: args.origin,
+        notify: tell,
+    };
+    let server = with_progress(|progress| Server::start(&options, progress))?;
+    let interrupted = stop_on_interrupt()
+        .map_err(|e| Failure::case(format_args!("error: Ctrl-C cannot be heard: {e}")))?;
+    say(server.greeting())?;
+    let recording = server.run(interrupted)?;
+    say(&format!("recorded: {}\n", recording.display()))
+}
+
+/// Replays a recorded session and compares every recorded state.
+///
+/// # Errors
+/// A file that is no recording or is damaged; a session whose replay differs in any bit.
+pub(crate) fn replay(args: &ReplayArgs) -> Result<(), Failure> {
+    let replayed = with_progress(|progress| fenderline_serve::replay(&args.session, progress))?;
+    let Replayed { title, branches, ticks, equal_states, incomplete } = replayed;
+    let whole = match incomplete {
+        None => "whole",
+        Some(what) => {
+            tell(&format!("notice: {}: {what}", args.session.display()));
+            "without its end"
+        }
+    };
+    say(&format!(
+        "{title}: {branches} branches, {ticks} ticks, {whole}; the same bits in all {equal_states} recorded states\n"
+    ))
+}
+
+/// Shows a bar while `replay` reports ticks done and their total.
+fn with_progress<T>(
+    replay: impl FnOnce(&mut dyn FnMut(u64, u64)) -> Result<T, ServeError>,
+) -> Result<T, Failure> {
+    let mut bar = None;
+    let done = replay(&mut |done, of| {
+        bar.get_or_insert_with(|| Progress::new(of)).advance(done);
+    });
+    Ok(done?)
+}
+
+impl From<ServeError> for Failure {
+    fn from(error: ServeError) -> Failure {
+        match error {
+            ServeError::Input(text) => Failure::Input(text),
+            ServeError::Failed(text) => Failure::Case(text),
+        }
+    }
+}

@@ -1,0 +1,285 @@
+//! A chart: series over two axes.
+
+use fenderline_contact::number::greater;
+
+use core::fmt::Write as _;
+
+use maud::{Markup, html};
+
+use super::axis::{Axis, Fitted};
+use super::series::{Drawn, Point, Series};
+use super::{colour, dash};
+
+/// A chart to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Printed above the chart.
+    pub title: String,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// What to draw, in the units of the axes.
+    pub series: Vec<Series>,
+    /// Horizontal lines, such as a limit or an expected value.
+    pub references: Vec<Reference>,
+    /// Charts of the same group share the read-out under the pointer; `None`: no read-out.
+    pub linked: Option<&'static str>,
+    /// Printed small below the chart; empty for none.
+    pub note: String,
+}
+
+/// A horizontal line of a chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reference {
+    /// Printed at the line's end.
+    pub label: String,
+    /// Where, in the unit of the vertical axis.
+    pub value: f64,
+}
+
+const WIDTH: f64 = 720.0;
+/// Four charts go on a page of A4.
+const HEIGHT: f64 = 216.0;
+const TOP: f64 = 10.0;
+const BOTTOM: f64 = 40.0;
+const RIGHT: f64 = 16.0;
+/// Least left margin: charts of a page line up unless their numbers are long (px).
+const LEAST_LEFT: f64 = 66.0;
+/// Mean width of a digit at the size of the tick labels (px).
+const DIGIT: f64 = 6.4;
+/// Points closer than this to the one before are not drawn (px).
+const FINEST: f64 = 0.05;
+
+/// A chart with its axes fitted and its area measured.
+struct Area {
+    x: Fitted,
+    y: Fitted,
+    left: f64,
+}
+
+impl Area {
+    fn of(chart: &Chart) -> Area {
+        let points = || chart.series.iter().flat_map(|s| &s.points);
+        let references = chart.references.iter().map(|r| r.value);
+        let x = chart.x.fit(points().map(|p| p.x), 10);
+        let y = chart.y.fit(points().map(|p| p.y).chain(references), 5);
+        let longest = y.ticks().iter().map(|(_, label)| label.chars().count()).max().unwrap_or(1);
+        let left = 30.0 + DIGIT * u32::try_from(longest).map_or(20.0, f64::from);
+        let left = greater(left, LEAST_LEFT);
+        Area { x, y, left }
+    }
+
+    fn right(&self) -> f64 {
+        WIDTH - RIGHT
+    }
+
+    fn base(&self) -> f64 {
+        HEIGHT - BOTTOM
+    }
+
+    fn px(&self, x: f64) -> f64 {
+        self.left + self.x.share(x) * (self.right() - self.left)
+    }
+
+    fn py(&self, y: f64) -> f64 {
+        self.base() - self.y.share(y) * (self.base() - TOP)
+    }
+}
+
+impl Chart {
+    /// The chart as a `figure` with its title, legend and note.
+    pub fn render(&self) -> Markup {
+        let area = Area::of(self);
+        let is_empty = self.series.iter().all(|s| s.points.is_empty());
+        html! {
+            figure class="chart" {
+                figcaption { (self.title) }
+                @if self.series.len() > 1 { (self.legend()) }
+                svg viewBox={ "0 0 " (WIDTH) " " (HEIGHT) } role="img" aria-label=(self.title)
+                    data-link=[self.linked]
+                    data-x=(format!("{} {} {:.2} {:.2}", area.x.lo, area.x.hi, area.left, area.right()))
+                    data-y=(format!("{} {} {:.2} {:.2}", area.y.lo, area.y.hi, area.base(), TOP))
+                    data-xunit=(self.x.unit()) data-unit=(self.y.unit()) {
+                    (self.axes(&area))
+                    @for reference in &self.references { (reference_line(reference, &area)) }
+                    @for (index, series) in self.series.iter().enumerate() {
+                        (drawn_series(series, series.style.unwrap_or(index), &area))
+                    }
+                    @if is_empty {
+                        text x=((area.left + area.right()) / 2.0) y=((TOP + area.base()) / 2.0)
+                            text-anchor="middle" { "no data" }
+                    }
+                }
+                @if !self.note.is_empty() { p class="note" { (self.note) } }
+            }
+        }
+    }
+
+    fn legend(&self) -> Markup {
+        html! {
+            ul class="legend" {
+                @for (index, series) in self.series.iter().enumerate() {
+                    @let style = series.style.unwrap_or(index);
+                    li {
+                        svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
+                            @if series.drawn != Drawn::Marks {
+                                path d="M1,6H29" fill="none" stroke=(colour(style))
+                                    stroke-width="1.8" stroke-dasharray=(dash(style)) {}
+                            }
+                            @if series.drawn != Drawn::Line { (mark(style, 15.0, 6.0)) }
+                        }
+                        (series.name)
+                    }
+                }
+            }
+        }
+    }
+
+    fn axes(&self, area: &Area) -> Markup {
+        let (left, right, base) = (area.left, area.right(), area.base());
+        let (mut grid, mut zero) = (String::new(), None);
+        for (value, _) in area.x.ticks() {
+            let _ = write!(grid, "M{:.1},{TOP}V{base}", area.px(value));
+        }
+        for (value, _) in area.y.ticks() {
+            let _ = write!(grid, "M{left:.1},{:.1}H{right}", area.py(value));
+            if value == 0.0 && area.y.lo < 0.0 {
+                zero = Some(area.py(value));
+            }
+        }
+        let middle = (TOP + base) / 2.0;
+        html! {
+            path class="grid" d=(grid) {}
+            @if let Some(y) = zero { path class="zero" d=(format!("M{left:.1},{y:.1}H{right}")) {} }
+            path class="frame" d=(format!("M{left:.1},{TOP}V{base}H{right}")) {}
+            g class="ticks" {
+                @for (value, label) in area.x.ticks() {
+                    text x=(format!("{:.1}", area.px(value))) y=(base + 15.0) text-anchor="middle" {
+                        (label)
+                    }
+                }
+                @for (value, label) in area.y.ticks() {
+                    text x=(format!("{:.1}", left - 6.0))
+                        y=(format!("{:.1}", area.py(value) + 3.8)) text-anchor="end" { (label) }
+                }
+            }
+            text class="axis" x=(format!("{:.1}", (left + right) / 2.0)) y=(HEIGHT - 6.0)
+                text-anchor="middle" { (self.x.title()) }
+            text class="axis" text-anchor="middle"
+                transform=(format!("translate(12 {middle:.1}) rotate(-90)")) { (self.y.title()) }
+        }
+    }
+}
+
+fn reference_line(reference: &Reference, area: &Area) -> Markup {
+    let y = area.py(reference.value);
+    // On the side away from zero, where there is less else.
+    let text_y = if reference.value < 0.0 { y + 12.0 } else { y - 4.0 };
+    html! {
+        path class="reference" d=(format!("M{:.1},{y:.1}H{}", area.left, area.right())) {}
+        text class="reference halo" x=(area.right() - 3.0) y=(format!("{text_y:.1}"))
+            text-anchor="end" { (reference.label) }
+    }
+}
+
+fn drawn_series(series: &Series, style: usize, area: &Area) -> Markup {
+    html! {
+        @if series.drawn != Drawn::Marks {
+            path class="line" data-name=(series.name) d=(path_of(&series.points, area))
+                stroke=(colour(style)) stroke-dasharray=(dash(style)) {}
+        }
+        @if series.drawn != Drawn::Line {
+            @for p in series.points.iter().filter(|p| p.x.is_finite() && p.y.is_finite()) {
+                (mark(style, area.px(p.x), area.py(p.y)))
+            }
+        }
+    }
+}
+
+/// The line through the points; a point that is not finite breaks it.
+fn path_of(points: &[Point], area: &Area) -> String {
+    let mut path = String::with_capacity(points.len() * 12);
+    let mut last: Option<(f64, f64)> = None;
+    for (index, point) in points.iter().enumerate() {
+        if !point.x.is_finite() || !point.y.is_finite() {
+            last = None;
+            continue;
+        }
+        let (x, y) = (area.px(point.x), area.py(point.y));
+        let is_end = index + 1 == points.len();
+        match last {
+            None => {
+                let _ = write!(path, "M{x:.1},{y:.1}");
+                last = Some((x, y));
+            }
+            Some((x0, y0)) => {
+                if is_end || (x - x0).abs() > FINEST || (y - y0).abs() > FINEST {
+                    let _ = write!(path, "L{x:.1},{y:.1}");
+                    last = Some((x, y));
+                }
+            }
+        }
+    }
+    path
+}
+
+/// The mark of style number `style`: hollow, so that what lies below shows.
+fn mark(style: usize, x: f64, y: f64) -> Markup {
+    let r = 3.6;
+    let path = match style % 4 {
+        0 => format!("M{:.1},{y:.1}a{r},{r} 0 1 0 {d},0a{r},{r} 0 1 0 -{d},0Z", x - r, d = 2.0 * r),
+        1 => format!("M{:.1},{:.1}h{d}v{d}h-{d}Z", x - r, y - r, d = 2.0 * r),
+        2 => format!("M{x:.1},{:.1}l{r},{h:.1}h-{d}Z", y - r, h = 1.8 * r, d = 2.0 * r),
+        _ => format!("M{x:.1},{:.1}l{r},{r}l-{r},{r}l-{r},-{r}Z", y - r),
+    };
+    html! { path class="mark" d=(path) stroke=(colour(style)) {} }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chart(series: Vec<Series>) -> String {
+        Chart {
+            title: "a <b>".to_owned(),
+            x: Axis::new("time", "s"),
+            y: Axis::new("force", "kN"),
+            series,
+            references: vec![Reference { label: "limit & more".to_owned(), value: 3.0 }],
+            linked: Some("time"),
+            note: String::new(),
+        }
+        .render()
+        .into_string()
+    }
+
+    #[test]
+    fn texts_are_escaped() {
+        let svg = chart(vec![Series::line("x\"><script>", vec![Point { x: 0.0, y: 1.0 }])]);
+        assert!(!svg.contains("<script"));
+        assert!(svg.contains("a &lt;b&gt;") && svg.contains("limit &amp; more"));
+    }
+
+    #[test]
+    fn no_coordinate_is_ever_nan_or_infinite() {
+        let points = [(0.0, f64::NAN), (1.0, f64::INFINITY), (2.0, 1e300), (f64::NAN, 0.0)];
+        let points: Vec<_> = points.iter().map(|&(x, y)| Point { x, y }).collect();
+        for series in
+            [vec![], vec![Series::line("s", points.clone())], vec![Series::marks("s", points)]]
+        {
+            let svg = chart(series);
+            assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        }
+    }
+
+    #[test]
+    fn a_line_breaks_where_a_value_is_missing() {
+        let points = [0.0, 1.0, f64::NAN, 3.0, 4.0].iter().enumerate();
+        let points = points.map(|(i, &y)| Point { x: i as f64, y }).collect();
+        let svg = chart(vec![Series::line("s", points).with_marks()]);
+        let line = svg.split("class=\"line\"").nth(1).unwrap_or_default();
+        let d = line.split(" d=\"").nth(1).and_then(|s| s.split('"').next()).unwrap_or_default();
+        assert_eq!(d.matches('M').count(), 2, "{d}");
+    }
+}

@@ -1,0 +1,46 @@
+//! Charts and plan views as SVG, and the page that holds them.
+//!
+//! Everything is written as plain markup with no outside resource: a page is complete without its
+//! script, prints on A4, and reads in black and white because series differ in dash and mark as
+//! well as in colour. The same input gives the same bytes.
+
+mod axis;
+mod bars;
+mod chart;
+mod number;
+mod page;
+mod plan;
+mod series;
+
+pub use axis::Axis;
+pub use bars::{Bars, Group};
+pub use chart::{Chart, Reference};
+pub use number::{Scaled, counted, decimals_for, fixed, plain, shortened, significant, times};
+pub use page::page;
+pub use plan::{
+    Arrow, FenderBox, Frame, Harbour, Label, LineDrawn, Outlined, Plan, Stage, Track, TugDrawn,
+    Use, Weather, fenders_legend, harbour_legend, outlined_legend,
+};
+pub use series::{Decimator, Point, Series};
+
+/// Colours that the colour-blind can tell apart (Okabe and Ito, 2008), in the order in which
+/// series take them; yellow is left out because it does not show on white, and a brown is added.
+const COLOURS: [&str; STYLES] =
+    ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#7F5F3F"];
+
+/// Series that can be told apart in one chart.
+pub const STYLES: usize = 8;
+
+/// Dashes in the same order, so that print without colour still tells series apart.
+const DASHES: [&str; STYLES] =
+    ["", "7 3", "2 2.5", "9 3 2 3", "12 4", "4 2 1 2 1 2", "1 4", "16 3 3 3"];
+
+/// The colour of the series or body number `index`.
+fn colour(index: usize) -> &'static str {
+    COLOURS[index % COLOURS.len()]
+}
+
+/// The dash of the series number `index`.
+fn dash(index: usize) -> &'static str {
+    DASHES[index % DASHES.len()]
+}

@@ -1,0 +1,113 @@
+//! Fenders in a plan view.
+
+use core::fmt::Write as _;
+
+use fenderline_contact::Vec2;
+use fenderline_contact::number::greater;
+use maud::{Markup, html};
+
+use super::Map;
+
+/// A fender seen from above, earth-fixed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FenderBox {
+    /// Middle of the line where it is mounted (m).
+    pub mount_m: Vec2,
+    /// From there to the middle of its face, as far as it stands out now (m).
+    pub out_m: Vec2,
+    /// From the middle to one end of its width (m).
+    pub half_width_m: Vec2,
+    /// How it was used in the run.
+    pub used: Use,
+}
+
+/// How a fender was used in a run, which sets its colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Use {
+    /// Not touched.
+    Untouched,
+    /// Touched, and nobody said what it is made for.
+    NotRated,
+    /// Up to this share of its rating.
+    Share(f64),
+    /// Failed.
+    Failed,
+}
+
+/// Least size that is drawn (px): a fender is small beside a ship.
+const LEAST: (f64, f64) = (5.0, 7.0);
+
+/// Fill, and whether it is crossed out.
+fn look(of: Use) -> (&'static str, bool) {
+    match of {
+        Use::Untouched => ("#ffffff", false),
+        Use::NotRated => ("#b9c0c8", false),
+        Use::Share(share) if share > 1.0 => ("#a02c00", false),
+        Use::Share(share) if share > 0.75 => ("#e07b1f", false),
+        Use::Share(share) if share > 0.5 => ("#f3b562", false),
+        Use::Share(_) => ("#fbe3bd", false),
+        Use::Failed => ("#3a0010", true),
+    }
+}
+
+pub(super) fn fender(fender: &FenderBox, map: &Map) -> Markup {
+    let (fill, is_crossed) = look(fender.used);
+    let (x, y) = map.px(fender.mount_m);
+    let direction = |v: Vec2, least: f64| {
+        let (dx, dy) = (v.y * map.px_per_m, -v.x * map.px_per_m);
+        let length = libm::hypot(dx, dy);
+        let grown = if length > 0.0 { (greater(length, least)) / length } else { 0.0 };
+        (dx * grown, dy * grown)
+    };
+    let (ox, oy) = direction(fender.out_m, LEAST.0);
+    let (wx, wy) = direction(fender.half_width_m, 0.5 * LEAST.1);
+    let corners = [
+        (x - wx, y - wy),
+        (x + wx, y + wy),
+        (x + wx + ox, y + wy + oy),
+        (x - wx + ox, y - wy + oy),
+    ];
+    let mut path = String::new();
+    for (index, (x, y)) in corners.iter().enumerate() {
+        let _ = write!(path, "{}{x:.2},{y:.2}", if index == 0 { 'M' } else { 'L' });
+    }
+    let (cx, cy) = (x + 0.5 * ox, y + 0.5 * oy);
+    html! {
+        path d={ (path) "Z" } fill=(fill) stroke="#222" stroke-width="0.9" {}
+        @if is_crossed {
+            path d=(format!("M{:.1},{:.1}l12,12m0,-12l-12,12", cx - 6.0, cy - 6.0))
+                stroke="#c00020" stroke-width="2" fill="none" {}
+        }
+    }
+}
+
+/// The key to the colours.
+pub fn fenders_legend() -> Markup {
+    let entries = [
+        (Use::Untouched, "not touched"),
+        (Use::NotRated, "not rated"),
+        (Use::Share(0.3), "to 50 % of rated"),
+        (Use::Share(0.6), "to 75 %"),
+        (Use::Share(0.9), "to 100 %"),
+        (Use::Share(1.5), "over rated"),
+        (Use::Failed, "FAILED"),
+    ];
+    html! {
+        ul class="legend" {
+            li { "Fenders:" }
+            @for (of, text) in entries {
+                @let (fill, is_crossed) = look(of);
+                li {
+                    svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
+                        rect x="9" y="1.5" width="12" height="9" fill=(fill) stroke="#222" {}
+                        @if is_crossed {
+                            path d="M9,0l12,12m0,-12l-12,12" stroke="#c00020" stroke-width="2"
+                                fill="none" {}
+                        }
+                    }
+                    (text)
+                }
+            }
+        }
+    }
+}

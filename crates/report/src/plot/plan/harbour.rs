@@ -1,0 +1,204 @@
+//! Lines, tugs, wind and current in a plan view.
+
+use fenderline_contact::Vec2;
+use fenderline_contact::number::greater;
+use maud::{Markup, html};
+
+use super::Map;
+
+/// What a harbour has besides hulls and fenders; nothing by default.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Harbour {
+    /// Mooring lines.
+    pub lines: Vec<LineDrawn>,
+    /// Tugs that are forces.
+    pub tugs: Vec<TugDrawn>,
+    /// Banks, from end to end (m).
+    pub banks: Vec<[Vec2; 2]>,
+    /// Wind, current and waves, in a corner.
+    pub weather: Vec<Weather>,
+}
+
+/// A mooring line from fairlead to bollard, earth-fixed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineDrawn {
+    /// Its ends (m).
+    pub ends_m: [Vec2; 2],
+    /// Peak tension over break load.
+    pub share: f64,
+    /// Whether it parted.
+    pub has_parted: bool,
+}
+
+/// A tug at a ship's side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TugDrawn {
+    /// Where her force acts (m).
+    pub at_m: Vec2,
+    /// Direction of her force on the ship, of length 1; zero: she stands by.
+    pub direction: Vec2,
+    /// Whether she pulls on a line; otherwise she pushes with her bow.
+    pub on_line: bool,
+    /// Name and force.
+    pub label: String,
+}
+
+/// Wind, current or waves: an arrow in the corner, and words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weather {
+    /// The direction in which it flows, of length 1.
+    pub towards: Vec2,
+    /// What it is, how strong, and its direction.
+    pub text: String,
+    /// Colour of the arrow.
+    pub colour: &'static str,
+}
+
+/// Length and beam of a tug (m): that of a harbour tug, since only her force is in the run.
+const TUG: (f64, f64) = (28.0, 11.0);
+/// Least length that is drawn (px).
+const LEAST_TUG: f64 = 16.0;
+/// One row of the corner (px).
+pub(super) const ROW: f64 = 24.0;
+
+/// Colour, width and dash of a line.
+fn look(share: f64, has_parted: bool) -> (&'static str, &'static str, &'static str) {
+    match share {
+        _ if has_parted => ("#c00020", "2.4", "3 4"),
+        share if share > 0.5 => ("#a02c00", "2.8", ""),
+        share if share > 0.25 => ("#e07b1f", "2.2", ""),
+        _ => ("#2a6f3c", "1.6", ""),
+    }
+}
+
+pub(super) fn line(line: &LineDrawn, map: &Map) -> Markup {
+    let [(x0, y0), (x1, y1)] = line.ends_m.map(|end| map.px(end));
+    let (stroke, width, dashes) = look(line.share, line.has_parted);
+    html! {
+        path d=(format!("M{x0:.1},{y0:.1}L{x1:.1},{y1:.1}")) fill="none" stroke=(stroke)
+            stroke-width=(width) stroke-dasharray=(dashes) {}
+        circle cx=(format!("{x1:.1}")) cy=(format!("{y1:.1}")) r="2.4" fill="#222" {}
+    }
+}
+
+/// A bank: a broad dashed line.
+pub(super) fn bank(ends_m: [Vec2; 2], map: &Map) -> Markup {
+    let [(x0, y0), (x1, y1)] = ends_m.map(|end| map.px(end));
+    html! {
+        path d=(format!("M{x0:.1},{y0:.1}L{x1:.1},{y1:.1}")) fill="none" stroke="#8a6d3b"
+            stroke-width="5" stroke-dasharray="2 4" {}
+    }
+}
+
+pub(super) fn tug(tug: &TugDrawn, map: &Map) -> Markup {
+    let length = greater(TUG.0 * map.px_per_m, LEAST_TUG);
+    let half = 0.5 * length * TUG.1 / TUG.0;
+    // Right and down.
+    let (dx, dy) = match tug.direction {
+        Vec2::ZERO => (0.0, -1.0),
+        direction => (direction.y, -direction.x),
+    };
+    let (x, y) = map.px(tug.at_m);
+    // She pushes from behind her force with her bow at the hull, and pulls ahead of it on a line.
+    let gap = if tug.on_line { 1.4 * length } else { 0.0 };
+    let (bow_x, bow_y, back) = if tug.on_line {
+        (x + dx * (gap + length), y + dy * (gap + length), -1.0)
+    } else {
+        (x, y, -1.0)
+    };
+    let at = |along: f64, across: f64| {
+        (bow_x + dx * back * along - dy * across, bow_y + dy * back * along + dx * across)
+    };
+    let corners =
+        [(0.0, 0.0), (0.3 * length, half), (length, half), (length, -half), (0.3 * length, -half)];
+    let hull: Vec<String> = corners
+        .iter()
+        .map(|&(along, across)| {
+            let (x, y) = at(along, across);
+            format!("{x:.1},{y:.1}")
+        })
+        .collect();
+    let (text_x, text_y) = at(0.5 * length, 0.0);
+    let (is_left, aside) = if dx > 0.3 || (dx.abs() <= 0.3 && x < 0.5 * map.width) {
+        (true, -greater(half, 0.5 * length) - 6.0)
+    } else {
+        (false, greater(half, 0.5 * length) + 6.0)
+    };
+    html! {
+        @if tug.on_line {
+            path d=(format!("M{x:.1},{y:.1}L{:.1},{:.1}", x + dx * gap, y + dy * gap)) fill="none"
+                stroke="#222" stroke-width="1.2" {}
+        }
+        path d=(format!("M{}Z", hull.join("L"))) fill=(if tug.direction == Vec2::ZERO { "#fff" } else { "#f6d34a" })
+            stroke="#222" stroke-width="1.2" {}
+        text class="halo name" x=(format!("{:.1}", text_x + aside)) y=(format!("{:.1}", text_y + 4.0))
+            text-anchor=(if is_left { "end" } else { "start" }) { (tug.label) }
+    }
+}
+
+/// The corner with its arrows, in the upper left.
+pub(super) fn corner(weather: &[Weather]) -> Markup {
+    let longest = weather.iter().map(|of| of.text.chars().count()).max().unwrap_or(0);
+    let width = 44.0 + 6.2 * u32::try_from(longest).map_or(60.0, f64::from);
+    let rows = u32::try_from(weather.len()).map_or(3.0, f64::from);
+    html! {
+        @if !weather.is_empty() {
+            rect x="6" y="6" width=(format!("{width:.0}")) height=(format!("{:.0}", 6.0 + ROW * rows))
+                fill="#fff" fill-opacity="0.9" stroke="#cfd6de" {}
+            @for (index, of) in (0_u32..).zip(weather) {
+                @let (x, y) = (24.0, 9.0 + ROW * (f64::from(index) + 0.5));
+                @let (dx, dy) = (of.towards.y, -of.towards.x);
+                path d=(format!("M{:.1},{:.1}L{:.1},{:.1}", x - 10.0 * dx, y - 10.0 * dy, x + 3.0 * dx, y + 3.0 * dy))
+                    stroke=(of.colour) stroke-width="2.2" fill="none" {}
+                path d=(format!("M{:.1},{:.1}L{:.1},{:.1}L{:.1},{:.1}Z", x + 11.0 * dx, y + 11.0 * dy,
+                    x + 2.0 * dx - 5.0 * dy, y + 2.0 * dy + 5.0 * dx,
+                    x + 2.0 * dx + 5.0 * dy, y + 2.0 * dy - 5.0 * dx)) fill=(of.colour) {}
+                text x="42" y=(format!("{:.1}", y + 4.0)) { (of.text) }
+            }
+        }
+    }
+}
+
+/// The key to lines, tugs and banks.
+pub fn harbour_legend(has_lines: bool, has_tugs: bool, has_banks: bool) -> Markup {
+    let entries = [
+        (0.1, false, "peak to 25 % of break load"),
+        (0.3, false, "to 50 %"),
+        (0.9, false, "over 50 %"),
+        (0.0, true, "PARTED"),
+    ];
+    html! {
+        ul class="legend" {
+            @if has_lines {
+                li { "Lines:" }
+                @for (share, has_parted, text) in entries {
+                    @let (stroke, width, dashes) = look(share, has_parted);
+                    li {
+                        svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
+                            path d="M1,6H29" fill="none" stroke=(stroke) stroke-width=(width)
+                                stroke-dasharray=(dashes) {}
+                        }
+                        (text)
+                    }
+                }
+            }
+            @if has_tugs {
+                li {
+                    svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
+                        path d="M28,6L21,11H4V1H21Z" fill="#f6d34a" stroke="#222" {}
+                    }
+                    "tug, her bow where she pushes (not to scale; white: standing by)"
+                }
+            }
+            @if has_banks {
+                li {
+                    svg width="30" height="12" viewBox="0 0 30 12" aria-hidden="true" {
+                        path d="M1,6H29" fill="none" stroke="#8a6d3b" stroke-width="5"
+                            stroke-dasharray="2 4" {}
+                    }
+                    "bank (its pull is unvalidated)"
+                }
+            }
+        }
+    }
+}

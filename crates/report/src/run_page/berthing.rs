@@ -1,0 +1,205 @@
+//! A berthing by PIANC's formula beside the run.
+
+use fenderline_sim::berthing::{BerthingError, BerthingOutcome, BerthingSetup};
+use maud::{Markup, html};
+
+use super::Recorder;
+use super::tables::{heading, number};
+use crate::plot::{decimals_for, fixed, plain, significant};
+use fenderline_results::Outcome;
+
+/// Differences of Ce below this share are within what the formula leaves open.
+const ALIKE: f64 = 0.05;
+
+/// The whole section; nothing where the scenario does not ask for it.
+pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    let Some(setup) = &outcome.setup.berthing else { return html! {} };
+    html! {
+        h2 { "Berthing energy by formula and in the run" }
+        @match outcome.berthing {
+            None => p { "The ship touched no fender: there is nothing to compare." },
+            Some(Err(error)) => (refused(error)),
+            Some(Ok(berthing)) => {
+                (particulars(outcome, setup, berthing))
+                (factors(berthing, recorder))
+                (abnormal(outcome, berthing))
+                (meaning(outcome, berthing, recorder))
+            }
+        }
+    }
+}
+
+fn refused(error: &BerthingError) -> Markup {
+    html! { p { "The formulas do not hold for this first touch: " (error.to_string()) "." } }
+}
+
+fn particulars(outcome: &Outcome<'_>, setup: &BerthingSetup, berthing: &BerthingOutcome) -> Markup {
+    let ship = &outcome.setup.bodies[setup.ship].name;
+    let fender = &outcome.setup.fenders[berthing.fender].name;
+    let decimals = decimals_for(outcome.setup.step_s);
+    let side = if berthing.along_m < 0.0 { "aft" } else { "forward" };
+    html! {
+        dl {
+            dt { "Ship" }
+            dd {
+                (ship) ", " (plain(berthing.displacement_kg / 1e3, 6)) " t; length between perpendiculars "
+                (plain(setup.length_bp_m, 5)) " m, beam " (plain(setup.beam_m, 5)) " m, draught "
+                (plain(setup.draught_m, 4)) " m, under-keel clearance "
+                (plain(setup.under_keel_clearance_m, 4)) " m, block coefficient "
+                (plain(setup.block_coefficient, 3))
+            }
+            dt { "First touch" }
+            dd {
+                "on " (fender) " at " (fixed(berthing.first_touch_s, decimals)) " s, "
+                (fixed(berthing.along_m.abs(), 1)) " m " (side) " of the centre of gravity; "
+                (fixed(berthing.speed_mps, 3)) " m/s square to the face, at "
+                (fixed(berthing.angle_rad.to_degrees(), 1)) "°"
+            }
+        }
+    }
+}
+
+fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
+    let factor = |value: f64| number(&fixed(value, 3));
+    let energy = |value_j: f64| number(&significant(value_j / 1e3, 4));
+    let (most_j, _) = recorder.most_in_fenders;
+    let twice = |text: &str| html! { (number(text)) (number(text)) };
+    let same = |value: f64| html! { @for _ in 0..3 { (factor(value)) } };
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "E = ½ M V² · Cm · Ce · Cs · Cc" }
+                    (heading("PIANC 2002", "Cm by draught and clearance"))
+                    (heading("Ueda", "Cm by block coefficient"))
+                    (heading("Vasco Costa", "Cm by draught over beam"))
+                    (heading("Run", "first hit"))
+                    (heading("Run", "at any time"))
+                } }
+                tbody {
+                    tr {
+                        td class="name" { "Added mass Cm" }
+                        @for cm in berthing.added_mass { (factor(cm)) }
+                        (twice(&fixed(berthing.added_mass_simulated, 3)))
+                    }
+                    tr {
+                        td class="name" { "Eccentricity Ce" }
+                        (same(berthing.eccentricity))
+                        (factor(berthing.eccentricity_measured))
+                        (factor(most_j / berthing.kinetic_j))
+                    }
+                    tr {
+                        td class="name" { "Softness Cs" }
+                        (same(berthing.softness))
+                        (twice("1"))
+                    }
+                    tr {
+                        td class="name" { "Configuration Cc" }
+                        (same(berthing.configuration))
+                        (twice("1"))
+                    }
+                    tr class="sum" {
+                        td class="name" { "Energy into the fenders [kJ]" }
+                        @for energy_j in berthing.energy_j { (energy(energy_j)) }
+                        (energy(berthing.fender_energy_j))
+                        (energy(most_j))
+                    }
+                    @if let Some(abnormal_j) = berthing.abnormal_energy_j {
+                        tr {
+                            td class="name" { "Abnormal berthing [kJ]" }
+                            // One factor, whatever Cm.
+                            @for energy_j in berthing.energy_j {
+                                (energy(energy_j * abnormal_j / berthing.energy_j[0]))
+                            }
+                            (twice("–"))
+                        }
+                    }
+                }
+            }
+        }
+        div class="wide" {
+            table class="narrow" {
+                thead { tr {
+                    th class="name" scope="col" { "Eccentricity" }
+                    (heading("Radius of gyration K", "m"))
+                    (heading("Ce", "–"))
+                } }
+                tbody {
+                    tr {
+                        td class="name" { "Formula, K by the formula" }
+                        (number(&fixed(berthing.gyradius_m, 1)))
+                        (factor(berthing.eccentricity))
+                    }
+                    tr {
+                        td class="name" { "Formula, K of the simulated ship, added mass included" }
+                        (number(&fixed(berthing.gyradius_simulated_m, 1)))
+                        (factor(berthing.eccentricity_of_run))
+                    }
+                    tr class="strong" {
+                        td class="name" {
+                            "Measured in the first hit: what the fenders held, over ½ M V² Cm of the run"
+                        }
+                        (number(&fixed(berthing.gyradius_simulated_m, 1)))
+                        (factor(berthing.eccentricity_measured))
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The abnormal energy beside what the fender that took most can take; nothing where no factor is given, or
+/// nobody said what that fender can take.
+fn abnormal(outcome: &Outcome<'_>, berthing: &BerthingOutcome) -> Markup {
+    let most = outcome.fenders.iter().max_by(|a, b| a.peak_energy_j.total_cmp(&b.peak_energy_j));
+    let capacity = most.and_then(|fender| fender.capacity_j.map(|capacity_j| (fender, capacity_j)));
+    let Some((abnormal_j, (fender, capacity_j))) = berthing.abnormal_energy_j.zip(capacity) else {
+        return html! {};
+    };
+    html! {
+        p {
+            "The abnormal energy by PIANC 2002 is " (fixed(100.0 * abnormal_j / capacity_j, 0))
+            " % of the rated energy of one fender: of "
+            (outcome.setup.fenders[fender.fender].name) ", which took most, with its factors "
+            (significant(capacity_j / 1e3, 4)) " kJ. The formula's energy is that of one contact; how many "
+            "fenders share it depends on their spacing and on the hull."
+        }
+    }
+}
+
+/// What the difference between the measured Ce and the formula's means.
+fn meaning(outcome: &Outcome<'_>, berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
+    let (measured, formula) = (berthing.eccentricity_measured, berthing.eccentricity_of_run);
+    let off = measured / formula - 1.0;
+    let (most_j, at_s) = recorder.most_in_fenders;
+    html! {
+        p {
+            "The formula's Ce is the share of the energy that one contact takes which sticks and is over "
+            "when the hull stops there; the rest stays in the ship's turning. "
+            @if off.abs() <= ALIKE {
+                "With the simulated ship's own radius of gyration the fenders took that share in the first "
+                "hit within " (fixed(100.0 * ALIKE, 0)) " %. "
+            } @else {
+                "In the first hit the fenders took " (fixed(100.0 * off.abs(), 0)) " % "
+                @if off > 0.0 { "more" } @else { "less" }
+                " than that, with the simulated ship's own radius of gyration: "
+                @if off > 0.0 {
+                    "loads that act meanwhile, a turn or a speed along the berth that she came with, or "
+                    "neighbours on the other side of her centre of gravity add to it. "
+                } @else {
+                    "friction and damping took a part, or the hull slid along the face. "
+                }
+            }
+            @if most_j > (1.0 + ALIKE) * berthing.fender_energy_j {
+                "Later, at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s, they held "
+                (fixed(most_j / berthing.fender_energy_j, 1)) " times as much: what the formula leaves in her "
+                "turning comes onto the fenders when she swings in, with the loads' work meanwhile. "
+            }
+        }
+        p class="note" {
+            "In the run the hull is rigid and no cushion of water lies between hull and berth: Cs and Cc "
+            "are 1. Formulas as public manuals print them; the text of PIANC's guidelines was not read, "
+            "and no conformity with them is claimed."
+        }
+    }
+}

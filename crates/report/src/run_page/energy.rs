@@ -1,0 +1,167 @@
+//! The energy ledger in the report.
+
+use fenderline_contact::number::greater;
+
+use maud::{Markup, html};
+
+use super::Recorder;
+use super::charts::{Charts, scaled};
+use super::tables::{heading, number};
+use crate::plot::{Axis, Series, decimals_for, fixed, significant};
+use fenderline_results::Outcome;
+
+/// A part below this share of the largest is left out of the chart: its line would lie on zero.
+const LEAST: f64 = 1e-4;
+
+/// What the contacts' own books may be off for their split to be drawn, as a share of what there was.
+const BOOKED: f64 = 0.05;
+
+/// Table and chart.
+pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    html! {
+        (table(outcome, recorder))
+        (chart(&Charts::new(outcome), recorder))
+    }
+}
+
+/// Where the energy is over time. Where the contacts' books of what is stored and lost are far off, as
+/// with a lagging force by large explicit steps, only what the forces took is drawn, which is exact.
+fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let trace = &recorder.energy;
+    let end = charts.outcome.energy;
+    let given_j = recorder.start_energy.kinetic_j + end.load_work_j.abs();
+    let is_split = end.contact_residual_j.abs() <= BOOKED * given_j;
+    let split = [
+        ("stored in springs", &trace.stored_j, 1.0),
+        ("lost in rubber", &trace.hysteresis_j, 1.0),
+        ("lost to restitution", &trace.restitution_j, 1.0),
+        ("lost to friction", &trace.friction_j, 1.0),
+        ("lost to damping", &trace.damping_j, 1.0),
+        ("made up (−) or lost by method and time step", &trace.residual_j, 1.0),
+    ];
+    let whole = [
+        ("taken by normal forces", &trace.normal_work_j, -1.0),
+        ("taken by friction", &trace.tangential_work_j, -1.0),
+        ("residual", &trace.motion_residual_j, 1.0),
+    ];
+    let parts =
+        [("kinetic", &trace.kinetic_j, 1.0), ("work of the loads", &trace.load_work_j, 1.0)];
+    let parts = parts.into_iter().chain(if is_split { split.to_vec() } else { whole.to_vec() });
+    let all = parts.enumerate().map(|(style, (name, part, sign))| {
+        Series::line(name, part.points()).scaled(sign).styled(style)
+    });
+    let mut series: Vec<Series> = all.collect();
+    let largest = series.iter().map(Series::largest).fold(0.0, greater);
+    series.retain(|line| line.largest() > LEAST * largest);
+    let (unit, series) = scaled(series, "J");
+    let axis = Axis::new("energy", &unit).including(0.0);
+    let mut chart = charts.chart("Energy over time, added mass included", axis, series);
+    if !is_split {
+        chart.note =
+            "What the normal forces took is not split further here: by this method and time \
+                      step the contacts' own books are off by more than 5 %; see the table."
+                .to_owned();
+    }
+    chart.render()
+}
+
+/// From the start to the end: what there was, what came in, and where it is.
+fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    let (start, end) = (recorder.start_energy, outcome.energy);
+    let works = end.loads.parts();
+    let pushed_j: f64 = works.iter().map(|(_, work_j)| greater(*work_j, 0.0)).sum();
+    let given_j = start.kinetic_j + pushed_j;
+    let taken_j = pushed_j - end.load_work_j;
+    let cells = |value_j: f64| {
+        html! { (number(&amount(value_j, given_j))) (number(&share(value_j, given_j))) }
+    };
+    let row =
+        |name: &str, value_j: f64| html! { tr { td class="name" { (name) } (cells(value_j)) } };
+    // A part that is nothing at all has no row.
+    let part = |name: &str, value_j: f64| {
+        html! {
+            @if value_j != 0.0 { tr class="part" { td class="name" { (name) } (cells(value_j)) } }
+        }
+    };
+    let (most_j, at_s) = recorder.most_stored;
+    html! {
+        div class="wide" {
+            table class="narrow" {
+                thead { tr {
+                    th class="name" scope="col" { "Energy" }
+                    (heading("Amount", "kJ"))
+                    (heading("Share", "%"))
+                } }
+                tbody {
+                    (row("Kinetic at the start", start.kinetic_j))
+                    @if recorder.has_loads() || pushed_j > 0.0 { (row("Given by loads", pushed_j)) }
+                    @for (name, work_j) in works {
+                        @if work_j > 0.0 { (part(load(name), work_j)) }
+                    }
+                    tr class="sum" { td class="name" { "Given" } (cells(given_j)) }
+                    (row("Kinetic at the end", end.kinetic_j))
+                    @if taken_j > 0.0 { (row("Taken by loads", taken_j)) }
+                    @for (name, work_j) in works {
+                        @if work_j < 0.0 { (part(load(name), -work_j)) }
+                    }
+                    (row("Taken by normal forces", -end.normal_work_j))
+                    (part("stored in springs and stops at the end", end.stored_j))
+                    (part("lost in rubber, by unloading laws", end.hysteresis_j))
+                    (part("lost to restitution", end.restitution_j))
+                    (part("lost to damping", end.damping_j))
+                    (part("lost, or made up (−), by method and time step", end.contact_residual_j))
+                    (row("Taken by tangential forces", -end.tangential_work_j))
+                    (part("stored in shear springs at the end", end.shear_stored_j))
+                    (part("lost to friction", end.friction_j))
+                    (row("Residual of the motion", -end.residual_j))
+                }
+            }
+        }
+        @if end.exchanged_j() > 0.0 {
+            p class="note" {
+                "Over the ground, added mass within: kinetic energy is what a fender on a quay has to take, work is force \
+                 times way over the ground. The residual is " (share(end.residual_j.abs(), end.exchanged_j()))
+                " % of all the energy that the loads and contacts turned over."
+            }
+        }
+        @if most_j > 0.0 {
+            p class="note" {
+                "The springs held most at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s: "
+                (amount(most_j, given_j)) " kJ."
+            }
+        }
+    }
+}
+
+/// A load as it is called in the table.
+fn load(name: &str) -> &'static str {
+    match name {
+        "hull" => "the water on hulls",
+        "propeller" => "propellers",
+        "rudder" => "rudders",
+        "thrusters" => "thrusters and azimuth units",
+        "wind" => "wind",
+        "waves" => "waves (mean drift)",
+        "banks" => "banks",
+        "bottom" => "the bottom",
+        "current" => "current that speeds up, or past a ship that turns",
+        "tugs" => "vector tugs",
+        "lines" => "lines",
+        _ => "external loads",
+    }
+}
+
+/// In kJ, to the digits that mean something beside the whole.
+fn amount(value_j: f64, of_j: f64) -> String {
+    let whole_kj = (of_j / 1e3).abs();
+    match whole_kj {
+        whole if whole >= 1e4 => fixed(value_j / 1e3, 0),
+        whole if whole >= 100.0 => fixed(value_j / 1e3, 1),
+        whole if whole >= 1.0 => fixed(value_j / 1e3, 2),
+        _ => significant(value_j / 1e3, 3),
+    }
+}
+
+fn share(value_j: f64, of_j: f64) -> String {
+    if of_j.abs() > 0.0 { fixed(100.0 * value_j / of_j, 1) } else { "–".to_owned() }
+}

@@ -1,0 +1,63 @@
+//! The fenders' section of the report.
+
+mod boxes;
+mod charts;
+mod setup;
+mod table;
+
+use maud::{Markup, html};
+
+use super::Recorder;
+use super::charts::Charts;
+use crate::plot::fixed;
+use fenderline_results::Outcome;
+use fenderline_results::{Verdict, most_used, utilisation, worst_first};
+
+pub(super) use boxes::{boxes, names};
+pub(super) use setup::setup_table;
+
+/// The result in a sentence or two, for the top of the page; nothing where the scenario has no fenders.
+pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
+    let setups = &outcome.setup.fenders;
+    if setups.is_empty() {
+        return html! {};
+    }
+    let unrated = outcome.fenders.iter().filter(|f| setups[f.fender].rated.is_none()).count();
+    let verdicts = outcome.fenders.iter().map(|f| Verdict::of(&setups[f.fender], f));
+    let Some(worst) = verdicts.max() else {
+        return html! { p { "None of the " (setups.len()) " fenders was touched." } };
+    };
+    let most = worst_first(setups, outcome.fenders).first().map(|&i| &outcome.fenders[i]);
+    html! {
+        p {
+            span class={ "verdict " (worst.key()) } { "Fenders: " (worst.text()) }
+            " " (outcome.fenders.len()) " of " (setups.len()) " touched"
+            @if let Some((summary, share)) = most.and_then(|f| Some((f, utilisation(f)?))) {
+                "; most used " strong { (setups[summary.fender].name) } ", "
+                (fixed(100.0 * share, 0)) " % of its rated " (most_used(summary))
+            }
+            "."
+            @if unrated > 0 && unrated < outcome.fenders.len() {
+                " " (unrated) " of them " @if unrated == 1 { "has" } @else { "have" } " no rating."
+            }
+        }
+    }
+}
+
+/// The whole section; nothing where the scenario has no fenders.
+pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    if outcome.setup.fenders.is_empty() {
+        return html! {};
+    }
+    html! {
+        h2 { "Fenders" }
+        @if outcome.fenders.is_empty() {
+            p { "None of the " (outcome.setup.fenders.len()) " fenders was touched." }
+        } @else {
+            (table::table(outcome))
+            (charts::utilisation(outcome))
+            (charts::reactions(&Charts::new(outcome), recorder))
+            (charts::diagrams(outcome, recorder))
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! The fenders as the scenario set them.
+
+use fenderline_contact::FenderLaw;
+use fenderline_sim::{FenderSetup, Setup};
+use maud::{Markup, html};
+
+use crate::plot::{plain, significant};
+use crate::run_page::tables::{ROWS, heading, more, number};
+
+/// One row a fender: where it is, how large, and what it is made for.
+pub(in crate::run_page) fn setup_table(setup: &Setup) -> Markup {
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Fender" }
+                    th scope="col" { "On" small { "material" } }
+                    (heading("Position", "forward, starboard, m"))
+                    (heading("Facing", "deg"))
+                    (heading("Face", "width × height, m"))
+                    (heading("Projection", "m"))
+                    (heading("Rated", "mm, kN, kJ"))
+                    (heading("Stop", "from mm, MN/m"))
+                } }
+                tbody {
+                    @for fender in setup.fenders.iter().take(ROWS) { (row(fender, setup)) }
+                }
+            }
+        }
+        (more(setup.fenders.len()))
+        p class="note" {
+            "Position and facing in the axes of the body that carries the fender; rated performance without "
+            "factors, the energy being the integral of the reaction."
+        }
+    }
+}
+
+fn row(fender: &FenderSetup, setup: &Setup) -> Markup {
+    let material = &setup.materials[fender.material];
+    html! {
+        tr {
+            td class="name" { (fender.name) }
+            td { (setup.bodies[fender.body].name) small { (material.name) } }
+            (number(&format!("{}, {}",
+                plain(fender.position_m.x, 5), plain(fender.position_m.y, 5))))
+            (number(&plain(fender.facing_rad.to_degrees(), 4)))
+            (number(&format!("{} × {}", plain(fender.width_m, 3), plain(fender.height_m, 3))))
+            (number(&plain(fender.projection_m, 3)))
+            @match (&fender.law, fender.rated) {
+                (_, Some(rated)) => {
+                    (number(&format!("{}, {}, {}",
+                        significant(rated.deflection_m * 1e3, 3),
+                        significant(rated.reaction_n / 1e3, 3),
+                        significant(rated.energy_j / 1e3, 3))))
+                }
+                (FenderLaw::Area, None) => {
+                    (number(&format!("{} kN/m²",
+                        plain(material.material.stiffness_npm2 / 1e3, 4))))
+                }
+                (FenderLaw::Curve(_), None) => (number("–")),
+            }
+            @match fender.stop {
+                Some(stop) => {
+                    (number(&format!("{}, {}",
+                        significant(stop.from_m * 1e3, 3),
+                        significant(stop.stiffness_npm / 1e6, 3))))
+                }
+                None => (number("–")),
+            }
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! The table of fenders, and where their data come from.
+
+use std::collections::BTreeMap;
+
+use fenderline_contact::Unloading;
+use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure};
+use maud::{Markup, html};
+
+use crate::plot::{decimals_for, fixed, plain, significant};
+use crate::run_page::tables::heading;
+use fenderline_results::Outcome;
+use fenderline_results::{Verdict, worst_first};
+
+/// Fenders shown; of more, the most used.
+const ROWS: usize = 40;
+
+/// One row a fender in the order of the scenario, the worst one marked.
+pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
+    let setups = &outcome.setup.fenders;
+    let order = worst_first(setups, outcome.fenders);
+    let worst = order.first().map(|&i| outcome.fenders[i].fender);
+    let shown = shown(outcome, &order);
+    let one_kind = setups.iter().all(|fender| kind_of(fender) == kind_of(&setups[0]));
+    html! {
+        @if one_kind && setups.len() > 1 {
+            p { (setups.len()) " fenders of one type: " (kind_of(&setups[0])) "." }
+        }
+        div class="wide" {
+            table class="fenders" {
+                thead { tr {
+                    th class="name" scope="col" { "Fender" }
+                    (heading("Deflection", "mm"))
+                    (heading("Reaction", "kN"))
+                    (heading("Energy", "kJ"))
+                    (heading("Hull pressure", "kN/m²"))
+                    (heading("First touch", "s"))
+                    (heading("Approach", "m/s, deg"))
+                    (heading("Factor", "on reaction, on energy"))
+                    th scope="col" { "Verdict" }
+                } }
+                tbody {
+                    @for &index in &shown {
+                        @let summary = outcome.fenders.iter().find(|f| f.fender == index);
+                        tr class=[(worst == Some(index) && setups.len() > 1).then_some("strong")] {
+                            (cells(outcome, index, summary, !one_kind || setups.len() == 1))
+                        }
+                    }
+                }
+            }
+        }
+        p class="note" {
+            "Peaks, sub-steps included; below each its share: of the rated deflection, of the rated "
+            "reaction and the rated energy each times its factor, and of the pressure that the "
+            "hull takes. Deflection: the mean over the width of a fender with a curve, the deepest point of "
+            "one by area. Factor: on the reaction, of temperature and tolerance times speed times angle, below "
+            "it that on the energy, on which the angle has a factor of its own in some families. "
+            "Approach: speed and angle between face and hull at the first touch. "
+            (hull_pressure_note(setups))
+            @if setups.len() > 1 && worst.is_some() { "The most used fender is marked. " }
+            @if setups.len() > shown.len() {
+                "The " (shown.len()) " most used of " (setups.len())
+                " fenders; all that were touched are in summary.json."
+            }
+        }
+        (sources(setups))
+    }
+}
+
+/// How the pressures on the hull were found, for each way that is among the fenders.
+fn hull_pressure_note(setups: &[FenderSetup]) -> Markup {
+    let any = |wanted: fn(&HullPressure) -> bool| setups.iter().any(|f| wanted(&f.hull_pressure));
+    let limit_of = |fender: &FenderSetup| fender.hull_pressure_limit_npm2;
+    let limit = setups.iter().find_map(limit_of);
+    html! {
+        @if let Some(limit_npm2) = limit && setups.iter().all(|f| limit_of(f) == limit) {
+            "The hull takes " (plain(limit_npm2 / 1e3, 4)) " kN/m². "
+        }
+        @if any(|way| matches!(way, HullPressure::OverFace)) {
+            "Hull pressure of a fender with a panel: its reaction over the area of the face. "
+        }
+        @if any(|way| matches!(way, HullPressure::Inner { .. })) {
+            "Hull pressure of a fender blown up: its inner pressure, on a straight line from the initial "
+            "one at no deflection to the published one at the rated deflection. The true pressure rises ever "
+            "faster: the line is on the safe side up to the rated deflection, and not beyond. "
+        }
+        @if any(|way| matches!(way, HullPressure::Unknown)) {
+            "– for the hull pressure: the fender has no panel, and its data do not say how hard it presses. "
+        }
+    }
+}
+
+/// The fenders to show, in the order of the scenario.
+fn shown(outcome: &Outcome<'_>, order: &[usize]) -> Vec<usize> {
+    let touched = order.iter().map(|&i| outcome.fenders[i].fender);
+    let untouched = (0..outcome.setup.fenders.len())
+        .filter(|index| outcome.fenders.iter().all(|f| f.fender != *index));
+    let mut shown: Vec<usize> = touched.chain(untouched).take(ROWS).collect();
+    shown.sort_unstable();
+    shown
+}
+
+fn cells(
+    outcome: &Outcome<'_>,
+    index: usize,
+    summary: Option<&FenderSummary>,
+    names_kind: bool,
+) -> Markup {
+    let fender = &outcome.setup.fenders[index];
+    html! {
+        td class="name" {
+            (fender.name)
+            @if names_kind { small { (kind_of(fender)) } }
+        }
+        @if let Some(summary) = summary {
+            @let verdict = Verdict::of(fender, summary);
+            (value(&fixed(summary.peak_deflection_m * 1e3, 0), summary.share_of_rated_deflection))
+            (value(&significant(summary.peak_reaction_n / 1e3, 3), summary.share_of_rated_reaction))
+            (value(&significant(summary.peak_energy_j / 1e3, 3), summary.share_of_rated_energy))
+            (value(
+                &summary.peak_hull_pressure_npm2.map_or_else(|| "–".into(), |p| fixed(p / 1e3, 0)),
+                summary.share_of_hull_pressure
+            ))
+            td class="number" { (fixed(summary.first_touch_s, decimals_for(outcome.setup.step_s))) }
+            td class="number" {
+                (fixed(summary.approach_speed_mps, 3))
+                small { (fixed(summary.approach_angle_rad.to_degrees(), 1)) "°" }
+            }
+            td class="number" {
+                (fixed(summary.factor, 3))
+                small { (fixed(energy_factor(fender, summary), 3)) }
+            }
+            td { span class={ "verdict " (verdict.key()) } { (verdict.text()) } }
+        } @else {
+            td class="untouched" colspan="8" { "not touched" }
+        }
+    }
+}
+
+/// The factor on the energy that a fender can take; that on the reaction where it has no rating.
+fn energy_factor(fender: &FenderSetup, summary: &FenderSummary) -> f64 {
+    let two = summary.capacity_j.zip(fender.rated);
+    two.map_or(summary.factor, |(capacity_j, rated)| capacity_j / rated.energy_j)
+}
+
+/// A value with its share below it, in bold where that is above 1.
+fn value(text: &str, share: Option<f64>) -> Markup {
+    html! {
+        td class="number" {
+            (text)
+            @if let Some(share) = share {
+                small class=[(share > 1.0).then_some("over")] { (fixed(100.0 * share, 0)) " %" }
+            }
+        }
+    }
+}
+
+/// Type and size, or the size of the face where nobody named a type.
+pub(super) fn kind_of(fender: &FenderSetup) -> String {
+    match &fender.source {
+        Some(source) => source.designation.clone(),
+        None => format!(
+            "{} × {} m, projects {} m",
+            plain(fender.width_m, 3),
+            plain(fender.height_m, 3),
+            plain(fender.projection_m, 3)
+        ),
+    }
+}
+
+/// Where the data come from, each source once; what was not read in a source is marked.
+fn sources(setups: &[FenderSetup]) -> Markup {
+    let mut designations: BTreeMap<(&str, String), &FenderSource> = BTreeMap::new();
+    for fender in setups {
+        if let Some(source) = &fender.source {
+            designations.entry((&source.designation, gives_back(fender))).or_insert(source);
+        }
+    }
+    let is_unnamed = setups.iter().any(|fender| fender.source.is_none());
+    html! {
+        h3 { "Fender data" }
+        ul class="plain" {
+            @for ((designation, gives_back), source) in &designations {
+                li {
+                    (designation) ": " (source.source) " – "
+                    (standing(&source.standing))
+                    ". " (gives_back)
+                }
+            }
+            @if designations.values().any(|source| source.standing.contains("rating given")) {
+                li { "Rating given: the rated reaction is the scenario's, on the curve of the family." }
+            }
+            @if is_unnamed { li { "Fenders without a type have the data of the scenario." } }
+        }
+    }
+}
+
+/// What its rubber gives back; nothing for a fender without an unloading law.
+fn gives_back(fender: &FenderSetup) -> String {
+    match &fender.unloading {
+        None => String::new(),
+        Some(Unloading::ReturnedEnergy(share)) => {
+            format!("It gives back {} % of the energy taken.", plain(100.0 * share, 3))
+        }
+        Some(Unloading::Curve(_)) => "It gives back what its unloading curve says.".to_owned(),
+    }
+}
+
+/// How sure the data are. Curve and rating may stand differently, as `curve recalled, rating given`: what was
+/// not read in a source is marked wherever it stands.
+fn standing(standing: &str) -> Markup {
+    let holds = |word: &str| standing.contains(word);
+    html! {
+        @if holds("recalled") {
+            strong { (standing) ": check it against the document before use" }
+        } @else if holds("derived") {
+            strong { (standing) ": computed from other data" }
+        } @else {
+            (standing)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_not_read_in_a_source_is_marked_wherever_it_stands() {
+        let marked = |text: &str| standing(text).into_string().contains("<strong>");
+        for text in ["recalled", "curve recalled, rating given", "derived"] {
+            assert!(marked(text), "{text}");
+        }
+        for text in ["found", "given", "curve found, rating given"] {
+            assert!(!marked(text), "{text}");
+        }
+    }
+}

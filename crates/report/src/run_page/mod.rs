@@ -1,0 +1,259 @@
+//! `report.html`: one page that an engineer can put before a client. It holds no date and no path,
+//! so that the same scenario gives the same bytes.
+
+mod berthing;
+mod charts;
+mod energy;
+mod fenders;
+mod parts;
+mod recorder;
+mod scene;
+mod tables;
+mod vessels;
+
+use fenderline_contact::EventKind;
+use fenderline_sim::Method;
+use maud::{Markup, html};
+
+use crate::plot::{fenders_legend, fixed, harbour_legend, outlined_legend, page};
+use crate::words::{event_text, interrupted_text};
+use fenderline_results::{Outcome, Verdict, is_plain, worst_first};
+
+pub use recorder::Recorder;
+
+use recorder::PairTrace;
+
+/// Pairs drawn in a chart at most: more lines than this cannot be told apart.
+const DRAWN_PAIRS: usize = 6;
+/// Fenders told of by name above the rest.
+const GRAVE_FENDERS: usize = 12;
+/// Pairs with a close-up of their own.
+const CLOSE_UPS: usize = 2;
+
+/// The page, from what the run gave and what was gathered on the way.
+pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
+    let drawn = strongest(recorder);
+    let body = html! {
+        h1 { (outcome.title) }
+        p class="subtitle" {
+            "Ship contact simulation · scenario " (outcome.scenario_file)
+            " · fenderline " (env!("CARGO_PKG_VERSION"))
+        }
+        @if let Some(interrupted) = &outcome.interrupted {
+            p { strong { "Interrupted: " } (interrupted_text(interrupted)) "." }
+        }
+        h2 { "Result" }
+        (fenders::headline(outcome))
+        (vessels::headline(outcome))
+        (tables::results(outcome))
+        (remarks(outcome))
+        (vessels::remarks(outcome))
+        h2 { "Plan view" }
+        (outlined_legend())
+        @if !outcome.setup.fenders.is_empty() { (fenders_legend()) }
+        (harbour(outcome))
+        (scene::whole(outcome, recorder))
+        (scene::moored(outcome, recorder))
+        @for trace in drawn.iter().take(CLOSE_UPS) { (scene::close_up(outcome, trace)) }
+        (fenders::section(outcome, recorder))
+        (berthing::section(outcome, recorder))
+        (vessels::sections(outcome, recorder))
+        h2 { "Time series" }
+        (left_out(recorder, &drawn))
+        (charts::all(outcome, recorder, &drawn))
+        h2 { "Energy" }
+        (energy::section(outcome, recorder))
+        h2 { "Set-up" }
+        (tables::setup(outcome))
+        h2 { "Method and its limits" }
+        (method_notes(outcome))
+        footer {
+            "Made by fenderline " (env!("CARGO_PKG_VERSION")) " from " (outcome.scenario_file)
+            ". The same scenario gives this page again, byte for byte."
+        }
+    };
+    page(outcome.title, &body)
+}
+
+/// The key to lines, tugs and banks, where there are any.
+fn harbour(outcome: &Outcome<'_>) -> Markup {
+    let world = &outcome.setup.world;
+    let (has_lines, has_tugs) = (!world.lines.is_empty(), !world.tugs.is_empty());
+    let has_banks = !world.environment.banks.is_empty();
+    html! {
+        @if has_lines || has_tugs || has_banks { (harbour_legend(has_lines, has_tugs, has_banks)) }
+    }
+}
+
+/// The pairs with the largest forces, largest first.
+fn strongest(recorder: &Recorder) -> Vec<&PairTrace> {
+    let mut pairs: Vec<&PairTrace> = recorder.pairs.iter().collect();
+    pairs.sort_by(|a, b| b.peak.normal_n.total_cmp(&a.peak.normal_n));
+    pairs.truncate(DRAWN_PAIRS);
+    pairs
+}
+
+fn left_out(recorder: &Recorder, drawn: &[&PairTrace]) -> Markup {
+    let touched = recorder.pairs.len();
+    html! {
+        @if recorder.pairs_not_followed {
+            p class="note" {
+                "More than " (touched) " pairs touched. The charts draw the " (drawn.len())
+                " with the largest forces among the first " (touched)
+                "; all pairs are in summary.json and in the contacts table."
+            }
+        } @else if touched > drawn.len() {
+            p class="note" {
+                (touched) " pairs touched; the charts draw the " (drawn.len())
+                " with the largest forces. All are in summary.json and in the contacts table."
+            }
+        }
+    }
+}
+
+/// What the scenario's author and the reader should know of this run.
+fn remarks(outcome: &Outcome<'_>) -> Markup {
+    let count = |wanted| {
+        let found = outcome.events.counts().find(|(kind, _)| *kind == wanted);
+        found.map_or(0, |(_, count)| count)
+    };
+    let (begun, ended) = (count(EventKind::ContactBegan), count(EventKind::ContactEnded));
+    // The fenders' are told by name.
+    let is_told = |kind| {
+        is_plain(kind)
+            || matches!(kind, EventKind::FenderRatingExceeded(_) | EventKind::FenderFailed(_))
+    };
+    let grave: Vec<_> = outcome.events.counts().filter(|(kind, _)| !is_told(*kind)).collect();
+    let fenders = grave_fenders(outcome);
+    html! {
+        @if begun > 0 {
+            p class="note" { "Contacts begun: " (begun) "; ended: " (ended) "." }
+        }
+        @if !grave.is_empty() || !fenders.is_empty() {
+            h3 { "To be looked at" }
+            ul class="plain" {
+                @for fender in fenders.iter().take(GRAVE_FENDERS) { li { (fender) } }
+                @if fenders.len() > GRAVE_FENDERS {
+                    li { "and " (fenders.len() - GRAVE_FENDERS) " more fenders, in summary.json" }
+                }
+                @for (kind, count) in grave {
+                    li { (event_text(kind)) @if count > 1 { " (" (count) " times)" } }
+                }
+            }
+        }
+        @if !outcome.notices.is_empty() {
+            h3 { "Notices" }
+            ul class="plain" {
+                @for notice in outcome.notices.iter().take(20) { li { (notice) } }
+                @if outcome.notices.len() > 20 {
+                    li { "and " (outcome.notices.len() - 20) " more, in summary.json" }
+                }
+            }
+        }
+    }
+}
+
+/// What is to be said of each fender that was used too hard, the worst first.
+fn grave_fenders(outcome: &Outcome<'_>) -> Vec<Markup> {
+    let setups = &outcome.setup.fenders;
+    let order = worst_first(setups, outcome.fenders);
+    let summaries = order.into_iter().map(|index| &outcome.fenders[index]);
+    let told = summaries.filter_map(|summary| {
+        let fender = &setups[summary.fender];
+        let verdict = Verdict::of(fender, summary);
+        let of = |share: Option<f64>| share.map_or_else(|| "–".into(), |s| fixed(100.0 * s, 0));
+        verdict.is_grave().then(|| html! {
+            strong { (fender.name) ": " (verdict.text()) }
+            @match verdict {
+                Verdict::Failed => {
+                    ": pressed " (fixed(summary.peak_deflection_m * 1e3, 0)) " mm, into its stop or flat. "
+                    "The stop and the structure behind it held the hull; forces there are no basis for "
+                    "design."
+                }
+                Verdict::OverRated => {
+                    ": energy " (of(summary.share_of_rated_energy)) " %, reaction "
+                    (of(summary.share_of_rated_reaction)) " %, deflection "
+                    (of(summary.share_of_rated_deflection)) " % of rated."
+                }
+                _ => { ": " (of(summary.share_of_hull_pressure)) " % of what the hull takes." }
+            }
+        })
+    });
+    told.collect()
+}
+
+fn method_notes(outcome: &Outcome<'_>) -> Markup {
+    html! {
+        ul class="plain" {
+            li {
+                "Contact forces by the overlap method of Moreno, Sasaki, Makiyama and Tannuri "
+                "(TransNav 17(4), 2023), with the signs put right: normal force from the overlap "
+                "area and its rate, friction by a shear spring that sticks and slips, and an "
+                "impulse-momentum limiter that sets the rebound by the coefficient of restitution."
+            }
+            @match outcome.setup.method {
+                Method::Paper => (paper_notes(outcome.setup.step_s)),
+                Method::Coupled => (coupled_notes(outcome.setup.step_s)),
+            }
+            li {
+                "Bodies are rigid, and move in the horizontal plane. "
+                @if outcome.setup.world.vessels.is_empty() {
+                    "The water acts by added mass alone, without damping, wind or current."
+                } @else {
+                    "On vessels act hull, propeller, rudder and thrusters by the MMG method, extended to low "
+                    "speed, and wind, current and mean wave drift; on other bodies the water acts by added "
+                    "mass alone. Heave, roll and pitch are oscillators beside the motion in the plane; they "
+                    "do not move fairleads, nor the place where a hull touches."
+                }
+            }
+            li {
+                "Energy: what is kinetic at the start and what the loads bring is kinetic now or was taken "
+                "by contact forces; work is force times the mean velocity of the step, so that this "
+                "balance is exact. Its residual is rounding, and where surge and sway have different "
+                "added mass what the step makes of momentum that turns with the body. What the forces "
+                "took is stored, lost to restitution, damping and friction, or lost or made up by method "
+                "and time step: that part falls with the step, but for outlines that meet in a corner, "
+                "whose law has no potential."
+            }
+            @if !outcome.setup.fenders.is_empty() {
+                li {
+                    "A fender's force is the gradient of the energy it stores: its reaction at the mean "
+                    "deflection over its width, times the factor that speed, angle, temperature and "
+                    "tolerance gave at the first touch. Its energy is the integral of the reaction, not "
+                    "a second table. Past its travel the stop acts, and behind it the structure."
+                }
+            }
+        }
+    }
+}
+
+fn paper_notes(step_s: f64) -> Markup {
+    html! {
+        li {
+            "Paper method: each pair is limited by itself. Where a body rests on several "
+            "others at once, or is pressed by a steady load, the limits do not know of each "
+            "other nor of the load, and depth and rebound may be off; see ARCHITECTURE. The "
+            "limiter sees the mass with the smallest added mass."
+        }
+        li {
+            "Forces stand at the start of the time step over which they act (" (step_s)
+            " s here). The peak rises and the contact shortens with a smaller step, while the "
+            "impulse stays; compare two steps before a peak is used in design."
+        }
+    }
+}
+
+fn coupled_notes(step_s: f64) -> Markup {
+    html! {
+        li {
+            "Coupled method: the forces of all contacts of a step are found together, with the "
+            "external loads and the full mass matrix of each body, so that several fenders "
+            "share one rebound and a steady load is held at its static depth."
+        }
+        li {
+            "Forces in the charts are means over the time step (" (step_s) " s here); where it is "
+            "too long for the contact the engine takes sub-steps, and the peaks in the tables are "
+            "those of the sub-steps."
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! What the report draws, gathered while the run goes on, in memory that does not grow with the
+//! run's length.
+
+mod body;
+mod docking;
+mod energy;
+mod fender;
+mod pair;
+mod parts;
+mod path;
+mod world;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use fenderline_contact::{BodyState, Contact};
+use fenderline_sim::{Energy, Setup, StepRecord};
+
+use fenderline_results::{TouchedFender, touched};
+
+pub(super) use body::BodyTrace;
+pub(super) use docking::DockingTrace;
+pub(super) use energy::EnergyTrace;
+pub(super) use fender::FenderTrace;
+pub(super) use pair::PairTrace;
+use pair::Touch;
+pub(super) use parts::PartsTrace;
+use path::Path;
+use world::tug_marks;
+pub(super) use world::{TugMark, VesselTrace, WorldTrace};
+
+/// Pairs, fenders and bodies that are followed; the tables of the report know all the others.
+pub(super) const FOLLOWED: usize = 128;
+
+/// Deflection of each touched fender at one moment (m), by its index in the set-up.
+pub(super) type Deflections = Vec<(usize, f64)>;
+
+/// The whole scene in the step of the largest force.
+#[derive(Clone, Debug)]
+pub(super) struct ScenePeak {
+    /// Start of that step (s).
+    pub(super) t_s: f64,
+    /// Sum of N over the patches of the pair (N).
+    normal_n: f64,
+    /// The patch with the largest N.
+    pub(super) contact: Contact,
+    /// All bodies.
+    pub(super) states: Vec<BodyState>,
+    /// How deep all fenders were pressed.
+    pub(super) deflections_m: Deflections,
+    /// All tugs.
+    pub(super) tugs: Vec<TugMark>,
+}
+
+/// All that the report draws of a run.
+pub struct Recorder {
+    pub(super) pairs: Vec<PairTrace>,
+    /// Pairs that touched when as many as can be followed already were.
+    pub(super) pairs_not_followed: bool,
+    pub(super) bodies: Vec<BodyTrace>,
+    /// In the order of first touch.
+    pub(super) fenders: Vec<FenderTrace>,
+    pub(super) energy: EnergyTrace,
+    pub(super) world: WorldTrace,
+    /// All tugs in the last step.
+    pub(super) last_tugs: Vec<TugMark>,
+    setup: Setup,
+    /// The ledger before the first step.
+    pub(super) start_energy: Energy,
+    /// The most that springs, stops and shear springs stored at the end of a step (J), and when (s).
+    pub(super) most_stored: (f64, f64),
+    /// The most that the springs and stops of all fenders stored at the start of a step (J), and when (s).
+    pub(super) most_in_fenders: (f64, f64),
+    pub(super) start: Vec<BodyState>,
+    /// The step of the largest force of all pairs, followed or not.
+    pub(super) peak: Option<ScenePeak>,
+    /// This step's touching pairs, kept for its allocation.
+    touching: BTreeMap<[usize; 2], Touch>,
+    /// This step's touched fenders, and how deep they are pressed.
+    touched: BTreeMap<usize, TouchedFender>,
+    deflections_m: Deflections,
+    /// The pairs of `pairs`.
+    followed: BTreeSet<[usize; 2]>,
+    has_loads: bool,
+    step_s: f64,
+}
+
+impl Recorder {
+    /// An empty record of a run of `setup` that begins with the ledger `start`.
+    pub fn new(setup: &Setup, start: Energy) -> Recorder {
+        let floating = setup.bodies.iter().enumerate().filter(|(_, body)| body.mass.is_some());
+        let mut energy = EnergyTrace::default();
+        energy.push(0.0, &start);
+        Recorder {
+            pairs: Vec::new(),
+            pairs_not_followed: false,
+            bodies: floating.take(FOLLOWED).map(|(body, _)| BodyTrace::new(body)).collect(),
+            fenders: Vec::new(),
+            energy,
+            world: WorldTrace::new(setup),
+            last_tugs: Vec::new(),
+            setup: setup.clone(),
+            start_energy: start,
+            most_stored: (0.0, 0.0),
+            most_in_fenders: (0.0, 0.0),
+            start: Vec::new(),
+            peak: None,
+            touching: BTreeMap::new(),
+            touched: BTreeMap::new(),
+            deflections_m: Vec::new(),
+            followed: BTreeSet::new(),
+            has_loads: !setup.loads.is_empty(),
+            step_s: setup.step_s,
+        }
+    }
+
+    /// Whether the run has external loads, and so a curve of their work.
+    pub(super) fn has_loads(&self) -> bool {
+        self.has_loads
+    }
+
+    /// Adds one step.
+    pub fn record(&mut self, step: &StepRecord<'_>) {
+        if step.index == 0 {
+            self.start = step.states.to_vec();
+        }
+        self.touching.clear();
+        for contact in step.contacts {
+            let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
+            self.touching
+                .entry(bodies)
+                .and_modify(|touch| *touch = touch.with(contact))
+                .or_insert_with(|| Touch::of(contact));
+        }
+        self.touched = touched(step.contacts);
+        self.deflections_m.clear();
+        let deflections_m = self.touched.iter().map(|(index, now)| (*index, now.deflection_m));
+        self.deflections_m.extend(deflections_m);
+        self.record_peak(step);
+        self.record_fenders(step);
+        self.record_pairs(step);
+        for body in &mut self.bodies {
+            body.push(step);
+        }
+        self.record_energy(step);
+        self.world.push(step);
+        if !step.tugs.is_empty() {
+            self.last_tugs = tug_marks(&self.setup, step, step.states);
+        }
+    }
+
+    fn record_peak(&mut self, step: &StepRecord<'_>) {
+        let strongest = self.touching.values().max_by(|a, b| a.normal_n.total_cmp(&b.normal_n));
+        let Some(touch) = strongest else { return };
+        if touch.normal_n <= self.peak.as_ref().map_or(0.0, |peak| peak.normal_n) {
+            return;
+        }
+        // The states' allocation is kept: a force may rise over many steps.
+        let mut states = self.peak.take().map_or_else(Vec::new, |peak| peak.states);
+        states.clear();
+        states.extend_from_slice(step.states);
+        self.peak = Some(ScenePeak {
+            t_s: step.t_s,
+            normal_n: touch.normal_n,
+            contact: touch.strongest,
+            states,
+            deflections_m: self.deflections_m.clone(),
+            tugs: tug_marks(&self.setup, step, step.states),
+        });
+    }
+
+    fn record_pairs(&mut self, step: &StepRecord<'_>) {
+        for (bodies, touch) in &self.touching {
+            if self.followed.contains(bodies) {
+                continue;
+            }
+            if self.pairs.len() == FOLLOWED {
+                self.pairs_not_followed = true;
+            } else {
+                self.followed.insert(*bodies);
+                let deflections_m = &self.deflections_m;
+                self.pairs.push(PairTrace::begin(*bodies, touch, deflections_m, step, self.step_s));
+            }
+        }
+        for trace in &mut self.pairs {
+            trace.push(self.touching.get(&trace.bodies), &self.deflections_m, step);
+        }
+    }
+
+    fn record_fenders(&mut self, step: &StepRecord<'_>) {
+        for &fender in self.touched.keys() {
+            let is_new = self.fenders.iter().all(|trace| trace.fender != fender);
+            if is_new && self.fenders.len() < FOLLOWED {
+                self.fenders.push(FenderTrace::begin(fender, step.t_s, self.step_s));
+            }
+        }
+        let stored_j = self.touched.values().map(|fender| fender.stored_j).sum();
+        if stored_j > self.most_in_fenders.0 {
+            self.most_in_fenders = (stored_j, step.t_s);
+        }
+        for trace in &mut self.fenders {
+            trace.push(step.t_s, self.touched.get(&trace.fender));
+        }
+    }
+
+    fn record_energy(&mut self, step: &StepRecord<'_>) {
+        // The ledger stands at the end of the step.
+        let end_s = step.t_s + self.step_s;
+        self.energy.push(end_s, &step.energy);
+        let stored_j = step.energy.stored_j + step.energy.shear_stored_j;
+        if stored_j > self.most_stored.0 {
+            self.most_stored = (stored_j, end_s);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! A path in a plane, in bounded memory whatever its length.
+
+use fenderline_contact::number::greater;
+
+use crate::plot::Point;
+
+/// Points kept of a path.
+const POINTS: usize = 2000;
+/// Points closer than this share of the path's extent to the last one are left out; doubled each time
+/// that the store is full.
+const FINEST: f64 = 1e-3;
+
+/// A path of which points are kept where it has gone on by a share of its extent, so that a long rest
+/// takes no room and a loop keeps its shape.
+#[derive(Clone, Debug, Default)]
+pub(in crate::run_page) struct Path {
+    points: Vec<Point>,
+    /// The last point that was given, kept or not.
+    last: Option<Point>,
+    extent: (f64, f64),
+    doublings: u32,
+}
+
+impl Path {
+    /// Goes on to a point of finite coordinates.
+    pub(super) fn push(&mut self, x: f64, y: f64) {
+        let point = Point { x, y };
+        self.extent = (greater(self.extent.0, x.abs()), greater(self.extent.1, y.abs()));
+        let is_far = self.points.last().is_none_or(|kept| self.is_apart(*kept, point));
+        if is_far {
+            self.points.push(point);
+            if self.points.len() > POINTS {
+                self.coarsen();
+            }
+        }
+        self.last = Some(point);
+    }
+
+    fn is_apart(&self, a: Point, b: Point) -> bool {
+        let finest = FINEST * f64::from(1_u32 << self.doublings.min(31));
+        (a.x - b.x).abs() > finest * self.extent.0 || (a.y - b.y).abs() > finest * self.extent.1
+    }
+
+    /// Doubles the distance of points, and drops those that are now too close.
+    fn coarsen(&mut self) {
+        self.doublings += 1;
+        let mut kept: Vec<Point> = Vec::with_capacity(POINTS);
+        for &point in &self.points {
+            if kept.last().is_none_or(|last| self.is_apart(*last, point)) {
+                kept.push(point);
+            }
+        }
+        self.points = kept;
+    }
+
+    /// The points kept, and the last one.
+    pub(in crate::run_page) fn points(&self) -> Vec<Point> {
+        let mut points = self.points.clone();
+        points.extend(self.last.filter(|last| points.last() != Some(last)));
+        points
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_loop_keeps_its_shape_and_a_rest_takes_no_room() {
+        let mut path = Path::default();
+        for k in 0..1_000_000 {
+            // Up the diagonal and back below it, then at rest.
+            let (x, y) = match f64::from(k) * 1e-3 {
+                up if up <= 100.0 => (up, up),
+                down if down <= 200.0 => (200.0 - down, 0.5 * (200.0 - down)),
+                _ => (0.0, 0.0),
+            };
+            path.push(x, y);
+        }
+        let points = path.points();
+        assert!(points.len() <= POINTS + 1);
+        let top = points.iter().map(|p| p.x).fold(0.0, greater);
+        assert!(top > 99.5, "{top}");
+        assert_eq!(points.last(), Some(&Point { x: 0.0, y: 0.0 }));
+        assert!(points.iter().any(|p| (p.y - 0.5 * p.x).abs() < 1e-9 && p.x > 20.0));
+    }
+
+    #[test]
+    fn a_path_that_never_ends_stays_bounded() {
+        let mut path = Path::default();
+        for k in 0..200_000_u32 {
+            path.push(f64::from(k % 1013), f64::from(k % 997));
+        }
+        assert!(path.points().len() <= POINTS + 1);
+    }
+}

@@ -1,0 +1,187 @@
+//! What the report follows of vessels, tugs and lines.
+
+use fenderline_contact::{BodyState, Rotation, Vec2};
+use fenderline_sim::tug::TugOrder;
+use fenderline_sim::{Setup, StepRecord, VesselState};
+
+use super::docking::{Berth, DockingTrace};
+use crate::plot::Decimator;
+
+/// Vessels, tugs and lines that are followed, of each; the tables of the report know all the others.
+const FOLLOWED: usize = 16;
+
+/// Time series of the world's parts, in the order of the set-up.
+pub(in crate::run_page) struct WorldTrace {
+    pub(in crate::run_page) vessels: Vec<VesselTrace>,
+    pub(in crate::run_page) tugs: Vec<TugTrace>,
+    /// Tension of each line (N); 0 while it is not fast.
+    pub(in crate::run_page) lines: Vec<Decimator>,
+    step_s: f64,
+}
+
+/// Time series of one vessel, in her own units of SI.
+pub(in crate::run_page) struct VesselTrace {
+    body: usize,
+    /// Speed over ground ahead and to starboard (m/s).
+    pub(in crate::run_page) along_mps: Decimator,
+    pub(in crate::run_page) across_mps: Decimator,
+    pub(in crate::run_page) heading_rad: Decimator,
+    pub(in crate::run_page) turn_radps: Decimator,
+    /// Order and what it became, of rudder and revolutions.
+    pub(in crate::run_page) rudder_rad: [Decimator; 2],
+    pub(in crate::run_page) shaft_rps: [Decimator; 2],
+    /// The same of each thruster, −1 to 1.
+    pub(in crate::run_page) thrusters: Vec<[Decimator; 2]>,
+    pub(in crate::run_page) azimuths: Vec<AzimuthTrace>,
+    /// Roll and pitch with waves (rad), heave (m).
+    pub(in crate::run_page) roll_rad: Decimator,
+    pub(in crate::run_page) pitch_rad: Decimator,
+    pub(in crate::run_page) heave_m: Decimator,
+    /// Squat (m).
+    pub(in crate::run_page) squat_m: Decimator,
+    /// Water under her keel (m); nothing where the water is deep.
+    pub(in crate::run_page) under_keel_m: Decimator,
+    /// Distance of her ends to a row of fenders, where there is one.
+    pub(in crate::run_page) docking: Option<DockingTrace>,
+}
+
+/// Order and what it became, of one azimuth unit.
+#[derive(Default)]
+pub(in crate::run_page) struct AzimuthTrace {
+    /// Over the thrust at rest and full power.
+    pub(in crate::run_page) power: [Decimator; 2],
+    /// From the bow, positive to starboard, −π to π.
+    pub(in crate::run_page) direction_rad: [Decimator; 2],
+}
+
+/// Order and force of one tug (N).
+#[derive(Default)]
+pub(in crate::run_page) struct TugTrace {
+    pub(in crate::run_page) ordered_n: Decimator,
+    pub(in crate::run_page) force_n: Decimator,
+}
+
+/// A tug at one moment, as a plan view draws her.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::run_page) struct TugMark {
+    /// Index into the set-up's tugs.
+    pub(in crate::run_page) tug: usize,
+    /// Where her force acts (m).
+    pub(in crate::run_page) at_m: Vec2,
+    /// Her force on the ship, earth-fixed (N).
+    pub(in crate::run_page) force_n: Vec2,
+    pub(in crate::run_page) on_line: bool,
+}
+
+/// The tugs in a step, on ships in these states.
+pub(in crate::run_page) fn tug_marks(
+    setup: &Setup,
+    step: &StepRecord<'_>,
+    states: &[BodyState],
+) -> Vec<TugMark> {
+    let tugs = step.tugs.iter().zip(&setup.world.tugs).enumerate();
+    let marks = tugs.map(|(tug, (now, of))| {
+        let vessel = &setup.world.vessels[of.vessel];
+        let ahead_m = vessel.ship.particulars.centre_of_gravity_m;
+        let pose = states[vessel.body].pose();
+        let own = fenderline_contact::vec2(now.force.surge_n, now.force.sway_n);
+        TugMark {
+            tug,
+            at_m: pose.apply(now.at_m - fenderline_contact::vec2(ahead_m, 0.0)),
+            force_n: pose.rotation.apply(own),
+            on_line: now.state.on_line,
+        }
+    });
+    marks.collect()
+}
+
+impl WorldTrace {
+    pub(super) fn new(setup: &Setup) -> WorldTrace {
+        let berth = Berth::of(setup);
+        let world = &setup.world;
+        let vessels = world.vessels.iter().take(FOLLOWED).map(|vessel| {
+            let docking = berth.filter(|berth| berth.body != vessel.body);
+            let hull = &setup.bodies[vessel.body].outline;
+            VesselTrace {
+                body: vessel.body,
+                along_mps: Decimator::new(),
+                across_mps: Decimator::new(),
+                heading_rad: Decimator::new(),
+                turn_radps: Decimator::new(),
+                rudder_rad: Default::default(),
+                shaft_rps: Default::default(),
+                thrusters: vessel.thrusters.iter().map(|_| Default::default()).collect(),
+                azimuths: vessel.azimuths.iter().map(|_| Default::default()).collect(),
+                roll_rad: Decimator::new(),
+                pitch_rad: Decimator::new(),
+                heave_m: Decimator::new(),
+                squat_m: Decimator::new(),
+                under_keel_m: Decimator::new(),
+                docking: docking.map(|berth| DockingTrace::new(berth, hull)),
+            }
+        });
+        WorldTrace {
+            vessels: vessels.collect(),
+            tugs: world.tugs.iter().take(FOLLOWED).map(|_| TugTrace::default()).collect(),
+            lines: world.lines.iter().take(FOLLOWED).map(|_| Decimator::new()).collect(),
+            step_s: setup.step_s,
+        }
+    }
+
+    pub(super) fn push(&mut self, step: &StepRecord<'_>) {
+        for (trace, now) in self.vessels.iter_mut().zip(step.vessels) {
+            trace.push(step.t_s, self.step_s, step.states, now);
+        }
+        for (trace, now) in self.tugs.iter_mut().zip(step.tugs) {
+            let ordered_n = match now.state.order {
+                TugOrder::StandBy => 0.0,
+                TugOrder::Push { force_n, .. } | TugOrder::Pull { force_n, .. } => force_n,
+            };
+            trace.ordered_n.push(step.t_s, ordered_n);
+            trace.force_n.push(step.t_s, libm::hypot(now.force.surge_n, now.force.sway_n));
+        }
+        for (trace, now) in self.lines.iter_mut().zip(step.lines) {
+            trace.push(step.t_s, now.load.tension_n);
+        }
+    }
+}
+
+impl VesselTrace {
+    fn push(&mut self, t_s: f64, step_s: f64, states: &[BodyState], now: &VesselState) {
+        let state = &states[self.body];
+        let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
+        self.along_mps.push(t_s, own.x);
+        self.across_mps.push(t_s, own.y);
+        self.heading_rad.push(t_s, state.heading_rad);
+        self.turn_radps.push(t_s, state.yaw_rate_radps);
+        let push = |two: &mut [Decimator; 2], order: f64, actual: f64| {
+            two[0].push(t_s, order);
+            two[1].push(t_s, actual);
+        };
+        push(&mut self.rudder_rad, now.orders.rudder_rad, now.rudder.value);
+        push(&mut self.shaft_rps, now.orders.shaft * now.shaft.stop, now.shaft.value);
+        let thrusters = now.orders.thrusters.iter().zip(&now.thrusters);
+        for (trace, (order, lag)) in self.thrusters.iter_mut().zip(thrusters) {
+            push(trace, *order, lag.value);
+        }
+        let azimuths = now.orders.azimuths.iter().zip(&now.azimuths);
+        for (trace, (order, unit)) in self.azimuths.iter_mut().zip(azimuths) {
+            push(&mut trace.power, order.power, unit.power.value);
+            let ordered_rad = libm::remainder(order.direction_rad, core::f64::consts::TAU);
+            push(&mut trace.direction_rad, ordered_rad, unit.direction.angle_rad);
+        }
+        // Attitude is that of the end of the step.
+        let end_s = t_s + step_s;
+        let [_, _, heave_m, roll_rad, pitch_rad, _] = now.wave_motion.motion;
+        self.squat_m.push(t_s, now.squat_m);
+        if let Some(clearance_m) = now.under_keel_m {
+            self.under_keel_m.push(t_s, clearance_m);
+        }
+        self.heave_m.push(end_s, now.attitude.heave.value + heave_m);
+        self.roll_rad.push(end_s, now.attitude.roll.value + roll_rad);
+        self.pitch_rad.push(end_s, now.attitude.pitch.value + pitch_rad);
+        if let Some(docking) = &mut self.docking {
+            docking.push(t_s, states, state);
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! Lines, tugs, wind, current and waves of a plan view, and the view of the moored ship.
+
+use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_sim::environment::Bank;
+use fenderline_sim::environment::current::Current;
+use fenderline_sim::{Environment, LineEnd, Setup};
+use maud::{Markup, html};
+
+use super::{NAME_LENGTH, middle, outlined, reach, styles};
+use crate::plot::{
+    Frame, Harbour, Label, LineDrawn, Plan, Stage, TugDrawn, Weather, fixed, plain, shortened,
+    significant,
+};
+use crate::run_page::Recorder;
+use crate::run_page::fenders::boxes;
+use crate::run_page::recorder::TugMark;
+use crate::run_page::tables::KNOT_MPS;
+use crate::run_page::vessels::compass;
+use fenderline_results::Outcome;
+
+/// Lines that were fast, with bodies in these states.
+fn lines(outcome: &Outcome<'_>, states: &[BodyState]) -> Vec<LineDrawn> {
+    let lines = outcome.setup.world.lines.iter().zip(&outcome.world.lines);
+    let drawn = lines.filter(|(_, totals)| totals.is_fast || totals.parted_s.is_some());
+    let drawn = drawn.map(|(line, totals)| LineDrawn {
+        ends_m: [
+            states[line.ship].pose().apply(line.fairlead_m),
+            match line.end {
+                LineEnd::Fixed([north_m, east_m, _]) => vec2(north_m, east_m),
+                LineEnd::OnBody { body, at_m, .. } => states[body].pose().apply(at_m),
+            },
+        ],
+        share: totals.share_of_break_load().unwrap_or(0.0),
+        has_parted: totals.parted_s.is_some(),
+    });
+    drawn.collect()
+}
+
+/// Tugs as a view draws them.
+fn tugs(setup: &Setup, marks: &[TugMark]) -> Vec<TugDrawn> {
+    let drawn = marks.iter().map(|mark| {
+        let name = shortened(&setup.world.tugs[mark.tug].tug.name, NAME_LENGTH);
+        let force_n = mark.force_n.length();
+        // Less than a kilonewton is a tug that stands by.
+        let works = force_n >= 1e3;
+        TugDrawn {
+            at_m: mark.at_m,
+            direction: if works { mark.force_n * (1.0 / force_n) } else { Vec2::ZERO },
+            on_line: works && mark.on_line,
+            label: match (works, mark.on_line) {
+                (false, _) => format!("{name}: stands by"),
+                (true, false) => format!("{name} pushes {} kN", significant(force_n / 1e3, 2)),
+                (true, true) => format!("{name} pulls {} kN", significant(force_n / 1e3, 2)),
+            },
+        }
+    });
+    drawn.collect()
+}
+
+/// Tugs at the peak force, or at the end of a run without contact, and the weather.
+pub(super) fn around(setup: &Setup, recorder: &Recorder) -> Harbour {
+    let marks = recorder.peak.as_ref().map_or(&recorder.last_tugs, |peak| &peak.tugs);
+    Harbour {
+        lines: Vec::new(),
+        tugs: tugs(setup, marks),
+        banks: banks(&setup.world.environment),
+        weather: weather(&setup.world.environment),
+    }
+}
+
+fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
+    environment.banks.iter().map(Bank::ends_m).collect()
+}
+
+/// Wind, current and waves at the start: the wind and the waves by where they come from, the current by
+/// where it goes, as at sea.
+fn weather(environment: &Environment) -> Vec<Weather> {
+    let wind = environment.wind.as_ref().and_then(|wind| {
+        let (speed_mps, from_rad) = wind.mean_at(0.0);
+        let when = if wind.is_series() { ", at the start" } else { "" };
+        (speed_mps > 0.0).then(|| Weather {
+            towards: direction(from_rad) * -1.0,
+            text: format!("wind {} from {}{when}", both(speed_mps), compass(from_rad)),
+            colour: "#0072B2",
+        })
+    });
+    let current = environment.current.as_ref().and_then(|current| {
+        // Of a current that varies: that in the origin, at the surface, at the start.
+        let which = match current {
+            Current::Uniform(_) => "",
+            Current::Layered(_) => " (at the surface)",
+            Current::Grid(_) => " (in the origin, at the start)",
+        };
+        let velocity = current.velocity(Vec2::ZERO, 0.0, 0.0);
+        let speed_mps = velocity.length();
+        let towards_rad = libm::atan2(velocity.y, velocity.x);
+        (speed_mps > 0.0).then(|| Weather {
+            towards: velocity * (1.0 / speed_mps),
+            text: format!("current {} towards {}{which}", both(speed_mps), compass(towards_rad)),
+            colour: "#009E73",
+        })
+    });
+    let waves = environment.sea.as_ref().map(|sea| {
+        let from_rad = sea.towards_rad() + core::f64::consts::PI;
+        Weather {
+            towards: direction(sea.towards_rad()),
+            text: format!(
+                "waves Hs {} m from {}{}",
+                plain(sea.significant_height_m(), 2),
+                compass(from_rad),
+                if sea.is_short_crested() { ", short-crested" } else { "" }
+            ),
+            colour: "#7F5F3F",
+        }
+    });
+    wind.into_iter().chain(current).chain(waves).collect()
+}
+
+fn both(speed_mps: f64) -> String {
+    format!("{} m/s ({} kn)", plain(speed_mps, 3), fixed(speed_mps / KNOT_MPS, 1))
+}
+
+fn direction(angle_rad: f64) -> Vec2 {
+    vec2(libm::cos(angle_rad), libm::sin(angle_rad))
+}
+
+/// The ships with lines at the end of the run; nothing where no line was made fast.
+pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    let setup = outcome.setup;
+    let states = outcome.states;
+    let lines = lines(outcome, states);
+    if lines.is_empty() {
+        return html! {};
+    }
+    let styles = styles(setup);
+    let moored: Vec<usize> = setup.world.lines.iter().map(|line| line.ship).collect();
+    let mut outlines = Vec::new();
+    let mut frame = Frame::around(lines.iter().flat_map(|line| line.ends_m));
+    for (index, body) in setup.bodies.iter().enumerate() {
+        let stage = if body.mass.is_none() { Stage::Fixed } else { Stage::Peak };
+        let outline = outlined(body, &states[index], stage, styles[index]);
+        if moored.contains(&index) {
+            let around = Frame::around(outline.vertices_m.iter().copied());
+            frame = super::joined(frame, around);
+        }
+        outlines.push(outline);
+    }
+    let Some(frame) = frame else { return html! {} };
+    let marks = |mark: &&TugMark| {
+        moored.contains(&setup.world.vessels[setup.world.tugs[mark.tug].vessel].body)
+    };
+    let marks: Vec<TugMark> = recorder.last_tugs.iter().filter(marks).copied().collect();
+    let names = moored.iter().take(1).map(|&index| Label {
+        at_m: middle(&setup.bodies[index], &states[index]),
+        reach_m: reach(&setup.bodies[index]),
+        side: Vec2::ZERO,
+        text: shortened(&setup.bodies[index].name, NAME_LENGTH),
+    });
+    let lines_named = setup.world.lines.iter().zip(&outcome.world.lines);
+    let lines_named = lines_named.filter(|(_, totals)| totals.is_fast || totals.parted_s.is_some());
+    let line_names = lines_named.zip(&lines).map(|((line, totals), drawn)| {
+        let share = totals.share_of_break_load().unwrap_or(0.0);
+        Label {
+            at_m: drawn.ends_m[1],
+            reach_m: 0.0,
+            side: vec2(0.0, 1.0),
+            text: format!(
+                "{} {} %",
+                shortened(&line.line.name, NAME_LENGTH),
+                fixed(100.0 * share, 0)
+            ),
+        }
+    });
+    Plan {
+        title: "Moored, at the end of the run".to_owned(),
+        frame,
+        outlines,
+        fenders: boxes(outcome, &[], |body| Some(&states[body])),
+        harbour: Harbour {
+            lines: lines.clone(),
+            tugs: tugs(setup, &marks),
+            banks: banks(&setup.world.environment),
+            weather: weather(&setup.world.environment),
+        },
+        tracks: Vec::new(),
+        arrows: Vec::new(),
+        labels: names.chain(line_names).collect(),
+        note: "Lines with their peak tension over break load.".to_owned(),
+    }
+    .render()
+}

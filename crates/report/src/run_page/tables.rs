@@ -1,0 +1,270 @@
+//! Tables of the report: results, bodies, materials, loads and how the run was made.
+
+use fenderline_sim::{BodySetup, Integrator, Load, Method, NamedMaterial, PairSummary, Setup};
+use maud::{Markup, html};
+
+use crate::plot::{decimals_for, fixed, plain, significant};
+use fenderline_results::Outcome;
+
+/// Rows shown of a long table.
+pub(super) const ROWS: usize = 30;
+/// One knot (m/s).
+pub(super) const KNOT_MPS: f64 = 1852.0 / 3600.0;
+
+pub(super) fn number(text: &str) -> Markup {
+    html! { td class="number" { (text) } }
+}
+
+pub(super) fn heading(label: &str, unit: &str) -> Markup {
+    html! { th class="number" scope="col" { (label) small { (unit) } } }
+}
+
+/// As [`heading`], for a quantity whose symbol has a subscript.
+fn symbol_heading(label: &str, symbol: &str, subscript: &str, unit: &str) -> Markup {
+    html! { th class="number" scope="col" { (label) " " (symbol) sub { (subscript) } small { (unit) } } }
+}
+
+pub(super) fn more(total: usize) -> Markup {
+    html! {
+        @if total > ROWS {
+            p class="note" { "and " (total - ROWS) " more, left out here." }
+        }
+    }
+}
+
+/// The key results, one row a pair, the largest force first.
+pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
+    let mut pairs: Vec<&PairSummary> = outcome.pairs.iter().collect();
+    pairs.sort_by(|a, b| b.peak_normal_force_n.total_cmp(&a.peak_normal_force_n));
+    if pairs.is_empty() {
+        return html! { p { "No bodies touched in this run." } };
+    }
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Contact" }
+                    (heading("First touch", "s"))
+                    (heading("Peak normal force", "kN"))
+                    (heading("at", "s"))
+                    (heading("Peak depth", "m"))
+                    (heading("Impulse", "kN·s"))
+                    (heading("Approach speed", "m/s (kn)"))
+                    (heading("Final speed", "m/s (kn)"))
+                } }
+                tbody {
+                    @for (index, pair) in pairs.iter().take(ROWS).enumerate() {
+                        tr class=[(index == 0 && pairs.len() > 1).then_some("strong")] {
+                            (result_cells(pair, outcome.setup))
+                        }
+                    }
+                }
+            }
+        }
+        (more(pairs.len()))
+        p class="note" {
+            "Speeds are relative, along the contact normal: approach at the first touch, positive "
+            "closing; final at the end of the last touching step, positive parting."
+            @if pairs.iter().any(|p| p.touching_at_end) {
+                " † Still touching at the end of the run."
+            }
+        }
+    }
+}
+
+fn result_cells(pair: &PairSummary, setup: &Setup) -> Markup {
+    let [name_1, name_2] = pair.bodies.map(|i| setup.bodies[i].name.as_str());
+    let decimals = decimals_for(setup.step_s);
+    html! {
+        td class="name" { (name_1) " – " (name_2) @if pair.touching_at_end { " †" } }
+        (number(&fixed(pair.first_touch_s, decimals)))
+        (number(&significant(pair.peak_normal_force_n / 1e3, 4)))
+        (number(&fixed(pair.peak_normal_force_at_s, decimals)))
+        (number(&fixed(pair.peak_depth_m, 3)))
+        (number(&significant(pair.impulse_ns / 1e3, 4)))
+        (number(&speed(pair.approach_speed_mps)))
+        (number(&speed(pair.final_speed_mps)))
+    }
+}
+
+/// A speed in m/s with knots beside it.
+fn speed(speed_mps: f64) -> String {
+    format!("{} ({})", fixed(speed_mps, 3), fixed(speed_mps / KNOT_MPS, 2))
+}
+
+/// Everything that the scenario set.
+pub(super) fn setup(outcome: &Outcome<'_>) -> Markup {
+    let setup = outcome.setup;
+    html! {
+        h3 { "Bodies" }
+        (bodies(&setup.bodies))
+        h3 { "Materials" }
+        (materials(&setup.materials))
+        @if !setup.fenders.is_empty() {
+            h3 { "Fenders" }
+            (super::fenders::setup_table(setup))
+        }
+        @if !setup.loads.is_empty() {
+            h3 { "External loads" }
+            (loads(setup))
+        }
+        h3 { "Computation" }
+        dl {
+            dt { "Contact method" }
+            dd { @match setup.method {
+                Method::Coupled => "coupled: all contacts and loads in one solve, with sub-steps",
+                Method::Paper => "paper: each pair limited by itself",
+            } }
+            dt { "Integrator" }
+            dd { @match setup.integrator {
+                Integrator::Euler => "forward Euler",
+                Integrator::SemiImplicit => "semi-implicit Euler: velocities first",
+                Integrator::Rk4 => "classical Runge–Kutta of fourth order",
+            } }
+            dt { "Time step" }
+            dd { (setup.step_s) " s" }
+            dt { "Steps" }
+            dd { (outcome.steps) ", for " (setup.duration_s) " s" }
+            dt { "Pairs that may touch" }
+            dd {
+                (setup.pairs.len()) " named"
+                @if let Some(material) = setup.all_other_pairs {
+                    "; every other pair with the material " (setup.materials[material].name)
+                }
+            }
+        }
+    }
+}
+
+fn bodies(bodies: &[BodySetup]) -> Markup {
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Body" }
+                    (heading("Length ×\u{a0}breadth", "m"))
+                    (heading("Displacement", "t"))
+                    (heading("Added mass", "surge / sway, t"))
+                    (heading("Gyradius", "m"))
+                    (heading("Position", "north, east, m"))
+                    (heading("Heading", "deg"))
+                    (heading("Speed", "m/s (kn)"))
+                    (heading("Rate of turn", "deg/s"))
+                } }
+                tbody { @for body in bodies.iter().take(ROWS) { (body_row(body)) } }
+            }
+        }
+        (more(bodies.len()))
+        p class="note" {
+            "Length and breadth are those of the outline. Gyradius and displacement are without "
+            "added mass. Speed is over ground at the start."
+        }
+    }
+}
+
+fn body_row(body: &BodySetup) -> Markup {
+    let (low, high) = body.outline.bounds();
+    let size = high - low;
+    let velocity = body.velocity;
+    let speed_mps = fenderline_contact::vec2(velocity.surge_mps, velocity.sway_mps).length();
+    let heading_deg = body.heading_rad.to_degrees().rem_euclid(360.0);
+    // A heading a hair below 360° reads 0.
+    let heading_deg = if heading_deg > 359.995 { 0.0 } else { heading_deg };
+    html! {
+        tr {
+            td class="name" { (body.name) }
+            (number(&format!("{} × {}", plain(size.x, 4), plain(size.y, 4))))
+            @if let Some(mass) = body.mass {
+                (number(&plain(mass.mass_kg / 1e3, 6)))
+                (number(&format!("{} / {}",
+                    plain(mass.added_surge_kg / 1e3, 4),
+                    plain(mass.added_sway_kg / 1e3, 4))))
+                (number(&plain(libm::sqrt(mass.yaw_inertia_kgm2 / mass.mass_kg), 4)))
+            } @else {
+                td class="number" { "fixed" }
+                td class="number" { "–" }
+                td class="number" { "–" }
+            }
+            (number(&format!("{}, {}",
+                plain(body.position_m.x, 6), plain(body.position_m.y, 6))))
+            (number(&plain(heading_deg, 4)))
+            @if body.mass.is_some() {
+                (number(&speed(speed_mps)))
+                (number(&plain(velocity.yaw_radps.to_degrees(), 3)))
+            } @else {
+                td class="number" { "–" }
+                td class="number" { "–" }
+            }
+        }
+    }
+}
+
+fn materials(materials: &[NamedMaterial]) -> Markup {
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Material" }
+                    (heading("Stiffness k", "kN/m²"))
+                    (heading("Damping c", "kN·s/m²"))
+                    (symbol_heading("Shear stiffness", "k", "s", "kN/m"))
+                    (symbol_heading("Static friction", "μ", "s", "–"))
+                    (symbol_heading("Dynamic friction", "μ", "k", "–"))
+                    (heading("Restitution γ", "–"))
+                } }
+                tbody {
+                    @for NamedMaterial { name, material } in materials.iter().take(ROWS) {
+                        tr {
+                            td class="name" { (name) }
+                            (number(&plain(material.stiffness_npm2 / 1e3, 4)))
+                            (number(&plain(material.damping_nspm2 / 1e3, 4)))
+                            (number(&plain(material.shear_stiffness_npm / 1e3, 4)))
+                            (number(&material.friction_static.to_string()))
+                            (number(&material.friction_dynamic.to_string()))
+                            (number(&material.restitution.to_string()))
+                        }
+                    }
+                }
+            }
+        }
+        (more(materials.len()))
+    }
+}
+
+fn loads(setup: &Setup) -> Markup {
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Body" }
+                    (heading("Force north", "kN"))
+                    (heading("Force east", "kN"))
+                    (heading("Moment", "kN·m"))
+                    (heading("From", "s"))
+                    (heading("Until", "s"))
+                } }
+                tbody {
+                    @for load in setup.loads.iter().take(ROWS) { (load_row(load, setup)) }
+                }
+            }
+        }
+        (more(setup.loads.len()))
+    }
+}
+
+fn load_row(load: &Load, setup: &Setup) -> Markup {
+    html! {
+        tr {
+            td class="name" { (setup.bodies[load.body].name) }
+            (number(&plain(load.force_n.x / 1e3, 4)))
+            (number(&plain(load.force_n.y / 1e3, 4)))
+            (number(&plain(load.moment_nm / 1e3, 4)))
+            (number(&load.from_s.to_string()))
+            @if load.until_s.is_finite() {
+                (number(&load.until_s.to_string()))
+            } @else {
+                td class="number" { "end of run" }
+            }
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! Charts of vessels, tugs and lines over time.
+
+use fenderline_sim::VesselSetup;
+use maud::{Markup, html};
+
+use crate::plot::{Axis, Decimator, Reference, STYLES, Series};
+use crate::run_page::Recorder;
+use crate::run_page::charts::{Charts, scaled};
+use crate::run_page::recorder::{DockingTrace, VesselTrace};
+use crate::run_page::tables::KNOT_MPS;
+
+/// Vessels with charts of their own.
+const VESSELS: usize = 3;
+/// Below this a motion is none (m, rad).
+const STILL: f64 = 1e-9;
+/// Below this nobody asks for squat (m).
+const SEEN_M: f64 = 0.01;
+
+/// The charts of each vessel.
+pub(super) fn vessels(page: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let setup = page.outcome.setup;
+    let all = setup.world.vessels.iter().zip(&recorder.world.vessels);
+    html! {
+        @for (vessel, trace) in all.take(VESSELS) {
+            (of_vessel(page, &setup.bodies[vessel.body].name, vessel, trace))
+        }
+        @if setup.world.vessels.len() > VESSELS {
+            p class="note" {
+                "Charts of the first " (VESSELS) " of " (setup.world.vessels.len())
+                " vessels; all are in the table of vessels."
+            }
+        }
+    }
+}
+
+fn line(name: &str, of: &Decimator, factor: f64) -> Series {
+    Series::line(name, of.points()).scaled(factor)
+}
+
+/// Order and what it became.
+fn both([order, actual]: &[Decimator; 2], factor: f64) -> Vec<Series> {
+    vec![line("ordered", order, factor).styled(1), line("actual", actual, factor).styled(0)]
+}
+
+fn of_vessel(page: &Charts<'_>, name: &str, setup: &VesselSetup, trace: &VesselTrace) -> Markup {
+    let degrees = 1.0_f64.to_degrees();
+    let zero = |label: &str, unit: &str| Axis::new(label, unit).including(0.0);
+    let chart = |title: &str, axis: Axis, series: Vec<Series>| {
+        page.chart(&format!("{title}, {name}"), axis, series).render()
+    };
+    let moves = |of: &Decimator| Series::line("", of.points()).largest() > STILL;
+    html! {
+        (chart("Speed over ground", zero("speed", "kn"), vec![
+            line("ahead", &trace.along_mps, 1.0 / KNOT_MPS),
+            line("to starboard", &trace.across_mps, 1.0 / KNOT_MPS),
+        ]))
+        @if let Some(docking) = &trace.docking { (of_docking(page, name, docking)) }
+        (chart("Heading", Axis::new("heading", "deg"), vec![
+            line("heading", &trace.heading_rad, degrees),
+        ]))
+        (chart("Rate of turn, positive to starboard", zero("rate of turn", "deg/min"), vec![
+            line("rate of turn", &trace.turn_radps, 60.0 * degrees),
+        ]))
+        @if trace.rudder_rad.iter().any(moves) {
+            (chart("Rudder, positive turns to starboard", zero("rudder", "deg"),
+                both(&trace.rudder_rad, degrees)))
+        }
+        @if trace.shaft_rps.iter().any(moves) {
+            (chart("Revolutions, positive ahead", zero("revolutions", "rpm"),
+                both(&trace.shaft_rps, 60.0)))
+        }
+        @for (of, thruster) in setup.thrusters.iter().zip(&trace.thrusters).take(STYLES / 2) {
+            (chart(&format!("Thruster {}, positive to starboard", of.name), zero("thrust", "%"),
+                both(thruster, 100.0)))
+        }
+        @for (of, unit) in setup.azimuths.iter().zip(&trace.azimuths).take(STYLES / 2) {
+            (chart(&format!("Azimuth unit {}, power", of.name), zero("thrust at rest", "%"),
+                both(&unit.power, 100.0)))
+            (chart(&format!("Azimuth unit {}, direction of its thrust from the bow", of.name),
+                zero("direction", "deg"), both(&unit.direction_rad, degrees)))
+        }
+        @if moves(&trace.roll_rad) || moves(&trace.pitch_rad) {
+            (chart("Roll (to starboard) and pitch (bow up)", zero("angle", "deg"), vec![
+                line("roll", &trace.roll_rad, degrees),
+                line("pitch", &trace.pitch_rad, degrees),
+            ]))
+        }
+        @if Series::line("", trace.squat_m.points()).largest() > SEEN_M {
+            (chart("Squat", zero("squat", "m"), vec![line("squat", &trace.squat_m, 1.0)]))
+        }
+        @if moves(&trace.under_keel_m) {
+            (chart("Water under the keel, squat taken off", zero("clearance", "m"), vec![
+                line("clearance", &trace.under_keel_m, 1.0),
+            ]))
+        }
+        @if moves(&trace.heave_m) {
+            (chart("Heave, positive down", zero("heave", "m"), vec![
+                line("heave", &trace.heave_m, 1.0),
+            ]))
+        }
+    }
+}
+
+/// What a docking aid shows.
+fn of_docking(page: &Charts<'_>, name: &str, docking: &DockingTrace) -> Markup {
+    let two = |of: &[Decimator; 2], factor: f64| {
+        vec![line("bow", &of[0], factor), line("stern", &of[1], factor)]
+    };
+    let distance = Axis::new("distance", "m").including(0.0);
+    let title = format!("Distance to the line of the fenders, {name}");
+    let mut distance = page.chart(&title, distance, two(&docking.distance_m, 1.0));
+    distance.note =
+        "Nearest point of the fore and of the after third of her hull to the line through the \
+                     fenders' faces; below 0 she presses them, or is on the other side."
+            .to_owned();
+    let speed = Axis::new("speed", "cm/s").including(0.0);
+    let title = format!("Speed towards the fenders, {name}");
+    html! {
+        (distance.render())
+        (page.chart(&title, speed, two(&docking.closing_mps, 100.0)).render())
+    }
+}
+
+/// Forces of all tugs, and what was ordered.
+pub(super) fn tugs(page: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let setup = page.outcome.setup;
+    let traces = setup.world.tugs.iter().zip(&recorder.world.tugs).take(STYLES / 2);
+    let series = traces.enumerate().flat_map(|(index, (tug, trace))| {
+        let name = &tug.tug.name;
+        [
+            line(name, &trace.force_n, 1.0).styled(2 * index),
+            line(&format!("{name}, ordered"), &trace.ordered_n, 1.0).styled(2 * index + 1),
+        ]
+    });
+    let (unit, series) = scaled(series.collect(), "N");
+    page.chart("Forces of the tugs", Axis::new("force", &unit).including(0.0), series).render()
+}
+
+/// Tensions of all lines, with break load and working load where they are the same for all.
+pub(super) fn lines(page: &Charts<'_>, recorder: &Recorder) -> Markup {
+    let setup = page.outcome.setup;
+    let totals = &page.outcome.world.lines;
+    let mut order: Vec<usize> = (0..recorder.world.lines.len()).collect();
+    order.sort_by(|&a, &b| totals[b].tension_n.value.total_cmp(&totals[a].tension_n.value));
+    order.truncate(STYLES);
+    order.sort_unstable();
+    let series =
+        order.iter().map(|&k| line(&setup.world.lines[k].line.name, &recorder.world.lines[k], 1.0));
+    let (unit, series) = scaled(series.collect(), "N");
+    let factor = if unit == "N" { 1.0 } else { series_factor(&unit) };
+    let common = |of: fn(&fenderline_results::LineTotals) -> Option<f64>| {
+        let mut values = order.iter().filter_map(|&k| of(&totals[k]));
+        let first = values.next()?;
+        values.all(|value| value == first).then_some(first)
+    };
+    let limits = [
+        ("break load", common(|line| line.break_load_n)),
+        ("working load", common(|line| line.working_load_n)),
+    ];
+    let mut chart =
+        page.chart("Tension of the lines", Axis::new("tension", &unit).including(0.0), series);
+    chart.references = limits
+        .into_iter()
+        .filter_map(|(label, value_n)| {
+            Some(Reference { label: label.to_owned(), value: value_n? * factor })
+        })
+        .collect();
+    if setup.world.lines.len() > order.len() {
+        chart.note =
+            format!("The {} hardest pulled of {} lines.", order.len(), setup.world.lines.len());
+    }
+    chart.render()
+}
+
+/// What the prefix of a unit of force multiplies newtons by.
+fn series_factor(unit: &str) -> f64 {
+    match unit {
+        "kN" => 1e-3,
+        "MN" => 1e-6,
+        _ => 1e-9,
+    }
+}

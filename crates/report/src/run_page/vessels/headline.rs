@@ -1,0 +1,78 @@
+//! What of vessels, tugs, lines and providers stands at the top of the page.
+
+use fenderline_contact::number::greater;
+
+use maud::{Markup, html};
+
+use crate::plot::{counted, fixed, plain, times};
+use crate::words::world_event_text;
+use fenderline_results::Outcome;
+use fenderline_results::{LineVerdict, Who};
+
+/// Events told by name.
+const EVENTS: usize = 12;
+
+/// The lines in a sentence, and who is aground; nothing where there are none.
+pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
+    let (setup, world) = (outcome.setup, outcome.world);
+    let aground = setup.world.vessels.iter().zip(&world.vessels);
+    let aground = aground.filter(|(_, totals)| totals.aground.s() > 0.0);
+    let worst = world.lines.iter().map(|line| line.verdict()).max();
+    let share = world.lines.iter().filter_map(|line| line.share_of_break_load());
+    let share = share.fold(0.0, greater);
+    let parted = world.lines.iter().filter(|line| line.parted_s.is_some()).count();
+    html! {
+        @for (vessel, totals) in aground {
+            p {
+                span class="verdict failed" { "AGROUND" }
+                " " (setup.bodies[vessel.body].name) " was on the bottom for "
+                (plain(totals.aground.s(), 4)) " s."
+            }
+        }
+        @if let Some(worst) = worst {
+            p {
+                span class={ "verdict " (class(worst)) } { "Lines: " (worst.text()) }
+                " " (counted(world.lines.len() as u64, "line", "lines"))
+                @if parted > 0 { ", " strong { (parted) " PARTED" } }
+                "; the most used reached " (fixed(100.0 * share, 0)) " % of its break load."
+            }
+        }
+    }
+}
+
+/// The class that colours a verdict.
+pub(super) fn class(verdict: LineVerdict) -> &'static str {
+    match verdict {
+        LineVerdict::Ok => "ok",
+        LineVerdict::NotMadeFast => "not_rated",
+        LineVerdict::Rendered | LineVerdict::OverWorking => "over_rated",
+        LineVerdict::Parted => "failed",
+    }
+}
+
+/// What happened to vessels, tugs, lines and providers, in time.
+pub(in crate::run_page) fn remarks(outcome: &Outcome<'_>) -> Markup {
+    let events = &outcome.world.events;
+    let all: u64 = events.counts().iter().map(|(_, count)| count).sum();
+    let providers = outcome.providers;
+    html! {
+        @if all > 0 || !providers.counts().is_empty() {
+            h3 { "What happened" }
+            ul class="plain" {
+                @for (t_s, event) in events.first().iter().take(EVENTS) {
+                    @let who = Who::of(event, outcome.setup);
+                    li {
+                        (plain(*t_s, 6)) " s: " (who.kind) " " strong { (who.name) } ": "
+                        (world_event_text(event.kind))
+                    }
+                }
+                @if all > EVENTS as u64 {
+                    li { "and " (all - EVENTS as u64) " more; the first are in summary.json" }
+                }
+                @for (key, count) in providers.counts() {
+                    li { "Providers: " (key.trim_start_matches("provider_")) ", " (times(*count)) }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! The sections of vessels, tugs and lines: each only where the scenario has any.
+
+mod charts;
+mod headline;
+mod orders;
+mod tables;
+
+use maud::{Markup, html};
+
+use super::Recorder;
+use super::charts::Charts;
+use fenderline_results::Outcome;
+
+pub(super) use headline::{headline, remarks};
+pub(super) use orders::compass;
+
+/// Both sections.
+pub(super) fn sections(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
+    let world = &outcome.setup.world;
+    let page = Charts::new(outcome);
+    html! {
+        @if !world.vessels.is_empty() {
+            h2 { "Vessels" }
+            (tables::vessels(outcome))
+            (charts::vessels(&page, recorder))
+        }
+        @if !world.tugs.is_empty() {
+            h2 { "Tugs" }
+            (tables::tugs(outcome))
+            (charts::tugs(&page, recorder))
+        }
+        @if !world.lines.is_empty() {
+            h2 { "Mooring lines" }
+            (tables::lines(outcome))
+            (charts::lines(&page, recorder))
+        }
+        @if !world.orders.is_empty() {
+            h2 { "Orders" }
+            (orders::table(outcome))
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! The orders of a run, in time.
+
+use fenderline_sim::order::{Argument, ArgumentKind, Named, Target, Unit, Value};
+use fenderline_sim::{Order, Setup};
+use maud::{Markup, html};
+
+use crate::plot::{fixed, plain};
+use crate::run_page::tables::{ROWS, heading, more, number};
+use fenderline_results::Outcome;
+
+/// One row an order, in the order of time.
+pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
+    let setup = outcome.setup;
+    let mut orders: Vec<&Order> = setup.world.orders.iter().collect();
+    orders.sort_by(|one, other| one.at_s.total_cmp(&other.at_s));
+    html! {
+        div class="wide" {
+            table class="narrow" {
+                thead { tr {
+                    (heading("Time", "s"))
+                    th class="name" scope="col" { "To" }
+                    th class="name" scope="col" { "Order" }
+                } }
+                tbody {
+                    @for order in orders.iter().take(ROWS) {
+                        tr {
+                            (number(&plain(order.at_s, 6)))
+                            td class="name" { (addressee(order, setup)) }
+                            td class="name" { (text(order, setup)) }
+                        }
+                    }
+                }
+            }
+        }
+        (more(orders.len()))
+    }
+}
+
+fn addressee(order: &Order, setup: &Setup) -> String {
+    let world = &setup.world;
+    match order.action.target() {
+        Target::Vessel(vessel) => setup.bodies[world.vessels[vessel].body].name.clone(),
+        Target::Tug(tug) => format!("tug {}", world.tugs[tug].tug.name),
+        Target::Line(line) => format!("line {}", world.lines[line].line.name),
+    }
+}
+
+/// The order's word and its arguments, as the table of orders has them.
+fn text(order: &Order, setup: &Setup) -> String {
+    let spec = order.action.name().spec();
+    let arguments = order.action.arguments();
+    let arguments = arguments.iter().filter_map(|(name, value)| {
+        let argument = spec.argument(name)?;
+        Some(match value {
+            Value::Number(value) => number_text(argument, value),
+            Value::Place(at_m) => format!("at {} m, {} m", plain(at_m.x, 6), plain(at_m.y, 6)),
+            Value::Index(index) => name_of(argument, index, order, setup),
+        })
+    });
+    let arguments: Vec<String> = arguments.collect();
+    format!("{} {}", spec.word.replace('_', " "), arguments.join(", ")).trim_end().to_owned()
+}
+
+fn number_text(argument: &Argument, value: f64) -> String {
+    let ArgumentKind::Number { unit, .. } = argument.kind else { return plain(value, 3) };
+    match unit {
+        Unit::Radian if argument.name == "heading" => compass(value),
+        Unit::Radian if value == 0.0 => "0°".to_owned(),
+        Unit::Radian => sided(libm::remainder(value.to_degrees(), 360.0), "°"),
+        Unit::Share => format!("{} %", fixed(100.0 * value, 0)),
+        Unit::MetrePerSecond => format!("{} m/s", plain(value, 3)),
+        Unit::Newton => format!("{} kN", plain(value / 1e3, 3)),
+    }
+}
+
+fn name_of(argument: &Argument, index: usize, order: &Order, setup: &Setup) -> String {
+    let world = &setup.world;
+    let vessel = match order.action.target() {
+        Target::Vessel(vessel) => world.vessels.get(vessel),
+        Target::Tug(_) | Target::Line(_) => None,
+    };
+    let ArgumentKind::Name(named) = argument.kind else { return String::new() };
+    match named {
+        Named::Thruster => vessel.map_or_else(String::new, |v| v.thrusters[index].name.clone()),
+        Named::AzimuthUnit => vessel.map_or_else(String::new, |v| v.azimuths[index].name.clone()),
+        Named::Body => setup.bodies[index].name.clone(),
+        Named::Line => format!("line {}", world.lines[index].line.name),
+    }
+}
+
+fn sided(value: f64, unit: &str) -> String {
+    let side = if value > 0.0 { "to starboard" } else { "to port" };
+    format!("{}{unit} {side}", plain(value.abs(), 3))
+}
+
+/// Three digits, as a compass course is said.
+pub(in crate::run_page) fn compass(angle_rad: f64) -> String {
+    let degrees = libm::round(angle_rad.to_degrees()).rem_euclid(360.0);
+    format!("{degrees:03}°")
+}

@@ -1,0 +1,332 @@
+//! Tables of vessels, tugs and lines.
+
+use fenderline_sim::environment::Tide;
+use fenderline_sim::environment::waves::MotionResponse;
+use fenderline_sim::hydro::vessels::{Origin, Source, Standing};
+use fenderline_sim::{Environment, VesselSetup};
+use maud::{Markup, html};
+
+use super::headline::class;
+use crate::plot::{fixed, plain, significant};
+use crate::run_page::tables::{KNOT_MPS, ROWS, heading, more, number};
+use fenderline_results::Outcome;
+use fenderline_results::{ACCURACY, accuracy};
+use fenderline_results::{LineTotals, TugTotals, VesselTotals};
+
+/// Particulars and what they did.
+pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
+    let (setup, world) = (outcome.setup, outcome.world);
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Vessel" }
+                    (heading("Length bp × beam × draught", "m"))
+                    (heading("Block coefficient", "–"))
+                    (heading("Full revolutions", "rpm"))
+                    (heading("Rudder", "stop deg, deg/s"))
+                    (heading("Thrusters and azimuth units", "kN each"))
+                    (heading("Largest speed", "over ground, kn"))
+                    (heading("Largest rate of turn", "deg/min"))
+                    (heading("Largest roll", "deg"))
+                } }
+                tbody {
+                    @for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
+                        tr { (vessel_cells(&setup.bodies[vessel.body].name, vessel, totals)) }
+                    }
+                }
+            }
+        }
+        (more(world.vessels.len()))
+        @for vessel in setup.world.vessels.iter().take(ROWS) {
+            (source(outcome, vessel))
+        }
+        @for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
+            (under_keel(&setup.bodies[vessel.body].name, totals, &setup.world.environment))
+        }
+        @if !setup.world.environment.banks.is_empty() { (banks()) }
+    }
+}
+
+fn vessel_cells(name: &str, vessel: &VesselSetup, totals: &VesselTotals) -> Markup {
+    let ship = &vessel.ship.particulars;
+    let named = |name: &str, bollard_n: f64| format!("{name} {}", plain(bollard_n / 1e3, 3));
+    let tunnels = vessel.thrusters.iter().map(|t| named(&t.name, t.tunnel.bollard_n));
+    let azimuths = vessel.azimuths.iter().map(|a| named(&a.name, a.bollard_n));
+    let thrusters: Vec<String> = tunnels.chain(azimuths).collect();
+    let has_gear = vessel.ship.propulsion.is_some();
+    let gear = |text: String| if has_gear { text } else { "none".to_owned() };
+    let rudder = &vessel.rudder;
+    html! {
+        td class="name" { (name) }
+        (number(&format!(
+            "{} × {} × {}",
+            plain(ship.length_m, 4), plain(ship.beam_m, 4), plain(ship.draught_m, 4)
+        )))
+        (number(&fixed(ship.block_coefficient(), 3)))
+        (number(&gear(plain(60.0 * vessel.shaft.stop, 4))))
+        (number(&gear(format!(
+            "{}, {}",
+            plain(rudder.stop.to_degrees(), 3), plain(rudder.rate_per_s.to_degrees(), 3)
+        ))))
+        td class="number list" {
+            (if thrusters.is_empty() { "none".to_owned() } else { thrusters.join(", ") })
+        }
+        (number(&fixed(totals.over_ground_mps.value / KNOT_MPS, 2)))
+        (number(&fixed(60.0 * totals.rate_of_turn_radps.value.to_degrees(), 2)))
+        (number(&fixed(totals.roll_rad.value.to_degrees(), 2)))
+    }
+}
+
+/// Where a vessel's numbers come from; what is no more than an estimate is said loudly.
+fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
+    let name = outcome.setup.bodies[vessel.body].name.as_str();
+    let environment = &outcome.setup.world.environment;
+    let origin = &vessel.origin;
+    let has_estimates = origin.estimates().next().is_some();
+    html! {
+        p { (name) ": " strong { (origin.title) } ". Where her numbers come from:" }
+        ul class="plain" {
+            @for source in origin.sources.iter().filter(|source| !source.is_estimate) {
+                li { (source.group) ": " (source.source) " – " (standing(source)) }
+            }
+        }
+        @if has_estimates {
+            p {
+                span class="verdict over_rated" { "ESTIMATED" } " "
+                "What is not known of " (name) " is estimated by formulas, which are not validated for this "
+                "ship; do not take them for her own manoeuvring data."
+            }
+            (estimates(origin))
+            @let accuracy = accuracy(origin, outcome.estimate_errors);
+            @if !accuracy.is_empty() {
+                p { (ACCURACY) ":" }
+                ul class="plain" { @for line in &accuracy { li { (line) } } }
+            }
+        }
+        @if let (Some(windage), true) = (&vessel.windage, environment.wind.is_some()) {
+            @let (method, standing) = windage.method.standing();
+            p class="note" { (name) ": wind coefficients by " (method) ": " (standing) "." }
+        }
+        @if environment.sea.is_some() {
+            @match &vessel.response {
+                Some(MotionResponse::Estimate(_)) => p class="note" {
+                    (name) ": motion in waves is an " strong { "estimate" } " of a box-shaped hull."
+                }
+                Some(MotionResponse::Table(_)) => p class="note" {
+                    (name) ": motion in waves is by the scenario's table of response amplitude operators."
+                }
+                None => {}
+            }
+        }
+    }
+}
+
+/// Squat and the water under the keel, where the water has a depth.
+fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> Markup {
+    html! {
+        @if let Some(least) = totals.under_keel_m {
+            p class="note" {
+                (name) ": least water under the keel " (fixed(least.value, 2)) " m at "
+                (plain(least.at_s, 6)) " s"
+                @if environment.tide != Tide::default() {
+                    @let [low_m, high_m] = environment.tide.range_m();
+                    ", the water between " (plain(low_m, 4)) " and " (plain(high_m, 4)) " m above datum"
+                }
+                @if let Some(squat) = environment.squat {
+                    "; largest squat " (fixed(totals.squat_m.value, 2)) " m at "
+                    (plain(totals.squat_m.at_s, 6)) " s, by " (squat.name())
+                    ", a formula of open water that is " strong { "not validated" }
+                }
+                "."
+            }
+        }
+    }
+}
+
+fn banks() -> Markup {
+    html! {
+        p {
+            span class="verdict over_rated" { "UNVALIDATED" } " "
+            "The banks' pull on vessels is by Norrbin's formulas for a vertical wall, which are recalled: no source "
+            "of them could be read, and nothing was found to hold them against."
+        }
+    }
+}
+
+/// Every estimated quantity with its formula and how well that is known.
+fn estimates(origin: &Origin) -> Markup {
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Estimated" }
+                    th class="name" scope="col" { "Value" }
+                    th class="name" scope="col" { "By" }
+                    th class="name" scope="col" { "The formula is" }
+                } }
+                tbody {
+                    @for source in origin.estimates() {
+                        tr {
+                            td class="name" { (source.group) }
+                            td class="name" {
+                                @for (index, figure) in source.figures.iter().enumerate() {
+                                    @if index > 0 { ", " }
+                                    (symbols(&figure.name)) " = " (figure.text.replace('-', "\u{2212}"))
+                                }
+                            }
+                            td class="name" { (symbols(&source.source)) }
+                            td class="name" { (standing(source)) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A text in which a `m_x` is a symbol with its subscript; longer names with a `_` stay.
+fn symbols(text: &str) -> Markup {
+    let is_symbol = |before: &str| {
+        let mut last = before.chars().rev();
+        last.next().is_some_and(char::is_alphabetic)
+            && !last.next().is_some_and(char::is_alphanumeric)
+    };
+    let mut done = "";
+    let parts = text.split_inclusive('_').map(|part| {
+        let is_below = is_symbol(done);
+        done = part.strip_suffix('_').unwrap_or("");
+        let end = part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len());
+        let (low, rest) = if is_below { part.split_at(end) } else { ("", part) };
+        let rest = if is_symbol(done) { rest.trim_end_matches('_') } else { rest };
+        html! { @if !low.is_empty() { sub { (low) } } (rest) }
+    });
+    let parts: Vec<Markup> = parts.collect();
+    html! { @for part in &parts { (part) } }
+}
+
+fn standing(source: &Source) -> Markup {
+    html! {
+        @match source.standing {
+            Standing::Recalled => strong { "recalled: to be checked" },
+            known => (known.word()),
+        }
+    }
+}
+
+/// What was asked of the tugs.
+pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
+    let (setup, world) = (outcome.setup, outcome.world);
+    let body = |vessel: usize| setup.bodies[setup.world.vessels[vessel].body].name.as_str();
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Tug" }
+                    th class="name" scope="col" { "Serves" }
+                    (heading("Bollard pull", "tf (kN)"))
+                    (heading("Peak force", "tf (kN)"))
+                    (heading("at", "s"))
+                    (heading("At work", "min"))
+                    (heading("Less than ordered", "s"))
+                } }
+                tbody {
+                    @for (tug, totals) in setup.world.tugs.iter().zip(&world.tugs).take(ROWS) {
+                        tr {
+                            td class="name" { (tug.tug.name) }
+                            td class="name" { (body(tug.vessel)) }
+                            (tug_cells(tug.tug.envelope.bollard_pull_n, totals))
+                        }
+                    }
+                }
+            }
+        }
+        (more(world.tugs.len()))
+        p class="note" {
+            "Tugs are forces at the ship's side, not hulls. What a tug gives at speed is "
+            strong { "derived" } " from her bollard pull and drag; no published envelope was found. "
+            "Less than ordered: how long speed and angle left her less than she was asked for."
+        }
+    }
+}
+
+fn tug_cells(bollard_pull_n: f64, totals: &TugTotals) -> Markup {
+    let tonnes = |n: f64| format!("{} ({})", plain(n / 9806.65, 3), significant(n / 1e3, 3));
+    html! {
+        (number(&tonnes(bollard_pull_n)))
+        (number(&tonnes(totals.force_n.value)))
+        (number(&fixed(totals.force_n.at_s, 1)))
+        (number(&fixed(totals.at_work.s() / 60.0, 1)))
+        (number(&fixed(totals.limited.s(), 1)))
+    }
+}
+
+/// What the lines bore.
+pub(super) fn lines(outcome: &Outcome<'_>) -> Markup {
+    let (setup, world) = (outcome.setup, outcome.world);
+    html! {
+        div class="wide" {
+            table {
+                thead { tr {
+                    th class="name" scope="col" { "Line" }
+                    (heading("Made fast", "s"))
+                    (heading("Break load", "kN"))
+                    (heading("Working load", "kN"))
+                    (heading("Peak tension", "kN"))
+                    (heading("of break load", "%"))
+                    (heading("at", "s"))
+                    (heading("Rendered", "m"))
+                    (heading("At the end", "kN"))
+                    th scope="col" { "Verdict" }
+                } }
+                tbody {
+                    @for (line, totals) in setup.world.lines.iter().zip(&world.lines).take(ROWS) {
+                        tr {
+                            td class="name" { (line.line.name) }
+                            (line_cells(totals))
+                        }
+                    }
+                }
+            }
+        }
+        (more(world.lines.len()))
+        p class="note" {
+            "Tension at the ship's end; break load is the least of rope and tail. Working load: 55 % of "
+            "the rope's break load for wire, 50 % for others (MEG4, from public summaries)."
+        }
+    }
+}
+
+fn line_cells(totals: &LineTotals) -> Markup {
+    let verdict = totals.verdict();
+    let kilo = |value: Option<f64>| value.map_or_else(|| "–".into(), |n| significant(n / 1e3, 3));
+    html! {
+        (number(&totals.made_fast_s.map_or_else(|| "–".to_owned(), |t| fixed(t, 1))))
+        (number(&kilo(totals.break_load_n)))
+        (number(&kilo(totals.working_load_n)))
+        (number(&kilo(totals.made_fast_s.map(|_| totals.tension_n.value))))
+        (number(&totals.share_of_break_load().map_or_else(|| "–".to_owned(), |s| fixed(100.0 * s, 0))))
+        (number(&totals.made_fast_s.map_or_else(|| "–".to_owned(), |_| fixed(totals.tension_n.at_s, 1))))
+        (number(&fixed(totals.rendered_m, 2)))
+        (number(&kilo(totals.made_fast_s.map(|_| totals.last_tension_n))))
+        td { span class={ "verdict " (class(verdict)) } { (verdict.text()) } }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::symbols;
+
+    #[test]
+    fn a_symbol_has_its_subscript() {
+        for (text, shown) in [
+            ("m_x/m", "m<sub>x</sub>/m"),
+            ("J_z/I_z", "J<sub>z</sub>/I<sub>z</sub>"),
+            ("C_T = 0.004", "C<sub>T</sub> = 0.004"),
+            ("own_file and m_y", "own_file and m<sub>y</sub>"),
+            ("plain", "plain"),
+        ] {
+            assert_eq!(symbols(text).into_string(), shown);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Events of a run in words.
+
+use fenderline_contact::EventKind;
+use fenderline_results::Interrupted;
+use fenderline_sim::WorldEventKind;
+
+use crate::plot::plain;
+
+/// Where a run was interrupted.
+pub fn interrupted_text(interrupted: &Interrupted) -> String {
+    let Interrupted { steps, of_steps, at_s, of_s } = interrupted;
+    let (at_s, of_s) = (plain(*at_s, 9), plain(*of_s, 9));
+    format!(
+        "ended by its user after {steps} of {of_steps} steps, at {at_s} of {of_s} s; results are those up to there"
+    )
+}
+
+/// What a reader of the report is told of a kind of event.
+pub fn event_text(kind: EventKind) -> &'static str {
+    match kind {
+        EventKind::ContactBegan => "a contact began",
+        EventKind::ContactEnded => "a contact ended",
+        EventKind::PatchSplit => "one patch of contact became several",
+        EventKind::PatchesMerged => "several patches of contact became one",
+        EventKind::Contained => {
+            "a body lay entirely inside another: the overlap no longer grew with depth"
+        }
+        EventKind::DeepOverlap => {
+            "an overlap was deeper than half the smaller body is wide: the force law is not meaningful \
+             there"
+        }
+        EventKind::Teleported => "a body moved by more than its velocities explain (teleported)",
+        EventKind::NotConverged => {
+            "the coupled contact solver did not converge within its iteration limit"
+        }
+        EventKind::PlacedInOverlap => {
+            "a body was placed inside another, so deep that it is pressed out slowly"
+        }
+        EventKind::MassMismatch => "a body moves with a mass other than the model's",
+        EventKind::FenderRatingExceeded(_) => "a fender was deflected beyond its rating",
+        EventKind::FenderFailed(_) => {
+            "a fender FAILED: its stop, or the structure behind it, held the hull"
+        }
+    }
+}
+
+/// What a reader of the report is told of a kind of event.
+pub fn world_event_text(kind: WorldEventKind) -> &'static str {
+    match kind {
+        WorldEventKind::OrderClamped => "an order was beyond a stop: the stop was ordered",
+        WorldEventKind::Aground => "AGROUND: the water is no deeper than her draught and her squat",
+        WorldEventKind::ShallowHeld => {
+            "less than 1.1 draughts of water, for which no formula is made: what shallow water does is held"
+        }
+        WorldEventKind::TugLimited => "cannot give at this speed and angle what she is ordered to",
+        WorldEventKind::TugOrderRefused => "an order was refused: no such force or direction",
+        WorldEventKind::LineNotMadeFast => {
+            "could not be made fast where its ends were: too short, or no such pretension"
+        }
+        WorldEventKind::LineParted => "PARTED",
+        WorldEventKind::LineRenders => "the brake of the winch rendered",
+    }
+}

@@ -1,0 +1,112 @@
+//! How accurate a vessel is whose hull, propeller and rudder were estimated from her main particulars.
+
+use fenderline_sim::hydro::EstimateMethod;
+use fenderline_sim::hydro::vessels::{Origin, Source};
+use serde_json::{Map, Value, json};
+
+/// The errors of a route in one measure, ours over theirs less one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EstimateError {
+    /// Key of the measure.
+    pub measure: &'static str,
+    /// The measure in words.
+    pub name: &'static str,
+    /// Mean of the errors without their signs.
+    pub size: f64,
+    /// Mean of the errors with their signs.
+    pub bias: f64,
+    /// The lowest and the highest, each with its ship.
+    pub ends: [(String, f64); 2],
+    /// How many ships.
+    pub ships: usize,
+}
+
+impl EstimateError {
+    /// The largest, with its sign.
+    pub fn largest(&self) -> f64 {
+        let [(_, low), (_, high)] = &self.ends;
+        if low.abs() > high.abs() { *low } else { *high }
+    }
+}
+
+/// How far the estimate of a vessel is to be relied on: where she is outside the range of the formulas, and what error
+/// they have on ships with references. Nothing of a vessel whose hull, propeller and rudder are her own.
+pub fn accuracy(origin: &Origin, errors: &[EstimateError]) -> Vec<String> {
+    let Some(route) = origin.estimate_method else { return Vec::new() };
+    let mut lines: Vec<String> = origin.outside.iter().map(ToString::to_string).collect();
+    match route {
+        EstimateMethod::Clarke => lines.push(
+            "no vessel like her was found to hold the formulas against: their error is not known"
+                .to_owned(),
+        ),
+        EstimateMethod::YoshimuraMasumoto => lines.extend(errors.iter().map(|error| {
+            let percent = |share: f64| signed_percent(share);
+            let [(low_ship, low), (high_ship, high)] = &error.ends;
+            format!(
+                "{}: off by {} in the mean of {} ships with references, from {} ({low_ship}) to {} ({high_ship}); bias {}",
+                error.name,
+                percent(error.size).trim_start_matches('+'),
+                error.ships,
+                percent(*low),
+                percent(*high),
+                percent(error.bias)
+            )
+        })),
+    }
+    lines
+}
+
+/// The heading of [`accuracy`].
+pub const ACCURACY: &str = "How far these estimates are to be relied on (`fenderline validate`)";
+
+fn signed_percent(share: f64) -> String {
+    let text = format!("{:+.0} %", 100.0 * share).replace('-', "−");
+    if matches!(text.as_str(), "+0 %" | "−0 %") { "0 %".to_owned() } else { text }
+}
+
+/// The same as JSON; null where nothing of hull, propeller and rudder is estimated.
+pub fn accuracy_json(origin: &Origin, errors: &[EstimateError]) -> Value {
+    let Some(route) = origin.estimate_method else { return Value::Null };
+    let outside: Vec<Value> = origin
+        .outside
+        .iter()
+        .map(|outside| {
+            json!({
+                "ratio": outside.ratio.name(),
+                "value": outside.value,
+                "low": outside.range[0],
+                "high": outside.range[1],
+            })
+        })
+        .collect();
+    let (formulas, errors) = match route {
+        EstimateMethod::Clarke => ("Clarke, Gedling & Hine (1983)", Vec::new()),
+        EstimateMethod::YoshimuraMasumoto => ("Yoshimura & Masumoto (2012)", {
+            let object = |error: &EstimateError| {
+                json!({
+                    "measure": error.measure,
+                    "mean_size": error.size,
+                    "bias": error.bias,
+                    "lowest": error.ends[0].1,
+                    "highest": error.ends[1].1,
+                    "ships": error.ships,
+                })
+            };
+            errors.iter().map(object).collect()
+        }),
+    };
+    json!({ "formulas": formulas, "outside": outside, "errors": errors })
+}
+
+/// A source as JSON.
+pub fn source_json(source: &Source) -> Value {
+    let figures: Map<String, Value> =
+        source.figures.iter().map(|figure| (figure.name.clone(), json!(figure.text))).collect();
+    json!({
+        "group": source.group,
+        "figures": figures,
+        "source": source.source,
+        "standing": source.standing.word(),
+        "estimated": source.is_estimate,
+    })
+}

@@ -1,0 +1,80 @@
+//! A run when it has ended, as summary, report and terminal see it.
+
+use fenderline_contact::BodyState;
+use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
+use fenderline_sim::{Energy, FenderSummary, PairSummary, Setup, Simulation};
+
+use crate::accuracy::EstimateError;
+use crate::provider_notices::ProviderNotices;
+use crate::summary::Events;
+use crate::world_totals::WorldTotals;
+
+/// Where a run was interrupted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interrupted {
+    /// Steps taken.
+    pub steps: u64,
+    /// Steps of the whole run.
+    pub of_steps: u64,
+    /// Time reached (s).
+    pub at_s: f64,
+    /// Length of the whole run (s).
+    pub of_s: f64,
+}
+
+impl Interrupted {
+    /// A simulation that does not go on.
+    pub fn of(simulation: &Simulation) -> Interrupted {
+        Interrupted {
+            steps: simulation.steps_taken(),
+            of_steps: simulation.steps_total(),
+            at_s: simulation.time_s(),
+            of_s: simulation.setup().duration_s,
+        }
+    }
+}
+
+/// A run when it is done.
+#[derive(Clone, Debug)]
+pub struct Outcome<'a> {
+    /// The scenario's title.
+    pub title: &'a str,
+    /// Name of the scenario file, without its folder.
+    pub scenario_file: &'a str,
+    /// The set-up.
+    pub setup: &'a Setup,
+    /// Notices of the scenario.
+    pub notices: &'a [String],
+    /// Where it was interrupted, if it was.
+    pub interrupted: Option<Interrupted>,
+    /// Number of steps taken.
+    pub steps: u64,
+    /// States at the end, one a body.
+    pub states: &'a [BodyState],
+    /// Pairs that touched.
+    pub pairs: &'a [PairSummary],
+    /// The ledger at the end.
+    pub energy: Energy,
+    /// What happened.
+    pub events: &'a Events,
+    /// Fenders that were touched, in the order of the scenario.
+    pub fenders: &'a [FenderSummary],
+    /// The berthing by formula and in the run, where the scenario asks for it and a fender was touched.
+    pub berthing: Option<Result<&'a BerthingOutcome, &'a BerthingError>>,
+    /// Vessels, tugs and lines.
+    pub world: &'a WorldTotals,
+    /// What happened to the programs that put forces on bodies.
+    pub providers: &'a ProviderNotices,
+    /// Errors of the formulas that estimated the vessels, on ships with references; empty where no vessel was
+    /// estimated by formulas with known errors.
+    pub estimate_errors: &'a [EstimateError],
+}
+
+/// A file of the run and its number of rows, for the summary.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrittenFile {
+    /// Name within the folder.
+    pub name: String,
+    /// Rows without the header; `None` where the file is no table.
+    pub rows: Option<u64>,
+}

@@ -1,0 +1,169 @@
+//! `summary.json`: the run in one small file.
+
+mod berthing;
+mod events;
+mod fenders;
+mod world;
+
+use core::fmt;
+
+use fenderline_contact::{BodyState, Rotation};
+use fenderline_sim::{Energy, Integrator, Method, PairSummary};
+use serde_json::{Map, Value, json};
+
+use crate::outcome::{Outcome, WrittenFile};
+
+use berthing::berthing_json;
+use events::events_json;
+pub use events::{Events, is_plain};
+use fenders::fenders_json;
+use world::put_world;
+
+/// The word that a scenario file uses.
+pub fn method_text(method: Method) -> &'static str {
+    match method {
+        Method::Coupled => "coupled",
+        Method::Paper => "paper",
+    }
+}
+
+/// The word that a scenario file uses.
+pub fn integrator_text(integrator: Integrator) -> &'static str {
+    match integrator {
+        Integrator::Euler => "euler",
+        Integrator::SemiImplicit => "semi_implicit",
+        Integrator::Rk4 => "rk4",
+    }
+}
+
+/// A value of the summary that is not finite: the run went wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SummaryNotFinite {
+    /// Its key, with dots between the levels.
+    pub key: String,
+}
+
+impl fmt::Display for SummaryNotFinite {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the simulation gave a value that is not finite for `{}`", self.key)
+    }
+}
+
+impl core::error::Error for SummaryNotFinite {}
+
+/// The text of `summary.json`.
+///
+/// # Errors
+/// A value that is not finite: JSON cannot hold it, and a summary without it would mislead.
+pub fn summary(outcome: &Outcome<'_>, files: &[WrittenFile]) -> Result<String, SummaryNotFinite> {
+    let setup = outcome.setup;
+    let name = |body: usize| setup.bodies[body].name.as_str();
+    let bodies: Vec<Value> =
+        outcome.states.iter().enumerate().map(|(i, state)| body_json(name(i), state)).collect();
+    let pairs: Vec<Value> = outcome.pairs.iter().map(|pair| pair_json(pair, &name)).collect();
+    let files: Vec<Value> = files
+        .iter()
+        .map(|file| match file.rows {
+            Some(rows) => json!({ "name": file.name, "rows": rows }),
+            None => json!({ "name": file.name }),
+        })
+        .collect();
+    let mut whole = json!({
+        "title": outcome.title,
+        "fenderline_version": env!("CARGO_PKG_VERSION"),
+        "scenario_file": outcome.scenario_file,
+        "method": method_text(setup.method),
+        "integrator": integrator_text(setup.integrator),
+        "step_s": setup.step_s,
+        "steps": outcome.steps,
+        "interrupted": outcome.interrupted.is_some(),
+        "duration_s": setup.duration_s,
+        "bodies": bodies,
+        "pairs": pairs,
+        "fenders": fenders_json(outcome),
+        "energy": energy_json(outcome.energy),
+        "events": events_json(outcome.events, setup),
+        "notices": outcome.notices,
+        "files": files,
+    });
+    if let Some(berthing) = outcome.berthing {
+        whole["berthing"] = berthing_json(berthing, setup);
+    }
+    put_world(&mut whole, outcome);
+    match first_null(&whole) {
+        None => Ok(format!("{whole:#}\n")),
+        Some(key) => Err(SummaryNotFinite { key }),
+    }
+}
+
+/// The key of the first null, which is what a number that is not finite turns into; the summary
+/// holds no other.
+fn first_null(value: &Value) -> Option<String> {
+    match value {
+        Value::Null => Some(String::new()),
+        Value::Array(items) => items.iter().find_map(first_null),
+        Value::Object(map) => map.iter().find_map(|(key, value)| {
+            let below = first_null(value)?;
+            Some(if below.is_empty() { key.clone() } else { format!("{key}.{below}") })
+        }),
+        _ => None,
+    }
+}
+
+fn body_json(name: &str, state: &BodyState) -> Value {
+    let velocity = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
+    json!({
+        "name": name,
+        "final": {
+            "x_m": state.position_m.x,
+            "y_m": state.position_m.y,
+            "heading_rad": state.heading_rad,
+            "u_mps": velocity.x,
+            "v_mps": velocity.y,
+            "r_radps": state.yaw_rate_radps,
+        },
+    })
+}
+
+fn pair_json<'a>(pair: &PairSummary, name: &impl Fn(usize) -> &'a str) -> Value {
+    json!({
+        "bodies": pair.bodies.map(name),
+        "first_touch_s": pair.first_touch_s,
+        "last_touch_s": pair.last_touch_s,
+        "peak_normal_force_n": pair.peak_normal_force_n,
+        "peak_normal_force_at_s": pair.peak_normal_force_at_s,
+        "peak_depth_m": pair.peak_depth_m,
+        "peak_depth_at_s": pair.peak_depth_at_s,
+        "impulse_ns": pair.impulse_ns,
+        "approach_speed_mps": pair.approach_speed_mps,
+        "final_speed_mps": pair.final_speed_mps,
+        "normal_work_j": pair.normal_work_j,
+        "tangential_work_j": pair.tangential_work_j,
+        "touching_at_end": pair.touching_at_end,
+    })
+}
+
+fn energy_json(energy: Energy) -> Value {
+    let loads: Map<String, Value> = energy
+        .loads
+        .parts()
+        .iter()
+        .map(|(name, work_j)| ((*name).to_owned(), json!(work_j)))
+        .collect();
+    json!({
+        "kinetic_j": energy.kinetic_j,
+        "load_work_j": energy.load_work_j,
+        "load_works_j": loads,
+        "normal_work_j": energy.normal_work_j,
+        "tangential_work_j": energy.tangential_work_j,
+        "stored_j": energy.stored_j,
+        "shear_stored_j": energy.shear_stored_j,
+        "hysteresis_j": energy.hysteresis_j,
+        "damping_j": energy.damping_j,
+        "restitution_j": energy.restitution_j,
+        "friction_j": energy.friction_j,
+        "contact_residual_j": energy.contact_residual_j,
+        "residual_j": energy.residual_j,
+        "exchanged_j": energy.exchanged_j(),
+    })
+}

@@ -1,0 +1,142 @@
+//! Vessels, tugs, lines and what happened to them, as `summary.json` has it.
+
+use crate::events::world_event_key;
+use fenderline_sim::Setup;
+use fenderline_sim::external::ProviderEvent;
+use serde_json::{Map, Value, json};
+
+use crate::accuracy::{accuracy_json, source_json};
+use crate::outcome::Outcome;
+use crate::provider_notices::provider_event_key;
+use crate::world_totals::{LineTotals, TugTotals, VesselTotals, Who};
+
+/// Adds the sections of what the set-up has.
+pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
+    let (setup, world) = (outcome.setup, outcome.world);
+    if !world.vessels.is_empty() {
+        let vessels = setup.world.vessels.iter().zip(&world.vessels);
+        let vessels = vessels.map(|(vessel, totals)| {
+            let mut object = vessel_json(&setup.bodies[vessel.body].name, totals);
+            object["vessel"] = json!(vessel.origin.title);
+            object["estimated"] = vessel.origin.estimates().map(source_json).collect();
+            object["estimate"] = accuracy_json(&vessel.origin, outcome.estimate_errors);
+            object
+        });
+        whole["vessels"] = vessels.collect();
+    }
+    if !world.tugs.is_empty() {
+        let tugs = setup.world.tugs.iter().zip(&world.tugs);
+        whole["tugs"] = tugs
+            .map(|(tug, totals)| tug_json(&tug.tug.name, tug.tug.envelope.bollard_pull_n, totals))
+            .collect();
+    }
+    if !world.lines.is_empty() {
+        let lines = setup.world.lines.iter().zip(&world.lines);
+        whole["lines"] = lines.map(|(line, totals)| line_json(&line.line.name, totals)).collect();
+    }
+    put_events(whole, outcome);
+}
+
+/// Water under the keel is left out where the water is deep.
+fn vessel_json(name: &str, totals: &VesselTotals) -> Value {
+    let mut object = json!({
+        "name": name,
+        "peak_speed_over_ground_mps": totals.over_ground_mps.value,
+        "peak_speed_over_ground_at_s": totals.over_ground_mps.at_s,
+        "peak_speed_through_water_mps": totals.through_water_mps.value,
+        "peak_speed_through_water_at_s": totals.through_water_mps.at_s,
+        "peak_rate_of_turn_radps": totals.rate_of_turn_radps.value,
+        "peak_rate_of_turn_at_s": totals.rate_of_turn_radps.at_s,
+        "peak_rudder_rad": totals.rudder_rad.value,
+        "peak_roll_rad": totals.roll_rad.value,
+        "peak_roll_at_s": totals.roll_rad.at_s,
+        "peak_heel_rad": totals.heel_rad.value,
+        "peak_heel_at_s": totals.heel_rad.at_s,
+        "peak_pitch_rad": totals.pitch_rad.value,
+        "peak_pitch_at_s": totals.pitch_rad.at_s,
+        "peak_squat_m": totals.squat_m.value,
+        "peak_squat_at_s": totals.squat_m.at_s,
+        "aground_s": totals.aground.s(),
+    });
+    if let Some(least) = totals.under_keel_m {
+        object["least_under_keel_m"] = json!(least.value);
+        object["least_under_keel_at_s"] = json!(least.at_s);
+    }
+    object
+}
+
+fn tug_json(name: &str, bollard_pull_n: f64, totals: &TugTotals) -> Value {
+    json!({
+        "name": name,
+        "bollard_pull_n": bollard_pull_n,
+        "peak_force_n": totals.force_n.value,
+        "peak_force_at_s": totals.force_n.at_s,
+        "at_work_s": totals.at_work.s(),
+        "limited_s": totals.limited.s(),
+    })
+}
+
+/// What a line has not (a break load before it is fast, a time at which it parted) is left out.
+fn line_json(name: &str, totals: &LineTotals) -> Value {
+    let mut object = json!({
+        "name": name,
+        "verdict": totals.verdict().key(),
+        "peak_tension_n": totals.tension_n.value,
+        "peak_tension_at_s": totals.tension_n.at_s,
+        "over_working_load_s": totals.over_working.s(),
+        "rendered_m": totals.rendered_m,
+        "parted": totals.parted_s.is_some(),
+        "fast_at_end": totals.is_fast,
+        "last_tension_n": totals.last_tension_n,
+    });
+    for (key, value) in [
+        ("made_fast_s", totals.made_fast_s),
+        ("break_load_n", totals.break_load_n),
+        ("working_load_n", totals.working_load_n),
+        ("share_of_break_load", totals.share_of_break_load()),
+        ("parted_at_s", totals.parted_s),
+    ] {
+        if let Some(value) = value {
+            object[key] = json!(value);
+        }
+    }
+    object
+}
+
+/// Counts beside those of contact, and the first events by name.
+fn put_events(whole: &mut Value, outcome: &Outcome<'_>) {
+    let (setup, world) = (outcome.setup, outcome.world);
+    let of_world = world.events.counts().iter().map(|&(kind, n)| (world_event_key(kind), n));
+    let of_providers = outcome.providers.counts().iter().copied();
+    let counts = whole["events"]["counts"].as_object_mut().expect("the events have counts");
+    counts.extend(of_world.chain(of_providers).map(|(key, n)| (key.to_owned(), json!(n))));
+    if !world.events.first().is_empty() {
+        whole["events"]["world"] = world
+            .events
+            .first()
+            .iter()
+            .map(|(t_s, event)| {
+                let who = Who::of(event, setup);
+                json!({ "t_s": t_s, "kind": world_event_key(event.kind), who.kind: who.name })
+            })
+            .collect();
+    }
+    if !outcome.providers.first().is_empty() {
+        let told = outcome.providers.first().iter();
+        whole["events"]["providers"] = told
+            .map(|notice| provider_json(notice.t_s, notice.provider, &notice.event, setup))
+            .collect();
+    }
+}
+
+fn provider_json(t_s: f64, provider: usize, event: &ProviderEvent, setup: &Setup) -> Value {
+    let of = &setup.world.providers[provider];
+    let mut told = Map::new();
+    told.insert("t_s".to_owned(), json!(t_s));
+    told.insert("kind".to_owned(), json!(provider_event_key(event)));
+    told.insert("body".to_owned(), json!(setup.bodies[of.body].name));
+    if let ProviderEvent::Died(why) = event {
+        told.insert("why".to_owned(), json!(why));
+    }
+    Value::Object(told)
+}

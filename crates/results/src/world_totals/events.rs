@@ -1,0 +1,70 @@
+//! What happened to vessels, tugs and lines, counted.
+
+use fenderline_sim::{Setup, StepRecord, WorldEvent, WorldEventKind};
+
+/// How many events are told one by one.
+const FIRST: usize = 40;
+
+/// Events of a run: how many of each kind, and the first few. Bounded, whatever the run's length.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WorldEvents {
+    /// In the order of first occurrence.
+    counts: Vec<(WorldEventKind, u64)>,
+    first: Vec<(f64, WorldEvent)>,
+}
+
+impl WorldEvents {
+    pub(super) fn add(&mut self, step: &StepRecord<'_>) {
+        for event in step.world_events {
+            match self.counts.iter_mut().find(|(known, _)| *known == event.kind) {
+                Some((_, count)) => *count += 1,
+                None => self.counts.push((event.kind, 1)),
+            }
+            if self.first.len() < FIRST {
+                self.first.push((step.t_s, *event));
+            }
+        }
+    }
+
+    /// The kinds that occurred, and how often.
+    pub fn counts(&self) -> &[(WorldEventKind, u64)] {
+        &self.counts
+    }
+
+    /// The first of them, with the start of their step (s).
+    pub fn first(&self) -> &[(f64, WorldEvent)] {
+        &self.first
+    }
+}
+
+/// The vessel, tug or line that an event is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Who<'a> {
+    /// `vessel`, `tug` or `line`.
+    pub kind: &'static str,
+    /// Its name in the scenario.
+    pub name: &'a str,
+}
+
+impl<'a> Who<'a> {
+    /// Of an event.
+    pub fn of(event: &WorldEvent, setup: &'a Setup) -> Who<'a> {
+        let world = &setup.world;
+        match event.kind {
+            WorldEventKind::OrderClamped
+            | WorldEventKind::Aground
+            | WorldEventKind::ShallowHeld => {
+                let body = world.vessels[event.who].body;
+                Who { kind: "vessel", name: &setup.bodies[body].name }
+            }
+            WorldEventKind::TugLimited | WorldEventKind::TugOrderRefused => {
+                Who { kind: "tug", name: &world.tugs[event.who].tug.name }
+            }
+            WorldEventKind::LineNotMadeFast
+            | WorldEventKind::LineParted
+            | WorldEventKind::LineRenders => {
+                Who { kind: "line", name: &world.lines[event.who].line.name }
+            }
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! What a run did to a mooring line.
+
+use fenderline_contact::number::greater;
+use fenderline_sim::mooring::{LineKind, RopeCurve};
+use fenderline_sim::{Mooring, MooringSetup};
+
+use super::{Lasting, Peak};
+
+/// Totals of one line.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LineTotals {
+    /// Start of the first step in which it was fast (s).
+    pub made_fast_s: Option<f64>,
+    /// Tension at the ship's end (N); of a line that parted, what it parted at.
+    pub tension_n: Peak,
+    /// Least break load of rope and tail (N); `None` before it is made fast.
+    pub break_load_n: Option<f64>,
+    /// Working load (N), where its kind has one.
+    pub working_load_n: Option<f64>,
+    /// How long it was above its working load.
+    pub over_working: Lasting,
+    /// Rope that its brake let go (m).
+    pub rendered_m: f64,
+    /// When it parted (s).
+    pub parted_s: Option<f64>,
+    /// Tension at the end of the run (N).
+    pub last_tension_n: f64,
+    /// It is fast at the end of the run.
+    pub is_fast: bool,
+}
+
+impl LineTotals {
+    pub(super) fn add(&mut self, t_s: f64, step_s: f64, setup: &MooringSetup, now: &Mooring) {
+        let Some((line, state)) = &now.line else {
+            (self.is_fast, self.last_tension_n) = (false, 0.0);
+            return;
+        };
+        if self.made_fast_s.is_none() {
+            self.made_fast_s = Some(t_s);
+            self.break_load_n = Some(line.break_load_n());
+            self.working_load_n = working_load_n(&setup.line.kind);
+        }
+        self.is_fast = !state.parted;
+        self.last_tension_n = now.load.tension_n;
+        if state.parted && self.parted_s.is_none() {
+            self.parted_s = Some(t_s);
+        }
+        self.tension_n.raise(greater(now.load.tension_n, now.load.parted_at_n.unwrap_or(0.0)), t_s);
+        let is_over = self.working_load_n.is_some_and(|limit_n| now.load.tension_n > limit_n);
+        self.over_working.count(is_over, step_s);
+        self.rendered_m += now.load.winch.rendered_m;
+    }
+
+    /// Peak tension over break load; `None` before it is made fast.
+    pub fn share_of_break_load(&self) -> Option<f64> {
+        self.break_load_n.map(|break_load_n| self.tension_n.value / break_load_n)
+    }
+
+    /// The verdict on it.
+    pub fn verdict(&self) -> LineVerdict {
+        if self.parted_s.is_some() {
+            LineVerdict::Parted
+        } else if self.over_working.s() > 0.0 {
+            LineVerdict::OverWorking
+        } else if self.rendered_m > 0.0 {
+            LineVerdict::Rendered
+        } else if self.made_fast_s.is_none() {
+            LineVerdict::NotMadeFast
+        } else {
+            LineVerdict::Ok
+        }
+    }
+}
+
+/// What is to be said of a line, the worse the later.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum LineVerdict {
+    /// It was never fast in this run.
+    NotMadeFast,
+    /// Fast, and within its working load.
+    Ok,
+    /// The brake of its winch rendered.
+    Rendered,
+    /// Above its working load.
+    OverWorking,
+    /// Parted.
+    Parted,
+}
+
+impl LineVerdict {
+    /// As a reader reads it.
+    pub fn text(self) -> &'static str {
+        match self {
+            LineVerdict::NotMadeFast => "not made fast",
+            LineVerdict::Ok => "OK",
+            LineVerdict::Rendered => "rendered",
+            LineVerdict::OverWorking => "over working load",
+            LineVerdict::Parted => "PARTED",
+        }
+    }
+
+    /// As `summary.json` has it.
+    pub fn key(self) -> &'static str {
+        match self {
+            LineVerdict::NotMadeFast => "not_made_fast",
+            LineVerdict::Ok => "ok",
+            LineVerdict::Rendered => "rendered",
+            LineVerdict::OverWorking => "over_working_load",
+            LineVerdict::Parted => "parted",
+        }
+    }
+}
+
+/// Working load of a harbour line (N): 55 % of the rope's break load for wire, 50 % for others (MEG4, as
+/// [`fenderline_sim::mooring`] has it). None for a cable, for which that guideline has none.
+fn working_load_n(kind: &LineKind) -> Option<f64> {
+    match kind {
+        LineKind::Light { main, .. } => {
+            let share = if main.curve == RopeCurve::wire() { 0.55 } else { 0.5 };
+            Some(share * main.break_load_n)
+        }
+        LineKind::Heavy { .. } => None,
+    }
+}

@@ -1,0 +1,97 @@
+//! What a run did to vessels, tugs and lines: running totals, bounded whatever the run's length.
+
+mod events;
+mod line;
+mod tug;
+mod vessel;
+
+use fenderline_sim::{Setup, StepRecord, WorldSetup};
+
+pub use events::{Who, WorldEvents};
+pub use line::{LineTotals, LineVerdict};
+pub use tug::TugTotals;
+pub use vessel::VesselTotals;
+
+/// The totals of a run.
+#[derive(Clone, Debug)]
+pub struct WorldTotals {
+    setup: WorldSetup,
+    step_s: f64,
+    /// Vessels, in the order of the set-up.
+    pub vessels: Vec<VesselTotals>,
+    /// Tugs, in the order of the set-up.
+    pub tugs: Vec<TugTotals>,
+    /// Mooring lines, in the order of the set-up.
+    pub lines: Vec<LineTotals>,
+    /// What happened to them.
+    pub events: WorldEvents,
+}
+
+impl WorldTotals {
+    /// Before the first step.
+    pub fn new(setup: &Setup) -> WorldTotals {
+        let world = setup.world.clone();
+        WorldTotals {
+            vessels: vec![VesselTotals::default(); world.vessels.len()],
+            tugs: vec![TugTotals::default(); world.tugs.len()],
+            lines: vec![LineTotals::default(); world.lines.len()],
+            events: WorldEvents::default(),
+            step_s: setup.step_s,
+            setup: world,
+        }
+    }
+
+    /// Adds one step.
+    pub fn add(&mut self, step: &StepRecord<'_>) {
+        let WorldTotals { setup, step_s, vessels, tugs, lines, events } = self;
+        for ((totals, vessel), now) in vessels.iter_mut().zip(&setup.vessels).zip(step.vessels) {
+            let state = &step.states[vessel.body];
+            let water = vessel.velocity(state, &setup.environment, step.t_s);
+            totals.add(step.t_s, *step_s, state, &water, now);
+        }
+        for (totals, now) in tugs.iter_mut().zip(step.tugs) {
+            totals.add(step.t_s, *step_s, now);
+        }
+        for ((totals, line), now) in lines.iter_mut().zip(&setup.lines).zip(step.lines) {
+            totals.add(step.t_s, *step_s, line, now);
+        }
+        events.add(step);
+    }
+}
+
+/// The largest magnitude that a quantity had, and when.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Peak {
+    /// The value with its sign.
+    pub value: f64,
+    /// When (s).
+    pub at_s: f64,
+}
+
+impl Peak {
+    fn raise(&mut self, value: f64, t_s: f64) {
+        if value.abs() > self.value.abs() {
+            *self = Peak { value, at_s: t_s };
+        }
+    }
+}
+
+/// How long something lasted: steps times Δt, so that it does not drift.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lasting {
+    steps: u32,
+    step_s: f64,
+}
+
+impl Lasting {
+    /// Counts a step where it was so.
+    fn count(&mut self, is_so: bool, step_s: f64) {
+        self.step_s = step_s;
+        self.steps += u32::from(is_so);
+    }
+
+    /// The sum (s).
+    pub fn s(self) -> f64 {
+        f64::from(self.steps) * self.step_s
+    }
+}

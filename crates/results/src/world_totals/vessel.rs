@@ -1,0 +1,61 @@
+//! What a run did to a vessel.
+
+use fenderline_contact::BodyState;
+use fenderline_sim::VesselState;
+use fenderline_sim::hydro::Velocity;
+
+use super::{Lasting, Peak};
+
+/// Totals of one vessel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VesselTotals {
+    /// Speed over ground (m/s).
+    pub over_ground_mps: Peak,
+    /// Speed through the water at midship (m/s).
+    pub through_water_mps: Peak,
+    /// Rate of turn, positive to starboard (rad/s).
+    pub rate_of_turn_radps: Peak,
+    /// Rudder, positive turns to starboard (rad).
+    pub rudder_rad: Peak,
+    /// Roll with wave motion, positive to starboard (rad).
+    pub roll_rad: Peak,
+    /// Heel: roll without first-order wave motion (rad).
+    pub heel_rad: Peak,
+    /// Pitch with wave motion, positive bow up (rad).
+    pub pitch_rad: Peak,
+    /// Squat (m).
+    pub squat_m: Peak,
+    /// Least water under her keel, squat taken off (m); `None` where the water is deep.
+    pub under_keel_m: Option<Peak>,
+    /// How long she was on the bottom.
+    pub aground: Lasting,
+}
+
+impl VesselTotals {
+    pub(super) fn add(
+        &mut self,
+        t_s: f64,
+        step_s: f64,
+        state: &BodyState,
+        water: &Velocity,
+        now: &VesselState,
+    ) {
+        self.over_ground_mps.raise(state.velocity_mps.length(), t_s);
+        self.through_water_mps.raise(water.speed_mps(), t_s);
+        self.rate_of_turn_radps.raise(state.yaw_rate_radps, t_s);
+        self.rudder_rad.raise(now.rudder.value, t_s);
+        // Attitude is that of the end of the step.
+        let end_s = t_s + step_s;
+        let [_, _, _, wave_roll_rad, wave_pitch_rad, _] = now.wave_motion.motion;
+        self.heel_rad.raise(now.attitude.roll.value, end_s);
+        self.roll_rad.raise(now.attitude.roll.value + wave_roll_rad, end_s);
+        self.pitch_rad.raise(now.attitude.pitch.value + wave_pitch_rad, end_s);
+        self.squat_m.raise(now.squat_m, t_s);
+        if let Some(value) = now.under_keel_m
+            && self.under_keel_m.is_none_or(|least| value < least.value)
+        {
+            self.under_keel_m = Some(Peak { value, at_s: t_s });
+        }
+        self.aground.count(now.aground, step_s);
+    }
+}

@@ -1,0 +1,156 @@
+//! What the ships' instruments say once a second: sentences for a chart program.
+
+use fenderline_contact::{BodyState, Rotation, Vec2, vec2};
+use fenderline_live::Session;
+use fenderline_nautical::{
+    ChartOrigin, GeoPoint, Instruments, Moment, PositionReport, Shaft, ShipData, ais_position,
+    ais_ship_data, instruments,
+};
+use fenderline_sim::VesselSetup;
+
+/// Numbers of the ships count from here. 999 is no country's (recalled): nobody is taken for somebody.
+const FIRST_MMSI: u32 = 999_000_001;
+/// Ship data once in so many seconds; on the air it is six minutes.
+const SHIP_DATA_EVERY: u64 = 10;
+/// Slower than this a ship with a fast line is moored (m/s); our choice.
+const MOORED_MPS: f64 = 0.2;
+
+/// A vessel as its instruments see it. The antenna is midship.
+struct Vessel<'s> {
+    index: usize,
+    of: &'s VesselSetup,
+    state: &'s BodyState,
+    /// From the centre of gravity aft to midship (m).
+    ahead_m: f64,
+    /// Over ground at midship, ahead and to starboard (m/s).
+    ground: Vec2,
+}
+
+impl<'s> Vessel<'s> {
+    fn of(session: &'s Session, index: usize) -> Vessel<'s> {
+        let simulation = session.simulation();
+        let of = &simulation.setup().world.vessels[index];
+        let state = &simulation.states()[of.body];
+        let ahead_m = of.ship.particulars.centre_of_gravity_m;
+        let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);
+        let ground = vec2(own.x, own.y - ahead_m * state.yaw_rate_radps);
+        Vessel { index, of, state, ahead_m, ground }
+    }
+
+    fn place(&self, origin: &ChartOrigin) -> GeoPoint {
+        let at = self.state.pose().apply(vec2(-self.ahead_m, 0.0));
+        origin.place(at.x, at.y)
+    }
+
+    fn mmsi(&self) -> u32 {
+        FIRST_MMSI + self.index as u32
+    }
+
+    fn position_report(
+        &self,
+        session: &Session,
+        origin: &ChartOrigin,
+        at: &Moment,
+    ) -> PositionReport {
+        let simulation = session.simulation();
+        let lines = simulation.setup().world.lines.iter().zip(simulation.lines());
+        let is_fast = lines
+            .filter(|(setup, _)| setup.ship == self.of.body)
+            .any(|(_, line)| line.line.as_ref().is_some_and(|(_, state)| !state.parted));
+        let speed_mps = self.ground.length();
+        PositionReport {
+            mmsi: self.mmsi(),
+            status: match simulation.vessels()[self.index].aground {
+                true => 6,
+                false if is_fast && speed_mps < MOORED_MPS => 5,
+                false => 0,
+            },
+            turn_radps: self.state.yaw_rate_radps,
+            speed_mps,
+            place: self.place(origin),
+            course_rad: self.state.heading_rad + libm::atan2(self.ground.y, self.ground.x),
+            heading_rad: self.state.heading_rad,
+            second: (at.seconds % 60.0) as u8,
+            radio: 0,
+        }
+    }
+
+    fn ship_data(&self, session: &Session) -> ShipData {
+        let body = &session.simulation().setup().bodies[self.of.body];
+        let (least, most) = body.outline.bounds();
+        ShipData {
+            mmsi: self.mmsi(),
+            imo: 0,
+            call_sign: String::new(),
+            name: body.name.replace('_', " "),
+            kind: if session.cast().is_tug[self.index] { 52 } else { 70 },
+            extent_m: [most.x + self.ahead_m, -least.x - self.ahead_m, -least.y, most.y],
+            device: 1,
+            arrival: (0, 0, 24, 60),
+            draught_m: self.of.ship.particulars.draught_m,
+            destination: String::new(),
+        }
+    }
+
+    fn instruments(&self, session: &Session, origin: &ChartOrigin, at: Moment) -> Instruments {
+        let simulation = session.simulation();
+        let (t_s, environment) = (simulation.time_s(), &simulation.setup().world.environment);
+        let vessel = &simulation.vessels()[self.index];
+        let attitude = Rotation::from_angle(self.state.heading_rad);
+        let water = self.of.velocity(self.state, environment, t_s);
+        let air = environment.wind.as_ref().map_or(Vec2::ZERO, |wind| wind.velocity(10.0, t_s));
+        let air = attitude.apply_inverse(air);
+        let (least, _) = simulation.setup().bodies[self.of.body].outline.bounds();
+        let stern_mps = (least.x + self.ahead_m) * self.state.yaw_rate_radps;
+        let propelled = self.of.ship.propulsion.is_some();
+        Instruments {
+            at,
+            place: self.place(origin),
+            heading_rad: self.state.heading_rad,
+            turn_radps: self.state.yaw_rate_radps,
+            ground_mps: [self.ground.x, self.ground.y],
+            water_mps: [water.surge_mps, water.sway_mps],
+            stern_mps: [water.sway_mps + stern_mps, self.ground.y + stern_mps],
+            wind_over_deck: from_and_speed(air - self.ground),
+            true_wind: from_and_speed(air),
+            // The transducer is in the keel.
+            depth_m: vessel.under_keel_m.map(|under_m| (under_m, 0.0)),
+            rudder_rad: propelled.then_some(vessel.rudder.value),
+            shafts: propelled
+                .then_some(Shaft { number: 0, rps: vessel.shaft.value })
+                .into_iter()
+                .collect(),
+        }
+    }
+}
+
+/// Where a wind over the bow's axes comes from, and how fast.
+fn from_and_speed(air: Vec2) -> (f64, f64) {
+    (libm::atan2(-air.y, -air.x), air.length())
+}
+
+/// Everything that is said in a second: the own ship's instruments and her AIS, then that of all others. `number`
+/// counts the seconds.
+pub(crate) fn sentences(
+    session: &Session,
+    origin: &ChartOrigin,
+    at: Moment,
+    number: u64,
+) -> Vec<String> {
+    let own = session.cast().own;
+    let count = session.simulation().vessels().len();
+    let mut all = Vec::new();
+    for index in own.into_iter().chain((0..count).filter(|index| own != Some(*index))) {
+        let vessel = Vessel::of(session, index);
+        let is_own = own == Some(index);
+        if is_own {
+            all.extend(instruments(&vessel.instruments(session, origin, at)));
+        }
+        all.extend(ais_position(&vessel.position_report(session, origin, &at), is_own));
+        if number.is_multiple_of(SHIP_DATA_EVERY) {
+            let sequence = ((number / SHIP_DATA_EVERY + index as u64) % 10) as u8;
+            all.extend(ais_ship_data(&vessel.ship_data(session), is_own, sequence));
+        }
+    }
+    all
+}

@@ -1,0 +1,390 @@
+//! The live server: a session in real time, steered from browsers over websockets.
+//!
+//! `engine` is the simulation's thread and the only one that touches the session; `pacer` is its clock, `claims` and
+//! `permit` decide who may do what, `recorder` writes the session down, `gallery` opens scenarios and sessions, `saved`
+//! reads recordings, `opening` does both beside the simulation. `http`
+//! answers requests, `door` and `tokens` let people in, `page` is what browsers get; `client` is the task of one
+//! websocket. `hub` is what lies between: the latest frame for everybody, no queue that grows. `instruments` is what
+//! ships say to chart programs, `wire` how.
+//!
+//! The crate knows no command line: the program gives [`Options`], shows [`Server::greeting`] and decides when the
+//! server stops.
+#![forbid(unsafe_code)]
+
+mod claims;
+mod client;
+mod crowd;
+mod door;
+mod engine;
+mod gallery;
+mod http;
+mod hub;
+mod instruments;
+mod log;
+mod opening;
+mod pacer;
+mod page;
+mod permit;
+mod rate;
+mod recorder;
+mod saved;
+mod seats;
+mod tokens;
+mod wire;
+
+use core::fmt;
+use std::net::{IpAddr, SocketAddr};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, mpsc};
+use std::thread::JoinHandle;
+
+use fenderline_live::message::{Link, Role};
+use fenderline_nautical::ChartOrigin;
+use tokio::net::{TcpListener, TcpSocket, UdpSocket};
+use tokio::runtime::Runtime;
+use tokio::sync::oneshot;
+
+use self::door::Door;
+use self::engine::Engine;
+use self::gallery::Gallery;
+use self::http::Site;
+use self::hub::{Hub, Told};
+use self::page::Page;
+use self::saved::{Played, Unplayed, Way};
+
+/// Writes one line for the person who runs the server.
+pub type Notify = fn(&str);
+
+/// What to serve, and to whom.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Scenario file, or a recorded session to continue.
+    pub scenario: PathBuf,
+    /// Keys of the scenario to override, each `KEY=VALUE`.
+    pub set: Vec<String>,
+    /// Address to listen on.
+    pub bind: IpAddr,
+    /// Port to listen on; 0 takes a free one.
+    pub port: u16,
+    /// Whether other machines may connect.
+    pub allow_remote: bool,
+    /// Names that other machines know this one by.
+    pub host_names: Vec<String>,
+    /// Folder with a built page; `None`: the repository's page, built where needed.
+    pub page: Option<PathBuf>,
+    /// Folder with scenarios to open from the page; `None`: the scenario's folder.
+    pub gallery: Option<PathBuf>,
+    /// Folder that sessions are recorded to.
+    pub sessions: PathBuf,
+    /// Whether to start paused; otherwise the session starts with the first page that connects.
+    pub is_paused: bool,
+    /// TCP port for chart programs.
+    pub nmea_tcp: Option<u16>,
+    /// UDP address of a chart program.
+    pub nmea_udp: Option<SocketAddr>,
+    /// The scenario's origin on the chart.
+    pub origin: ChartOrigin,
+    /// Where notices about the server go.
+    pub notify: Notify,
+}
+
+/// Why the server or a replay ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ServeError {
+    /// The user's input cannot be used.
+    Input(String),
+    /// The input is good, and serving or replaying it failed.
+    Failed(String),
+}
+
+impl ServeError {
+    fn input(error: impl fmt::Display) -> ServeError {
+        ServeError::Input(error.to_string())
+    }
+
+    fn failed(error: impl fmt::Display) -> ServeError {
+        ServeError::Failed(error.to_string())
+    }
+}
+
+impl fmt::Display for ServeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ServeError::Input(text) | ServeError::Failed(text) => f.write_str(text),
+        }
+    }
+}
+
+impl core::error::Error for ServeError {}
+
+/// Threads for the network. The simulation has its own.
+const NETWORK_THREADS: usize = 2;
+/// What the operating system holds for a client that reads slowly (bytes): a second or two of frames.
+const SEND_BUFFER: u32 = 128 << 10;
+/// Where datagrams are sent from.
+const ANY_4: IpAddr = IpAddr::V4(std::net::Ipv4Addr::UNSPECIFIED);
+const ANY_6: IpAddr = IpAddr::V6(std::net::Ipv6Addr::UNSPECIFIED);
+/// Connections that wait to be accepted.
+const BACKLOG: u32 = 256;
+
+/// A server that listens; the simulation's thread runs.
+pub struct Server {
+    runtime: Runtime,
+    listener: TcpListener,
+    site: Arc<Site>,
+    hub: Arc<Hub>,
+    simulation: JoinHandle<()>,
+    simulation_ended: oneshot::Receiver<()>,
+    greeting: String,
+    recording: PathBuf,
+}
+
+impl Server {
+    /// Opens the scenario, begins the recording and listens. A recorded session is replayed first; `progress` is given
+    /// the ticks that are done, and their total.
+    ///
+    /// # Errors
+    /// Bad input: a scenario, an address or a page that cannot be used. A port that is taken.
+    pub fn start(
+        options: &Options,
+        mut progress: impl FnMut(u64, u64),
+    ) -> Result<Server, ServeError> {
+        let notify = options.notify;
+        check_addresses(options)?;
+        let opened = gallery::open(&options.scenario, &options.set, &mut |way| {
+            if let Way::Plays(done, of) = way {
+                progress(done, of);
+            }
+            Ok(())
+        });
+        let opened = opened.map_err(|why| ServeError::input(format_args!("error: {why}")))?;
+        for notice in &opened.notices {
+            notify(&format!("notice: {notice}"));
+        }
+        let page = match &options.page {
+            Some(folder) => {
+                Page::read(folder).map_err(|why| ServeError::input(format_args!("error: {why}")))?
+            }
+            None => Page::of_repository(notify),
+        };
+        let speaks = options.nmea_tcp.is_some() || options.nmea_udp.is_some();
+        let (to_engine, told) = mpsc::channel();
+        let hub = Arc::new(Hub::new(to_engine, notify));
+        let engine = Engine::new(
+            Arc::clone(&hub),
+            opened,
+            gallery(options),
+            options.sessions.clone(),
+            options.is_paused,
+            speaks.then_some(options.origin),
+        )
+        .map_err(|why| ServeError::failed(format_args!("error: {why}")))?;
+        let runtime = tokio::runtime::Builder::new_multi_thread()
+            .worker_threads(NETWORK_THREADS)
+            .enable_all()
+            .build()
+            .map_err(|e| {
+                ServeError::failed(format_args!("error: no threads for the network: {e}"))
+            })?;
+        let address = SocketAddr::new(options.bind, options.port);
+        let listener = runtime.block_on(async { listen(address) }).map_err(|e| {
+            ServeError::failed(format_args!(
+                "error: cannot listen on {address}: {e} (another --port?)"
+            ))
+        })?;
+        let address = listener.local_addr().unwrap_or(address);
+        let wires = wires(options, &hub, &runtime)?;
+        let (links, recording) = (engine.links(), engine.recording().to_owned());
+        // Dropped when the thread ends, also by a panic: there is nothing left to serve then.
+        let (alive, simulation_ended) = oneshot::channel::<()>();
+        let simulation = std::thread::Builder::new()
+            .name("simulation".into())
+            .spawn(move || {
+                engine.run(&told);
+                drop(alive);
+            })
+            .map_err(|e| {
+                ServeError::failed(format_args!("error: no thread for the simulation: {e}"))
+            })?;
+        let door = Door { remote: !options.bind.is_loopback(), names: options.host_names.clone() };
+        let site = Arc::new(Site::new(Arc::clone(&hub), page, door));
+        let greeting = greeting(address, &links, &wires, &recording);
+        Ok(Server {
+            runtime,
+            listener,
+            site,
+            hub,
+            simulation,
+            simulation_ended,
+            greeting,
+            recording,
+        })
+    }
+
+    /// What to print: the address, a link for each role, the chart programs' ports, the recording's file.
+    pub fn greeting(&self) -> &str {
+        &self.greeting
+    }
+
+    /// Serves until `stop` is sent or dropped, or the simulation's thread ends; returns the recording's file.
+    ///
+    /// # Errors
+    /// The simulation's thread panicked.
+    pub fn run(self, stop: oneshot::Receiver<()>) -> Result<PathBuf, ServeError> {
+        let Server {
+            runtime, listener, site, hub, simulation, simulation_ended, recording, ..
+        } = self;
+        runtime.block_on(async {
+            tokio::select! {
+                () = http::serve(listener, site) => {}
+                _ = stop => {}
+                _ = simulation_ended => {}
+            }
+        });
+        hub.tell_engine(Told::Stop);
+        if simulation.join().is_err() {
+            return Err(ServeError::failed("error: the simulation's thread panicked: see above"));
+        }
+        Ok(recording)
+    }
+}
+
+/// Refuses addresses of other machines unless the user allows them.
+fn check_addresses(options: &Options) -> Result<(), ServeError> {
+    if options.allow_remote {
+        return Ok(());
+    }
+    if !options.bind.is_loopback() {
+        return Err(ServeError::input(format_args!(
+            "error: {} is not loopback: other machines could reach the server. Give --allow-remote to allow it",
+            options.bind
+        )));
+    }
+    match options.nmea_udp {
+        Some(to) if !to.ip().is_loopback() => Err(ServeError::input(format_args!(
+            "error: {to} is not loopback. Give --allow-remote to send sentences there"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// The scenario first, then those of its folder or of the given one, then recorded sessions.
+fn gallery(options: &Options) -> Gallery {
+    let mut gallery = Gallery::default();
+    gallery.add(&options.scenario);
+    let beside = options.scenario.parent().unwrap_or(Path::new(""));
+    let beside = if beside.as_os_str().is_empty() { Path::new(".") } else { beside };
+    gallery.fill(&[options.gallery.as_deref().unwrap_or(beside), &options.sessions]);
+    gallery
+}
+
+/// Starts the connections to chart programs; a line for the user about each.
+fn wires(options: &Options, hub: &Arc<Hub>, runtime: &Runtime) -> Result<String, ServeError> {
+    let mut told = String::new();
+    let cannot = |what: String| move |e| ServeError::failed(format_args!("error: {what}: {e}"));
+    if let Some(port) = options.nmea_tcp {
+        let at = SocketAddr::new(options.bind, port);
+        let listener = runtime
+            .block_on(TcpListener::bind(at))
+            .map_err(cannot(format!("cannot listen for chart programs on {at}")))?;
+        let at = listener.local_addr().unwrap_or(at);
+        told += &format!("NMEA 0183 and AIS over TCP on {at}\n");
+        runtime.spawn(wire::tcp(listener, Arc::clone(hub)));
+    }
+    if let Some(to) = options.nmea_udp {
+        let from = SocketAddr::new(if to.is_ipv4() { ANY_4 } else { ANY_6 }, 0);
+        let socket = runtime
+            .block_on(UdpSocket::bind(from))
+            .map_err(cannot(format!("cannot send to {to}")))?;
+        told += &format!("NMEA 0183 and AIS over UDP to {to}\n");
+        runtime.spawn(wire::udp(socket, to, Arc::clone(hub)));
+    }
+    Ok(told)
+}
+
+/// A socket that listens. What it accepts holds little back: who reads slowly shall not read of long ago.
+fn listen(address: SocketAddr) -> std::io::Result<TcpListener> {
+    let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
+    // Elsewhere than on Windows it means that the port of a server that has just ended is free.
+    #[cfg(not(windows))]
+    socket.set_reuseaddr(true)?;
+    socket.set_send_buffer_size(SEND_BUFFER)?;
+    socket.bind(address)?;
+    socket.listen(BACKLOG)
+}
+
+/// What the user is told when the server is there.
+fn greeting(address: SocketAddr, links: &[Link], wires: &str, recording: &Path) -> String {
+    // Every address of this machine is no address to go to.
+    let shown = match address.ip() {
+        IpAddr::V4(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
+        IpAddr::V6(ip) if ip.is_unspecified() => format!("localhost:{}", address.port()),
+        _ => address.to_string(),
+    };
+    let name = |role: &Role| match role {
+        Role::Instructor => "instructor".to_owned(),
+        Role::Pilot => "pilot".to_owned(),
+        Role::Tugmaster { tug } => format!("master of {tug}"),
+        Role::Observer => "observer".to_owned(),
+    };
+    let width = links.iter().map(|link| name(&link.role).len()).max().unwrap_or(0);
+    let mut text = format!(
+        "fenderline is on http://{shown} (Ctrl-C ends it, once more at once). Open one of these:\n"
+    );
+    for Link { role, path } in links {
+        text += &format!("  {:width$}  http://{shown}{path}\n", name(role));
+    }
+    text + wires + &format!("Who has a link has its role. Recorded to {}\n", recording.display())
+}
+
+/// A recorded session that was replayed to its end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Replayed {
+    /// The scenario's title.
+    pub title: String,
+    /// Branches of the session.
+    pub branches: usize,
+    /// Ticks of all branches.
+    pub ticks: u64,
+    /// Recorded states that the replay met bit for bit: all of them.
+    pub equal_states: u64,
+    /// What is missing at the recording's end; `None` for a complete one.
+    pub incomplete: Option<String>,
+}
+
+/// Replays a recorded session and compares every recorded state. `progress` is given the ticks that are done, and their
+/// total.
+///
+/// # Errors
+/// A file that is no recording or is damaged; a session whose replay differs in any bit.
+pub fn replay(session: &Path, mut progress: impl FnMut(u64, u64)) -> Result<Replayed, ServeError> {
+    let name = session.display();
+    let file = saved::open(session)
+        .map_err(|why| ServeError::input(format_args!("error: cannot read {why}")))?;
+    let file = file.ok_or_else(|| {
+        ServeError::input(format_args!("error: {name}: it is no recorded session"))
+    })?;
+    let played = saved::play(file, &mut |way| {
+        if let Way::Plays(done, of) = way {
+            progress(done, of);
+        }
+        Ok(())
+    });
+    let Played { session, same, outline, .. } = played.map_err(|why| match why {
+        Unplayed::Differs(error) => ServeError::failed(format_args!("error: {name}, {error}")),
+        other => ServeError::input(format_args!("error: {name}, {other}")),
+    })?;
+    Ok(Replayed {
+        title: session.title().to_owned(),
+        branches: outline.branches,
+        ticks: outline.ticks,
+        equal_states: same,
+        incomplete: saved::told_of_end(outline.ending),
+    })
+}
+
+impl fmt::Debug for Server {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Server").field("recording", &self.recording).finish_non_exhaustive()
+    }
+}

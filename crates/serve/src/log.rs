@@ -1,0 +1,52 @@
+//! What the server tells its terminal of those who misbehave: not more than somebody can read.
+
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+use super::rate::Bucket;
+use crate::Notify;
+
+/// Lines a second, and at once.
+const LINES: (f64, f64) = (2.0, 20.0);
+
+/// A log that thins itself out.
+#[derive(Debug)]
+pub(crate) struct Log {
+    thinned: Mutex<Thinned>,
+    notify: Notify,
+}
+
+#[derive(Debug)]
+struct Thinned {
+    bucket: Bucket,
+    left_out: u64,
+}
+
+impl Log {
+    pub(crate) fn new(notify: Notify) -> Log {
+        let bucket = Bucket::new(LINES.0, LINES.1, Instant::now());
+        Log { thinned: Mutex::new(Thinned { bucket, left_out: 0 }), notify }
+    }
+
+    /// A line that must not be missed.
+    pub(crate) fn notify(&self, line: &str) {
+        (self.notify)(line);
+    }
+
+    /// A line about a refusal, or about one more that nobody would read.
+    pub(crate) fn refused(&self, line: &str) {
+        let mut thinned = self.thinned.lock().unwrap_or_else(PoisonError::into_inner);
+        if !thinned.bucket.take(Instant::now()) {
+            thinned.left_out += 1;
+            return;
+        }
+        let left_out = std::mem::take(&mut thinned.left_out);
+        drop(thinned);
+        if left_out > 0 {
+            self.notify(&format!("({left_out} like lines left out)"));
+        }
+        // A stranger's text cannot write to the terminal what the terminal obeys.
+        let line: String = line.chars().take(300).filter(|c| !c.is_control()).collect();
+        self.notify(&line);
+    }
+}

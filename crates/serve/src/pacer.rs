@@ -1,0 +1,134 @@
+//! When the next tick is due, and how late the last ones were. Pure: told the time, it asks no clock.
+
+use std::time::{Duration, Instant};
+
+/// Beyond this a tick is not made up for: the machine slept, or somebody held the program.
+const FORGIVEN: Duration = Duration::from_secs(1);
+
+/// Ticks at equal distances of wall time.
+#[derive(Clone, Debug)]
+pub(crate) struct Pacer {
+    step_s: f64,
+    pace: f64,
+    anchor: Instant,
+    ticks: u64,
+    late_ticks: u64,
+    latest: Duration,
+}
+
+impl Pacer {
+    pub(crate) fn new(step_s: f64, now: Instant) -> Pacer {
+        let pace = 1.0;
+        Pacer { step_s, pace, anchor: now, ticks: 0, late_ticks: 0, latest: Duration::ZERO }
+    }
+
+    /// Wall time of a step.
+    fn wall_step(&self) -> Duration {
+        Duration::from_secs_f64(self.step_s / self.pace)
+    }
+
+    fn due_at(&self) -> Instant {
+        self.anchor + Duration::from_secs_f64(self.ticks as f64 * self.step_s / self.pace)
+    }
+
+    /// Begins anew: the next tick is due one step from now.
+    pub(crate) fn restart(&mut self, now: Instant) {
+        (self.anchor, self.ticks) = (now, 1);
+    }
+
+    /// Simulated over wall time.
+    pub(crate) fn pace(&self) -> f64 {
+        self.pace
+    }
+
+    pub(crate) fn set_pace(&mut self, pace: f64, now: Instant) {
+        self.pace = pace;
+        self.restart(now);
+    }
+
+    /// Another scenario may have another step.
+    pub(crate) fn set_step(&mut self, step_s: f64, now: Instant) {
+        self.step_s = step_s;
+        self.restart(now);
+    }
+
+    /// How long until the next tick; zero where it is due.
+    pub(crate) fn wait(&self, now: Instant) -> Duration {
+        self.due_at().saturating_duration_since(now)
+    }
+
+    pub(crate) fn is_due(&self, now: Instant) -> bool {
+        self.due_at() <= now
+    }
+
+    /// A due tick begins now. Counted as late beyond half a step.
+    pub(crate) fn begin(&mut self, now: Instant) {
+        let late = now.saturating_duration_since(self.due_at());
+        self.ticks += 1;
+        if late > self.wall_step() / 2 {
+            self.late_ticks += 1;
+            self.latest = self.latest.max(late);
+        }
+        if late > FORGIVEN {
+            // What lies between is not made up for, and counted.
+            self.late_ticks += (late.as_secs_f64() / self.wall_step().as_secs_f64()) as u64;
+            self.restart(now);
+        }
+    }
+
+    /// Ticks that came too late, and the latest of them (ms).
+    pub(crate) fn late(&self) -> (u64, f64) {
+        (self.late_ticks, 1e3 * self.latest.as_secs_f64())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STEP: Duration = Duration::from_millis(100);
+
+    #[test]
+    fn ticks_keep_their_distance_however_each_of_them_wavers() {
+        let start = Instant::now();
+        let mut pacer = Pacer::new(0.1, start);
+        for tick in 0..1000_u32 {
+            let due = start + STEP * tick;
+            assert!(!pacer.is_due(due - Duration::from_millis(1)));
+            let now = due + Duration::from_millis(u64::from(tick) * 7 % 50);
+            assert!(pacer.is_due(now));
+            pacer.begin(now);
+        }
+        assert_eq!(pacer.late().0, 0);
+    }
+
+    #[test]
+    fn late_ticks_are_counted_and_made_up_for_unless_they_are_very_late() {
+        let start = Instant::now();
+        let mut pacer = Pacer::new(0.1, start);
+        pacer.begin(start);
+        let late = start + STEP + Duration::from_millis(370);
+        pacer.begin(late);
+        assert_eq!(pacer.late(), (1, 370.0));
+        // The two that should have been meanwhile are due at once.
+        assert!(pacer.is_due(late));
+        pacer.begin(late);
+        pacer.begin(late);
+        assert_eq!(pacer.late().0, 3);
+        let slept = late + Duration::from_secs(60);
+        pacer.begin(slept);
+        assert!(pacer.late().0 > 590 && !pacer.is_due(slept));
+        assert!(pacer.is_due(slept + STEP));
+    }
+
+    #[test]
+    fn another_pace_begins_from_now() {
+        let start = Instant::now();
+        let mut pacer = Pacer::new(0.1, start);
+        pacer.begin(start);
+        pacer.set_pace(4.0, start);
+        assert_eq!(pacer.wait(start), Duration::from_millis(25));
+        pacer.set_pace(0.5, start);
+        assert_eq!(pacer.wait(start), Duration::from_millis(200));
+    }
+}

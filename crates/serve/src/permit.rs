@@ -1,0 +1,126 @@
+//! What a role may do.
+
+use fenderline_live::message::Role;
+use fenderline_live::{Action, Cast, Conduct, Control, Helm, Refusal};
+
+/// What a command needs besides its role.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Needs {
+    /// To hold the helm; one that nobody holds is taken with the command.
+    Helm(Control),
+    /// That nobody else holds it: an order to somebody's control, not a hand on it.
+    NobodyAt(Control),
+    /// Nothing.
+    Nothing,
+}
+
+/// May this role give this command, and what does that need?
+///
+/// # Errors
+/// Why not.
+pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Needs, Refusal> {
+    let helm = cast.helm(action);
+    match (role, helm) {
+        (Role::Observer, _) => Err(Refusal::new("an observer commands nothing")),
+        (Role::Instructor, Helm::Of(control)) => Ok(Needs::NobodyAt(control)),
+        (Role::Instructor, Helm::Line(_) | Helm::World | Helm::Board) => Ok(Needs::Nothing),
+        (_, Helm::World) => Err(Refusal::new("only the instructor makes weather and faults")),
+        (_, Helm::Of(control)) if may_claim(role, &control, cast) => Ok(Needs::Helm(control)),
+        (Role::Pilot, Helm::Of(control)) => Ok(Needs::NobodyAt(control)),
+        (Role::Pilot, Helm::Line(_) | Helm::Board) => Ok(Needs::Nothing),
+        (Role::Tugmaster { tug }, Helm::Line(ends)) if ends.contains(tug) => Ok(Needs::Nothing),
+        (Role::Tugmaster { tug }, _) => {
+            Err(Refusal::new(format_args!("the master of {tug} commands her alone")))
+        }
+    }
+}
+
+/// May this role hold this helm?
+pub(crate) fn may_claim(role: &Role, control: &Control, cast: &Cast) -> bool {
+    match (role, control) {
+        (_, Control::Session(_)) | (Role::Observer, _) => false,
+        (Role::Instructor, _) => true,
+        (Role::Pilot, Control::Vessel(name)) => !cast.is_tug(name),
+        (Role::Pilot, Control::Tug(_)) => false,
+        (Role::Tugmaster { tug }, Control::Vessel(name) | Control::Tug(name)) => name == tug,
+    }
+}
+
+/// Does this role order this control about without holding it, where nobody does?
+pub(crate) fn may_order(role: &Role, control: &Control, cast: &Cast) -> bool {
+    match role {
+        Role::Instructor => true,
+        Role::Pilot => !may_claim(role, control, cast),
+        Role::Tugmaster { .. } | Role::Observer => false,
+    }
+}
+
+/// May this role conduct the session so? Claims are looked at where they are taken.
+///
+/// # Errors
+/// Why not.
+pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal> {
+    // Whose an alarm is the alarm book knows.
+    let own = matches!(
+        conduct,
+        Conduct::Claim { .. } | Conduct::Release { .. } | Conduct::Acknowledge { .. }
+    );
+    if own || *role == Role::Instructor {
+        return Ok(());
+    }
+    Err(Refusal::new("only the instructor may do that"))
+}
+
+#[cfg(test)]
+mod tests {
+    use fenderline_live::{NamedOrder, OtherAction};
+    use fenderline_sim::OrderName;
+
+    use super::*;
+
+    #[test]
+    fn each_role_opens_its_own_actions_and_no_other() {
+        let text = include_str!("../../../scenarios/berth/asd_tugs_push_alongside.toml");
+        let scenario = fenderline_scenario::Scenario::parse(text, "a.toml").expect("a scenario");
+        let cast = Cast::of(&scenario.setup);
+        assert_eq!(cast.tug_names(), ["forward_tug", "after_tug"]);
+        let master = Role::Tugmaster { tug: "forward_tug".into() };
+        let vessel = |name: &str| Control::Vessel(name.into());
+        let rudder =
+            |name: &str| NamedOrder::new(OrderName::Rudder, name).number("angle", 0.0).into();
+        let hands = |name: &str| NamedOrder::new(OrderName::Hands, name).into();
+        let wind = Action::from(OtherAction::Wind { speed_mps: 1.0, from_rad: 0.0 });
+        let limit = Action::from(OtherAction::ApproachLimit { speed_mps: 0.2 });
+        let line = Action::from(NamedOrder::new(OrderName::LetGo, "none"));
+        for (role, action, needs) in [
+            (&Role::Pilot, rudder("ship"), Some(Needs::Helm(vessel("ship")))),
+            (&Role::Pilot, hands("after_tug"), Some(Needs::NobodyAt(vessel("after_tug")))),
+            (&Role::Pilot, line.clone(), Some(Needs::Nothing)),
+            (&Role::Pilot, wind.clone(), None),
+            (&Role::Pilot, limit.clone(), Some(Needs::Nothing)),
+            (&master, limit, None),
+            (&master, hands("forward_tug"), Some(Needs::Helm(vessel("forward_tug")))),
+            (&master, hands("after_tug"), None),
+            (&master, rudder("ship"), None),
+            (&master, line.clone(), None),
+            (&master, wind.clone(), None),
+            (&Role::Observer, rudder("ship"), None),
+            (&Role::Observer, line.clone(), None),
+            (&Role::Observer, wind.clone(), None),
+            (&Role::Instructor, rudder("ship"), Some(Needs::NobodyAt(vessel("ship")))),
+            (&Role::Instructor, wind, Some(Needs::Nothing)),
+            (&Role::Instructor, line, Some(Needs::Nothing)),
+        ] {
+            assert_eq!(for_action(role, &action, &cast).ok(), needs, "{role:?} {action:?}");
+        }
+        for role in [&Role::Pilot, &master, &Role::Observer] {
+            for conduct in
+                [Conduct::Pause {}, Conduct::Load { file: "x".into() }, Conduct::Branch {}]
+            {
+                assert!(for_conduct(role, &conduct).is_err(), "{role:?} {conduct:?}");
+            }
+        }
+        assert!(for_conduct(&Role::Instructor, &Conduct::Pause {}).is_ok());
+        assert!(!may_claim(&Role::Instructor, &Control::Session(true), &cast));
+    }
+}

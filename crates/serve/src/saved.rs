@@ -1,0 +1,126 @@
+//! Recordings as files: looked through, then played again.
+
+use std::fmt;
+use std::fs::File;
+use std::io::{BufReader, Read as _, Seek as _};
+use std::path::Path;
+
+use fenderline_live::{
+    Ending, LARGEST_RECORDING_BYTES, Outline, RecordingError, RecordingReader, Replay, ReplayError,
+    Session, begins_recording,
+};
+use fenderline_scenario::open_regular;
+
+/// Steps that are played between two looks at who waits.
+const SLICE: u64 = 200;
+/// How recordings are read (bytes).
+const BLOCK: usize = 256 << 10;
+
+/// How far a recording is on its way to be played.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Way {
+    /// Bytes that were read and checked, of how many.
+    Reads(u64, u64),
+    /// Ticks that were played again, of how many.
+    Plays(u64, u64),
+}
+
+/// Told how far it is; says whether to go on, or why not.
+pub(crate) type Watch<'w> = &'w mut dyn FnMut(Way) -> Result<(), String>;
+
+/// A recording that was played to its end.
+pub(crate) struct Played {
+    pub(crate) session: Session,
+    /// States that were found to have the recorded bits.
+    pub(crate) same: u64,
+    pub(crate) outline: Outline,
+    /// Of the program that recorded it.
+    pub(crate) version: String,
+    pub(crate) file: File,
+}
+
+/// Why a recording was not played to its end; without its name.
+#[derive(Debug)]
+pub(crate) enum Unplayed {
+    /// It is none, or damaged: found before anything was played.
+    Bad(RecordingError),
+    /// Its lines are sound, and cannot be played to the bits that were recorded.
+    Differs(ReplayError),
+    /// Who waited has said so, or the file cannot be read: why.
+    Stopped(String),
+}
+
+impl fmt::Display for Unplayed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unplayed::Bad(error) => error.fmt(f),
+            Unplayed::Differs(error) => error.fmt(f),
+            Unplayed::Stopped(why) => f.write_str(why),
+        }
+    }
+}
+
+/// Opens a file if it begins as a recording does; `None` for any other regular file.
+///
+/// # Errors
+/// A file that cannot be read, with its name.
+pub(crate) fn open(path: &Path) -> Result<Option<File>, String> {
+    let mut file = open_regular(path, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
+    let mut start = Vec::new();
+    let read = file.by_ref().take(64).read_to_end(&mut start).and_then(|_| file.rewind());
+    read.map_err(|e| format!("{}: {e}", path.display()))?;
+    Ok(begins_recording(&start).then_some(file))
+}
+
+/// The title of a recording's scenario; `None` where its first line is damaged, or none.
+pub(crate) fn title(file: &File) -> Option<String> {
+    let reader = RecordingReader::open(BufReader::new(file)).ok()?;
+    Some(reader.source().scenario().ok()?.title)
+}
+
+/// Checks a recording from end to end, then plays it.
+///
+/// # Errors
+/// [`Unplayed`].
+pub(crate) fn play(file: File, watch: Watch<'_>) -> Result<Played, Unplayed> {
+    let unreadable = |e: std::io::Error| Unplayed::Stopped(e.to_string());
+    let all = file.metadata().map_err(unreadable)?.len();
+    let mut stopped = None;
+    let read =
+        |bytes: u64| watch(Way::Reads(bytes, all)).inspect_err(|why| stopped = Some(why.clone()));
+    let outline = Outline::read(BufReader::with_capacity(BLOCK, &file), read);
+    let outline = match (outline, stopped) {
+        (_, Some(why)) => return Err(Unplayed::Stopped(why)),
+        (Err(error), None) => return Err(Unplayed::Bad(error)),
+        (Ok(outline), None) => outline,
+    };
+    (&file).rewind().map_err(unreadable)?;
+    let input = BufReader::with_capacity(BLOCK, &file);
+    let version = {
+        let reader = RecordingReader::open(input).map_err(Unplayed::Bad)?;
+        reader.version().to_owned()
+    };
+    (&file).rewind().map_err(unreadable)?;
+    let input = BufReader::with_capacity(BLOCK, &file);
+    let mut replay = Replay::begin(input, outline.clone()).map_err(Unplayed::Differs)?;
+    while !replay.play(SLICE).map_err(Unplayed::Differs)? {
+        watch(Way::Plays(replay.done(), outline.ticks)).map_err(Unplayed::Stopped)?;
+    }
+    let replayed = replay.finish().map_err(Unplayed::Differs)?;
+    let (session, same) = (replayed.session, replayed.same);
+    Ok(Played { session, same, outline, version, file })
+}
+
+/// What a user should know of how a recording ends; `None` for one that is whole.
+pub(crate) fn told_of_end(ending: Ending) -> Option<String> {
+    match ending {
+        Ending::Whole => None,
+        Ending::Open => Some(
+            "it has no line that ends it: its writer was killed or still writes, or lines were cut off"
+                .to_owned(),
+        ),
+        Ending::Torn { bytes } => Some(format!(
+            "it is torn: {bytes} bytes of a last line without end are dropped"
+        )),
+    }
+}

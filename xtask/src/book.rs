@@ -1,0 +1,62 @@
+//! `cargo xtask book`: the book of `docs/`, built into `target/book`. A warning, a dead link, or a text that names a file
+//! or a function that does not exist is a failure.
+//!
+//! Sphinx and its theme come from PyPI, in the versions of `docs/requirements.txt`. Reference pages and figures are made
+//! by `docs/generate` from what the program prints; nothing that is generated is committed.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::citations;
+use crate::command::{cargo, run, run_quietly};
+use crate::step::{Done, Step};
+use crate::tools;
+use crate::virtual_environment::{environment, target_folder};
+
+/// As a step of `cargo xtask test`, and alone.
+pub(crate) const STEP: Step = Step { name: "the book", run: book };
+
+/// Where the generated data go that the book is made from.
+const DATA: &str = "book-data";
+
+fn book() -> Result<Done, String> {
+    citations::check()?;
+    let python = match tools::python_environments() {
+        Ok(python) => python,
+        Err(missing) => return Ok(Done::NotRun(missing)),
+    };
+    let target = target_folder();
+    let requirements = Path::new("docs/requirements.txt");
+    let python = environment(python, &target.join("book-python"), requirements)?;
+    let program = program()?;
+    let data = target.join(DATA);
+    run_quietly(Command::new(&program).args(["validate", "--out"]).arg(&data))?;
+    let columns = data.join("columns.json");
+    let example = ["run", "--quiet", "--package", "fenderline-results", "--example", "columns"];
+    std::fs::write(&columns, run_quietly(&mut cargo(example))?)
+        .map_err(|e| format!("{}: {e}", columns.display()))?;
+
+    let mut generate = Command::new(&python);
+    generate.args(["-B", "docs/generate"]).arg(&program);
+    run(generate.arg(data.join("validation.json")).arg(&columns))?;
+    let book = target.join("book");
+    let mut sphinx = Command::new(&python);
+    sphinx.args(["-B", "-m", "sphinx", "--builder", "html", "--fail-on-warning", "--quiet"]);
+    // Pages are read anew: whether a link is dead does not depend on what was built before.
+    sphinx
+        .args(["--fresh-env", "--jobs", "auto", "--doctree-dir"])
+        .arg(target.join("book-doctrees"));
+    run(sphinx.arg("docs").arg(&book))?;
+    println!("{}", book.join("index.html").display());
+    Ok(Done::Good)
+}
+
+/// The program whose tables and runs the book shows: `FENDERLINE_BIN`, or the release build.
+fn program() -> Result<PathBuf, String> {
+    if let Some(program) = std::env::var_os("FENDERLINE_BIN") {
+        return std::path::absolute(&program).map_err(|e| format!("FENDERLINE_BIN: {e}"));
+    }
+    run(&mut cargo(["build", "--quiet", "--release", "--package", "fenderline"]))?;
+    let name = format!("fenderline{}", std::env::consts::EXE_SUFFIX);
+    Ok(target_folder().join("release").join(name))
+}

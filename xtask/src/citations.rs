@@ -1,0 +1,186 @@
+//! Do the files and functions exist that the documents name?
+//!
+//! - A code span of a Markdown file that looks like a path of the repository must be one. `…`, `*`, `<`, `{` or a word in
+//!   capitals in it marks a pattern, which is not checked.
+//! - In `ARCHITECTURE.md` a code span `name()` must be a function, and one `Name` in a table's column must be a type, of
+//!   a file that the same line names.
+//! - Code that cites a Markdown file must cite one that exists.
+
+use std::path::Path;
+
+use crate::command::run_quietly;
+
+/// Folders whose names at the start of a code span mark it as a path of the repository.
+const FOLDERS: [&str; 13] = [
+    "benches",
+    "crates",
+    "docs",
+    "examples",
+    "fenders",
+    "fuzz",
+    "include",
+    "scenarios",
+    "validation",
+    "vessels",
+    "web",
+    "xtask",
+    ".ci",
+];
+const MAP: &str = "ARCHITECTURE.md";
+
+/// Checks all tracked files.
+///
+/// # Errors
+/// Every citation that leads nowhere, one a line.
+pub(crate) fn check() -> Result<(), String> {
+    let listed = run_quietly(std::process::Command::new("git").args([
+        "ls-files",
+        "--cached",
+        "--others",
+        "--exclude-standard",
+    ]))?;
+    let mut dead = Vec::new();
+    for name in listed.lines() {
+        let Ok(text) = std::fs::read_to_string(name) else { continue };
+        match Path::new(name).extension().and_then(|extension| extension.to_str()) {
+            Some("md") => dead.extend(dead_in_document(name, &text)),
+            Some("rs" | "py" | "toml" | "ts" | "h" | "c") => dead.extend(dead_in_code(name, &text)),
+            _ => {}
+        }
+    }
+    let map = read(MAP)?;
+    dead.extend(map.lines().enumerate().flat_map(|(index, line)| {
+        dead_functions(line, &|path| std::fs::read_to_string(path).ok())
+            .into_iter()
+            .map(move |name| format!("{MAP}:{}: no `{name}` in the files of this line", index + 1))
+    }));
+    if dead.is_empty() { Ok(()) } else { Err(dead.join("\n")) }
+}
+
+fn read(name: &str) -> Result<String, String> {
+    std::fs::read_to_string(name).map_err(|e| format!("{name}: {e}"))
+}
+
+/// Paths in code spans of a Markdown text that are not in the repository. The changelog and the record of attacks speak
+/// of what was.
+fn dead_in_document(name: &str, text: &str) -> Vec<String> {
+    if name == "CHANGELOG.md" {
+        return Vec::new();
+    }
+    let mut dead = Vec::new();
+    let mut fenced = false;
+    for (index, line) in text.lines().enumerate() {
+        if line.trim_start().starts_with("```") {
+            fenced = !fenced;
+        }
+        if fenced {
+            continue;
+        }
+        for span in code_spans(line).filter(|span| is_path(span)) {
+            let beside = Path::new(name).parent().unwrap_or(Path::new("")).join(span);
+            if !Path::new(span).exists() && !beside.exists() {
+                if !is_ignored(span) {
+                    dead.push(format!("{name}:{}: no `{span}`", index + 1));
+                }
+            }
+        }
+    }
+    dead
+}
+
+/// Is it a path that git ignores, where something is built to?
+fn is_ignored(path: &str) -> bool {
+    let mut git = std::process::Command::new("git");
+    run_quietly(git.args(["check-ignore", "--quiet", path])).is_ok()
+}
+
+/// Markdown files that a text cites by their place from the root.
+fn dead_in_code(name: &str, text: &str) -> Vec<String> {
+    let mut dead = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let words = line.split(|c: char| !(c.is_alphanumeric() || "/_-.".contains(c)));
+        for word in words.filter(|word| word.starts_with("docs/") && word.ends_with(".md")) {
+            if !Path::new(word).exists() && !word.contains("_generated") {
+                dead.push(format!("{name}:{}: no {word}", index + 1));
+            }
+        }
+    }
+    dead
+}
+
+/// Functions and types that a line names and that none of its files has.
+fn dead_functions(line: &str, source: &dyn Fn(&str) -> Option<String>) -> Vec<String> {
+    let sources: Vec<String> =
+        code_spans(line).filter(|span| is_path(span)).filter_map(source).collect();
+    let defined = |keywords: &[&str], name: &str| {
+        sources.iter().any(|text| {
+            keywords.iter().any(|keyword| {
+                text.match_indices(&format!("{keyword} {name}")).any(|(at, found)| {
+                    !text[at + found.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '_')
+                })
+            })
+        })
+    };
+    code_spans(line)
+        .filter(|span| match span.strip_suffix("()") {
+            Some(function) => !defined(&["fn", "function", "def"], function),
+            None => {
+                let is_type = span.starts_with(|c: char| c.is_ascii_uppercase())
+                    && span.chars().all(char::is_alphanumeric)
+                    && span.contains(|c: char| c.is_ascii_lowercase());
+                is_type
+                    && !sources.is_empty()
+                    && !defined(&["struct", "enum", "trait", "type", "static", "const"], span)
+            }
+        })
+        .map(str::to_owned)
+        .collect()
+}
+
+/// What stands between single backticks.
+fn code_spans(line: &str) -> impl Iterator<Item = &str> {
+    line.split('`').skip(1).step_by(2)
+}
+
+/// Does a code span name a file or folder of the repository, and no pattern?
+fn is_path(span: &str) -> bool {
+    let is_pattern = span.contains(|c: char| c.is_whitespace() || "*…<{[()$:=".contains(c))
+        || span.split(['/', '.']).any(|part| {
+            part.len() > 1 && part.chars().all(|c| c.is_ascii_uppercase()) && part != "README"
+        });
+    !is_pattern
+        && FOLDERS.iter().any(|folder| {
+            span.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/') && rest.len() > 1)
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_and_functions_that_documents_name_exist() {
+        std::env::set_current_dir(crate::command::workspace_root()).expect("the workspace");
+        assert_eq!(check(), Ok(()));
+    }
+
+    #[test]
+    fn a_function_that_no_file_of_its_line_has_is_found() {
+        let line = "| `crates/x.rs` | `step()`, `steps()`, `Model` |";
+        let source = |_: &str| Some("pub fn steps() {}\nstruct Modelled;".to_owned());
+        assert_eq!(
+            dead_functions(line, &source),
+            ["step", "Model"].map(|name| if name == "step" { "step()" } else { name })
+        );
+    }
+
+    #[test]
+    fn patterns_and_words_are_no_paths() {
+        assert!(is_path("crates/contact/src/step.rs"));
+        assert!(is_path("fenders/README.md"));
+        assert!(!is_path("scenarios/<topic>/x.toml"));
+        assert!(!is_path("docs/design/*.md"));
+        assert!(!is_path("out/validation"));
+        assert!(!is_path("validation/NAME.toml"));
+    }
+}

@@ -1,0 +1,40 @@
+//! Virtual environments of Python beside what cargo builds, with packages of fixed versions from PyPI.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::command::run_quietly;
+
+/// Where cargo puts what it builds.
+pub(crate) fn target_folder() -> PathBuf {
+    let folder =
+        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from);
+    std::path::absolute(&folder).unwrap_or(folder)
+}
+
+/// The Python of the virtual environment `folder`, with the packages of the list `requirements` in it. It is made
+/// anew where the list has changed since.
+///
+/// # Errors
+/// No such list, or a package that could not be installed.
+pub(crate) fn environment(
+    python: &str,
+    folder: &Path,
+    requirements: &Path,
+) -> Result<PathBuf, String> {
+    let wanted = std::fs::read_to_string(requirements)
+        .map_err(|e| format!("{}: {e}", requirements.display()))?;
+    let stamp = folder.join("installed.txt");
+    let bin = if cfg!(windows) { "Scripts" } else { "bin" };
+    let own = folder.join(bin).join(format!("python{}", std::env::consts::EXE_SUFFIX));
+    if std::fs::read_to_string(&stamp).is_ok_and(|installed| installed == wanted) {
+        return Ok(own);
+    }
+    println!("{}, from PyPI, into {}", requirements.display(), folder.display());
+    run_quietly(Command::new(python).args(["-m", "venv", "--clear"]).arg(folder))?;
+    let mut install = Command::new(&own);
+    install.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"]);
+    run_quietly(install.arg(requirements))?;
+    std::fs::write(&stamp, wanted).map_err(|e| format!("{}: {e}", stamp.display()))?;
+    Ok(own)
+}
