@@ -141,6 +141,7 @@ impl Berth {
         BerthNow {
             bow: BerthEnd::Off,
             stern: BerthEnd::Off,
+            limit_mps: 0.0,
             bow_lamp: Lamp { light: Light::Ok, text: "" },
             stern_lamp: Lamp { light: Light::Ok, text: "" },
             bow_m,

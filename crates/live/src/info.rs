@@ -3,7 +3,7 @@
 use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
 use fenderline_sim::mooring::{InboardEnd, LineKind};
-use fenderline_sim::order::{SidePlace, Word, towline};
+use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
 use fenderline_sim::{LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
 
 use crate::berth::Berth;
@@ -85,6 +85,13 @@ pub(crate) fn pair(of: Vec2) -> Pair {
 
 fn vessel_info(setup: &Setup, cast: &Cast, vessel: &VesselSetup, is_tug: bool) -> VesselInfo {
     let own = cast.own.map(|own| setup.world.vessels[own].body);
+    let index = setup.world.vessels.iter().position(|other| other.body == vessel.body);
+    let has_gear = |order: &&OrderName| {
+        let spec = order.spec();
+        spec.target == TargetKind::Vessel
+            && index.is_some_and(|index| spec.gear.is_on(index, setup))
+    };
+    let orders = OrderName::ALL.iter().filter(has_gear).map(|order| order.spec().word);
     let has_towline = own.is_some_and(|ship| towline(setup, vessel.body, ship).is_some());
     let hull = &vessel.ship.particulars;
     let name = setup.bodies[vessel.body].name.clone();
@@ -115,6 +122,7 @@ fn vessel_info(setup: &Setup, cast: &Cast, vessel: &VesselSetup, is_tug: bool) -
         azimuths: azimuths.collect(),
         is_tug,
         has_towline,
+        orders: orders.collect(),
     }
 }
 

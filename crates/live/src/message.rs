@@ -117,6 +117,7 @@ pub struct VesselInfo {
     pub azimuths: Vec<AzimuthInfo>,
     pub is_tug: bool,
     pub has_towline: bool,
+    pub orders: Vec<&'static str>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -292,6 +293,7 @@ pub enum AssistState {
 pub struct BerthNow {
     pub bow: BerthEnd,
     pub stern: BerthEnd,
+    pub limit_mps: f64,
     pub bow_lamp: Lamp,
     pub stern_lamp: Lamp,
     pub bow_m: f64,

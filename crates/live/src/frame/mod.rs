@@ -6,6 +6,7 @@ mod seen;
 mod vessel;
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::lesser;
 use fenderline_sim::mooring::WinchOrder;
 use fenderline_sim::order::{TugWord, Word};
 use fenderline_sim::tug::TugOrder;
@@ -123,6 +124,7 @@ fn show_ends(of: &Context<'_>, berth: &Berth, vessels: &mut [VesselNow]) {
         let ends = board::ends(of, berth, index, vessel);
         if let Some(lies) = &mut vessel.berth {
             [lies.bow, lies.stern] = ends;
+            lies.limit_mps = of.approach.at_mps(lesser(lies.bow_m, lies.stern_m));
             lies.bow_lamp = board::lamp(ends[0], of.approach.light(lies.bow_mps, lies.bow_m));
             lies.stern_lamp = board::lamp(ends[1], of.approach.light(lies.stern_mps, lies.stern_m));
         }
