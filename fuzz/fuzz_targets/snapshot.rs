@@ -4,6 +4,7 @@
 
 use std::sync::LazyLock;
 
+use fenderline_contact::hash::Fnv1a;
 use fenderline_contact::{
     Body, BodyState, Material, Memory, Mobility, Model, Outline, Pair, Workspace, step, vec2,
 };
@@ -66,9 +67,7 @@ fn mutated(real: &[u8], mut input: Input<'_>) -> Vec<u8> {
 /// Puts a right check sum (FNV-1a, 64 bit) over the last eight bytes.
 fn with_check_sum(mut bytes: Vec<u8>) -> Vec<u8> {
     let end = bytes.len() - 8;
-    let sum = bytes[..end].iter().fold(0xcbf2_9ce4_8422_2325_u64, |sum, &byte| {
-        (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    });
+    let sum = Fnv1a::of(&bytes[..end]);
     bytes[end..].copy_from_slice(&sum.to_le_bytes());
     bytes
 }

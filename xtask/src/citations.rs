@@ -4,8 +4,10 @@
 //!   capitals in it marks a pattern, which is not checked.
 //! - In `ARCHITECTURE.md` a code span `name()` must be a function, and one `Name` in a table's column must be a type, of
 //!   a file that the same line names.
+//! - A code span that is a name, such as `advance_in_place`, must occur in some source.
 //! - Code that cites a Markdown file must cite one that exists.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::command::run_quietly;
@@ -27,6 +29,10 @@ const FOLDERS: [&str; 13] = [
     ".ci",
 ];
 const MAP: &str = "ARCHITECTURE.md";
+/// Names that documents use and that are other projects' own.
+const OF_OTHERS: [&str; 3] = ["mjModel", "mjData", "fmi2Error"];
+/// A map is short.
+const MAP_WORDS: usize = 2000;
 
 /// Checks all tracked files.
 ///
@@ -39,16 +45,32 @@ pub(crate) fn check() -> Result<(), String> {
         "--others",
         "--exclude-standard",
     ]))?;
+    let texts: Vec<(&str, String)> = listed
+        .lines()
+        .filter_map(|name| Some((name, std::fs::read_to_string(name).ok()?)))
+        .collect();
+    let mut words = BTreeSet::new();
+    for (_, text) in texts.iter().filter(|(name, _)| !name.ends_with(".md")) {
+        words.extend(text.split(|c: char| !(c.is_alphanumeric() || c == '_')));
+    }
     let mut dead = Vec::new();
-    for name in listed.lines() {
-        let Ok(text) = std::fs::read_to_string(name) else { continue };
+    for (name, text) in &texts {
         match Path::new(name).extension().and_then(|extension| extension.to_str()) {
-            Some("md") => dead.extend(dead_in_document(name, &text)),
-            Some("rs" | "py" | "toml" | "ts" | "h" | "c") => dead.extend(dead_in_code(name, &text)),
+            Some("md") => {
+                dead.extend(dead_in_document(name, text));
+                dead.extend(unknown_names(name, text, &words));
+            }
+            Some("rs" | "py" | "toml" | "ts" | "h" | "c") => {
+                dead.extend(dead_in_code(name, text));
+            }
             _ => {}
         }
     }
     let map = read(MAP)?;
+    let count = map.split_whitespace().count();
+    if count > MAP_WORDS {
+        dead.push(format!("{MAP}: {count} words, more than {MAP_WORDS}"));
+    }
     dead.extend(map.lines().enumerate().flat_map(|(index, line)| {
         dead_functions(line, &|path| std::fs::read_to_string(path).ok())
             .into_iter()
@@ -78,14 +100,32 @@ fn dead_in_document(name: &str, text: &str) -> Vec<String> {
         }
         for span in code_spans(line).filter(|span| is_path(span)) {
             let beside = Path::new(name).parent().unwrap_or(Path::new("")).join(span);
-            if !Path::new(span).exists() && !beside.exists() {
-                if !is_ignored(span) {
-                    dead.push(format!("{name}:{}: no `{span}`", index + 1));
-                }
+            if !Path::new(span).exists() && !beside.exists() && !is_ignored(span) {
+                dead.push(format!("{name}:{}: no `{span}`", index + 1));
             }
         }
     }
     dead
+}
+
+/// Code spans that are names, such as `advance_in_place` or `PatchMemory`, and occur in no source.
+fn unknown_names(name: &str, text: &str, words: &BTreeSet<&str>) -> Vec<String> {
+    if name == "CHANGELOG.md" {
+        return Vec::new();
+    }
+    let is_name = |span: &&str| {
+        let inner_capital =
+            span.chars().skip(1).any(char::is_uppercase) && span.chars().any(char::is_lowercase);
+        span.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+            && (span.contains('_') || inner_capital)
+    };
+    let lines = text.lines().enumerate();
+    lines
+        .flat_map(|(index, line)| code_spans(line).map(move |span| (index + 1, span)))
+        .map(|(line, span)| (line, span.strip_suffix("()").unwrap_or(span)))
+        .filter(|(_, span)| is_name(span) && !words.contains(span) && !OF_OTHERS.contains(span))
+        .map(|(line, span)| format!("{name}:{line}: no source has `{span}`"))
+        .collect()
 }
 
 /// Is it a path that git ignores, where something is built to?

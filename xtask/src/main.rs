@@ -7,6 +7,7 @@ mod attack;
 mod bench;
 mod book;
 mod c_interface;
+mod circles;
 mod citations;
 mod command;
 mod compare;
@@ -38,6 +39,7 @@ usage: cargo xtask test                   everything that a change must pass
                                           (all seven)
        cargo xtask book                   the book of docs/, into target/book
        cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (100000)
+       cargo xtask circles                no files of a crate that use each other in a circle
        cargo xtask finite-elements        fenders by finite elements: studies, comparison, tables, data files
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
        cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
@@ -76,6 +78,7 @@ fn main() -> ExitCode {
         ["hosts"] => hosts::hosts_command(),
         ["pages"] => step::run_all(&pages::STEPS),
         ["book"] => step::run_all(&[book::STEP]),
+        ["circles"] => step::run_all(&[circles::STEP]),
         ["nautical"] => step::run_all(&[nautical::STEP]),
         ["live-load"] => live_load::live_load_command(live_load::SECONDS),
         ["live-load", seconds] => match seconds.parse() {

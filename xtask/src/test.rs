@@ -6,6 +6,7 @@ use std::process::{Command, ExitCode};
 use crate::attack;
 use crate::book;
 use crate::c_interface;
+use crate::circles;
 use crate::command::{cargo, run, run_quietly};
 use crate::compare::{same_bytes, same_numbers};
 use crate::finite_elements;
@@ -24,6 +25,7 @@ pub(crate) fn test() -> ExitCode {
         Step { name: "format", run: format },
         Step { name: "lints", run: lints },
         Step { name: "the contact engine is no_std with one dependency", run: no_std },
+        circles::STEP,
         Step { name: "tests", run: tests },
         Step { name: "examples in the documentation", run: doc_tests },
         Step { name: "documentation", run: documentation },

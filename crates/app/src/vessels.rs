@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use fenderline_results::{ACCURACY, accuracy, accuracy_json, source_json};
 use fenderline_scenario::{VesselData, VesselLibrary, read_text};
+use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_sim::environment::waves::{DriftHull, wave_number};
 use fenderline_sim::hydro::Water;
 use fenderline_sim::hydro::vessels::{Origin, Source};
@@ -155,7 +156,7 @@ struct Drift {
 /// Of a vessel at rest in deep sea water.
 fn drift(vessel: &VesselData) -> Vec<Drift> {
     let hull = DriftHull::of(&vessel.ship.particulars);
-    let specific_npm3 = Water::SEA.density_kgpm3 * 9.806_65;
+    let specific_npm3 = Water::SEA.density_kgpm3 * STANDARD_GRAVITY_MPS2;
     let row = |&frequency_radps: &f64| {
         let number = wave_number(frequency_radps, DEEP_M);
         let at = |heading: u32| {

@@ -10,6 +10,7 @@ use std::ptr;
 use std::time::{Duration, Instant};
 
 use fenderline::*;
+use fenderline_contact::hash::Fnv1a;
 
 const SCENARIOS: [&str; 5] = [
     "paper/experiment_2_4kn.toml",
@@ -221,9 +222,7 @@ fn alter(bytes: &mut Vec<u8>, random: &mut Random) {
     }
     if bytes.len() > 8 && random.below(2) == 0 {
         let end = bytes.len() - 8;
-        let step =
-            |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        let sum = bytes[..end].iter().fold(0xcbf2_9ce4_8422_2325, step);
+        let sum = Fnv1a::of(&bytes[..end]);
         bytes[end..].copy_from_slice(&sum.to_le_bytes());
     }
 }

@@ -1,37 +1,139 @@
-//! The contact engine of fenderline: horizontal forces between ships, fenders, quays and tugs.
+//! Contact forces between ships, fenders, quays and tugs, in the horizontal plane and in real time.
 //!
-//! One call, [`step()`], takes the states of all bodies and a time step and gives the contacts and
-//! one wrench per body. The constant part of a problem is a [`Model`]; what lives from step to step
-//! is a [`Memory`], plain data that can be copied, saved and restored; [`Workspace`] holds buffers
-//! and results, so that a warm step allocates nothing.
+//! Give the engine the state of each body and the other forces on it; [`advance`] returns the contact
+//! wrench on each body for one time step. All contacts of the step are solved together with those forces,
+//! in sub-steps where a contact is too stiff for the step. So a ship rests on her fenders at her static
+//! deflection, and a step of 2 s gives the peak force of a step of 0.01 s. The same input gives the same
+//! bits on every machine.
 //!
-//! Equation numbers are those of Moreno, Sasaki, Makiyama & Tannuri, "Vessel-Fender Contact Force
-//! Modelling for a Real-time Ship Manoeuvring Simulator", TransNav 17(4), 2023, with the signs and
-//! terms put right (ARCHITECTURE.md lists what and why).
+//! # The parts
+//!
+//! - [`Model`] is the constant part: bodies with their outlines and masses, materials, fenders, and which
+//!   bodies may touch. [`Model::builder`] collects and checks them.
+//! - [`BodyState`] is the position, heading and velocity of one body; [`Wrench`] a force and a moment on it.
+//! - [`Memory`] is what the engine remembers from one step to the next: contact patches with their shear
+//!   springs and fender history. It is plain data. Copy it to branch a run; save and restore it as bytes.
+//! - [`Workspace`] holds the results of the last step, and buffers so that a step allocates nothing once
+//!   they have grown. It has no influence on later steps: share it between runs, or make a new one.
+//!
+//! Units are SI. Positions are earth-fixed, north and east; headings and moments are clockwise, seen from
+//! above. Outlines are in the body's frame: *x* forward, *y* to starboard, origin at the centre of gravity.
+//!
+//! # Example
+//!
+//! A ship of 20,000 t drifts at 0.1 m/s onto a fender. The program that calls the engine, the *host*, adds
+//! the contact wrench to its own forces and integrates the ship's motion.
 //!
 //! ```
 //! use fenderline_contact::*;
-//! # let square = [vec2(-5.0, -5.0), vec2(5.0, -5.0), vec2(5.0, 5.0), vec2(-5.0, 5.0)];
-//! # let (outline, _) = Outline::new(&square)?;
-//! # let mut builder = Model::builder();
-//! # let tug = builder.body(Body { name: "tug".into(), key: 1, outline: outline.clone(),
-//! #     mobility: Mobility::Free { mass_kg: 1e6, yaw_inertia_kgm2: 6e7 } });
-//! # let quay = builder.body(Body { name: "quay".into(), key: 2, outline, mobility: Mobility::Fixed });
-//! # let rubber = builder.material(Material { stiffness_npm2: 500e3, damping_nspm2: 0.0,
-//! #     shear_stiffness_npm: 3e6, friction_static: 0.5, friction_dynamic: 0.5, restitution: 0.1 });
-//! # builder.pair(Pair { bodies: [tug, quay], material: rubber });
-//! # let model = builder.build()?;
+//! use std::f64::consts::FRAC_PI_2;
+//!
+//! // 1. The model.
+//! let rectangle = |x_m: f64, y_m: f64| {
+//!     Outline::new(&[vec2(-x_m, -y_m), vec2(x_m, -y_m), vec2(x_m, y_m), vec2(-x_m, y_m)])
+//! };
+//! let (hull, _) = rectangle(90.0, 15.0)?;
+//! let (wall, _) = rectangle(150.0, 5.0)?;
+//! let mut builder = Model::builder();
+//! let ship = builder.body(Body {
+//!     name: "ship".into(),
+//!     key: 1,
+//!     outline: hull,
+//!     mobility: Mobility::Free { mass_kg: 36e6, yaw_inertia_kgm2: 60e9 }, // with added mass
+//! });
+//! let quay = builder.body(Body {
+//!     name: "quay".into(),
+//!     key: 2,
+//!     outline: wall,
+//!     mobility: Mobility::Fixed,
+//! });
+//! let rubber = builder.material(Material {
+//!     stiffness_npm2: 20e6, // where the hull meets the quay itself
+//!     damping_nspm2: 0.0,
+//!     shear_stiffness_npm: 3e6,
+//!     friction_static: 0.3,
+//!     friction_dynamic: 0.3,
+//!     restitution: 0.5,
+//! });
+//! builder.fender(Fender {
+//!     name: "cone".into(),
+//!     key: 1,
+//!     body: quay,
+//!     position_m: vec2(0.0, -5.0), // on the quay's west side
+//!     facing_rad: -FRAC_PI_2,      // to the west
+//!     width_m: 2.0,
+//!     projection_m: 1.0,
+//!     law: FenderLaw::linear(4e6), // or `FenderLaw::Curve` with a catalogue's points
+//!     unloading: None,
+//!     material: rubber,
+//!     rated_deflection_m: 0.7,
+//!     stop: None,
+//!     factors: ReactionFactors::default(),
+//! });
+//! builder.pair(Pair { bodies: [ship, quay], material: rubber });
+//! let model = builder.build()?;
+//!
+//! // 2. The host's loop. The quay lies east of the ship; its fender is 0.3 m from her side.
 //! let mut memory = Memory::new(&model);
 //! let mut work = Workspace::new(&model);
-//! let states = [
-//!     BodyState { position_m: vec2(0.0, 0.0), velocity_mps: vec2(0.5, 0.0), ..Default::default() },
-//!     BodyState { position_m: vec2(9.9, 0.0), ..Default::default() },
+//! let mut states = [
+//!     BodyState { velocity_mps: vec2(0.0, 0.1), ..Default::default() },
+//!     BodyState { position_m: vec2(0.0, 21.3), ..Default::default() },
 //! ];
-//! step(&model, &mut memory, &mut work, &states, 0.1)?;
-//! assert!((work.contacts()[0].area_m2 - 1.0).abs() < 1e-12);
-//! assert!((work.wrenches()[0].force_n.x + 500e3).abs() < 1e-6);
+//! let step_s = 0.05;
+//! let mut peak_n: f64 = 0.0;
+//! for _ in 0..400 {
+//!     // All forces on the ship but contact: hull, propeller, wind, tugs. Here there are none.
+//!     let loads = [Wrench::default(); 2];
+//!     advance(&model, &mut memory, &mut work, &states, &loads, step_s)?;
+//!
+//!     let force_n = loads[0].force_n + work.wrenches()[0].force_n;
+//!     states[0].velocity_mps += force_n * (step_s / 36e6);
+//!     let velocity_mps = states[0].velocity_mps;
+//!     states[0].position_m += velocity_mps * step_s;
+//!
+//!     for contact in work.contacts() {
+//!         peak_n = peak_n.max(contact.peak_normal_force_n);
+//!     }
+//! }
+//!
+//! // 3. v √(m k) on the way in; the coefficient of restitution on the way out.
+//! assert!((peak_n / (0.1 * (36e6_f64 * 4e6).sqrt()) - 1.0).abs() < 0.01);
+//! assert!((states[0].velocity_mps.y / -0.05 - 1.0).abs() < 0.01);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Which call to use
+//!
+//! | Your program | Call |
+//! |---|---|
+//! | lets the engine move the bodies | [`advance_in_place`], or [`advance_from_engine_states`] where the states stay yours |
+//! | integrates the bodies itself, by any method and with any time step | [`DirectHost`] |
+//! | passes states that are some steps old, or does not know its loads, as a co-simulation master | [`CoSimHost`] |
+//! | reproduces the paper's experiments | [`step`] |
+//!
+//! [`advance`] takes the given states as they are. That is enough where the time step is short for the
+//! contact, as above. A [`DirectHost`] wraps it for hosts with stiff contacts or long steps: while bodies
+//! touch it continues the engine's own motion and gives the wrench that keeps the host's bodies with it.
+//!
+//! # Where to go next
+//!
+//! - Fenders: [`Fender`], its [`FenderLaw`], [`Unloading`] for rubber that returns less energy than it
+//!   takes, [`ReactionFactors`] for speed, angle and temperature, [`Stop`] for the end of the travel.
+//! - Results: [`Workspace::contacts`] with forces, depths, peaks and energies of each [`Contact`],
+//!   [`Workspace::events`], and [`Workspace::peak_wrenches_into`] for the largest wrench within a step.
+//! - Save and restore: [`Memory::snapshot`] and [`Memory::restore`]; [`Memory::mark_teleported`] where the
+//!   host sets a body to another place.
+//! - Geometry alone: [`PairClip`] for the overlap of two convex polygons, [`Outline`] for checked outlines.
+//! - Worked programs are in `examples/`: `berthing`, `fender_curve`, `own_integrator`, `save_and_restore`.
+//!
+//! # The paper
+//!
+//! The contact law is that of Moreno, Sasaki, Makiyama & Tannuri, "Vessel-Fender Contact Force Modelling
+//! for a Real-time Ship Manoeuvring Simulator", TransNav 17(4), 2023; equation numbers in this crate are
+//! the paper's. `docs/contact_model.md` has the equations with the misprints corrected, and the coupled
+//! method. The paper limits each pair of bodies by itself and does not know the loads; [`step`] does
+//! exactly that, for comparison.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -48,6 +150,7 @@ mod events;
 mod face;
 mod fender;
 mod geometry;
+pub mod hash;
 mod host;
 mod inherit;
 mod law;

@@ -6,6 +6,7 @@ use alloc::{format, vec};
 
 use crate::error::ModelError;
 use crate::fender::{self, Fender, FenderId, FenderLaw, RankedFender};
+use crate::hash::Fnv1a;
 use crate::mass::InverseMatrix;
 use crate::number::greater;
 use crate::outline::Outline;
@@ -436,7 +437,7 @@ fn bad_pair(first: &Body, second: &Body, why: &'static str) -> ModelError {
 
 /// FNV-1a over all that the meaning of a memory depends on, in the order of the keys.
 fn fingerprint(model: &Model) -> u64 {
-    let mut hash = Fnv::default();
+    let mut hash = Fnv1a::default();
     hash.word(model.ranked.len() as u64);
     for (rank, id) in model.id_of.iter().enumerate() {
         let ranked = &model.ranked[rank];
@@ -460,7 +461,7 @@ fn fingerprint(model: &Model) -> u64 {
             hash.word(v.y.to_bits());
         }
     }
-    let material = |hash: &mut Fnv, MaterialId(index): MaterialId| {
+    let material = |hash: &mut Fnv1a, MaterialId(index): MaterialId| {
         let m = &model.materials[index as usize];
         for value in [
             m.stiffness_npm2,
@@ -488,22 +489,22 @@ fn fingerprint(model: &Model) -> u64 {
         material(&mut hash, face.material);
         hash_fender(&mut hash, &model.fenders[face.id.0 as usize]);
     }
-    hash.0
+    hash.finish()
 }
 
 /// The same over the ids besides that what is kept by rank has.
 fn layout(model: &Model) -> u64 {
-    let mut hash = Fnv::default();
+    let mut hash = Fnv1a::default();
     hash.word(model.fingerprint);
     model.id_of.iter().for_each(|id| hash.word(u64::from(id.0)));
     let of_pairs = model.pairs.iter().map(|pair| pair.material);
     for MaterialId(index) in of_pairs.chain(model.all_other_pairs) {
         hash.word(u64::from(index));
     }
-    hash.0
+    hash.finish()
 }
 
-fn hash_fender(hash: &mut Fnv, fender: &Fender) {
+fn hash_fender(hash: &mut Fnv1a, fender: &Fender) {
     let factors = &fender.factors;
     for value in [
         fender.position_m.x,
@@ -528,26 +529,5 @@ fn hash_fender(hash: &mut Fnv, fender: &Fender) {
     for points in [curve, &factors.by_compression_time, &factors.by_angle] {
         hash.word(points.len() as u64);
         points.iter().flatten().for_each(|value| hash.word(value.to_bits()));
-    }
-}
-
-/// The 64-bit FNV-1a hash.
-pub(crate) struct Fnv(pub(crate) u64);
-
-impl Default for Fnv {
-    fn default() -> Fnv {
-        Fnv(0xcbf2_9ce4_8422_2325)
-    }
-}
-
-impl Fnv {
-    pub(crate) fn word(&mut self, word: u64) {
-        self.bytes(&word.to_le_bytes());
-    }
-
-    pub(crate) fn bytes(&mut self, bytes: &[u8]) {
-        for &byte in bytes {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
     }
 }

@@ -22,8 +22,9 @@ use alloc::vec::Vec;
 use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
 use crate::geometry::clip::Hint;
+use crate::hash::Fnv1a;
 use crate::memory::{Extent, HintMemory, Memory, NOT_BEHIND, PatchMemory, PlaceMemory, place_of};
-use crate::model::{Fnv, Model};
+use crate::model::Model;
 use crate::overlap::Place;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, Vec2, vec2};
@@ -65,9 +66,9 @@ impl Memory {
         self.hints.iter().for_each(|h| out.hint(h));
         self.placed.iter().for_each(|&rank| out.word32(rank));
         self.behind_s.iter().for_each(|&behind_s| out.number(behind_s));
-        let mut sum = Fnv::default();
+        let mut sum = Fnv1a::default();
         sum.bytes(&out.0);
-        out.word64(sum.0);
+        out.word64(sum.finish());
         out.0
     }
 
@@ -106,9 +107,9 @@ fn read(model: &Model, bytes: &[u8]) -> Result<Memory, RestoreError> {
         return Err(RestoreError::Length);
     }
     let (summed, sum) = bytes.split_at(bytes.len() - 8);
-    let mut expected = Fnv::default();
+    let mut expected = Fnv1a::default();
     expected.bytes(summed);
-    if sum != expected.0.to_le_bytes() {
+    if sum != expected.finish().to_le_bytes() {
         return Err(RestoreError::Checksum);
     }
     if fingerprint != model.fingerprint {

@@ -4,6 +4,7 @@
 #[allow(dead_code, reason = "each test uses its own part of the scene")]
 mod scene;
 
+use fenderline_contact::hash::Fnv1a;
 use fenderline_contact::{
     BodyState, Contact, Friction, Memory, Model, RestoreError, SNAPSHOT_VERSION, Workspace, Wrench,
     step, vec2,
@@ -167,8 +168,6 @@ fn a_forged_snapshot_is_refused() {
 /// FNV-1a, as the snapshot's table of bytes says.
 fn sum_up(bytes: &mut [u8]) {
     let end = bytes.len() - 8;
-    let sum = bytes[..end].iter().fold(0xcbf2_9ce4_8422_2325_u64, |sum, &byte| {
-        (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    });
+    let sum = Fnv1a::of(&bytes[..end]);
     bytes[end..].copy_from_slice(&sum.to_le_bytes());
 }

@@ -12,12 +12,6 @@ type Read<T> = Result<T, RestoreError>;
 /// Stands for no fender.
 const NONE: u32 = u32::MAX;
 
-/// FNV-1a of some bytes.
-pub(crate) fn check_sum(bytes: &[u8]) -> u64 {
-    let step = |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, step)
-}
-
 #[derive(Default)]
 pub(crate) struct Writer(pub(crate) Vec<u8>);
 

@@ -14,12 +14,13 @@
 //!
 //! Results are saved too, so that a restored engine tells what the saved one told.
 
+use fenderline_contact::hash::Fnv1a;
 use fenderline_contact::{
     CoSimHost, HostIntegration, HostSettings, Memory, RestoreError, SNAPSHOT_VERSION,
 };
 use fenderline_sim::Method;
 
-use crate::bytes::{Reader, Writer, check_sum};
+use crate::bytes::{Reader, Writer};
 use crate::engine::{Core, Engine, Latest, Plan};
 use crate::error::EngineError;
 use crate::results::{Results, Saved};
@@ -56,7 +57,7 @@ impl Engine {
             Ok(results) => write_results(&mut out, &results),
             Err(_) => out.word32(0),
         }
-        let sum = check_sum(&out.0);
+        let sum = Fnv1a::of(&out.0);
         out.word64(sum);
         out.0
     }
@@ -90,7 +91,7 @@ fn read(engine: &mut Engine, bytes: &[u8]) -> Result<(), EngineError> {
     }
     let end = bytes.len().checked_sub(8).ok_or(RestoreError::Length)?;
     let (summed, sum) = bytes.split_at(end);
-    if sum != check_sum(summed).to_le_bytes() {
+    if sum != Fnv1a::of(summed).to_le_bytes() {
         return Err(RestoreError::Checksum.into());
     }
     if input.word64()? != names_of(&plan) {
@@ -164,7 +165,7 @@ fn names_of(plan: &Plan) -> u64 {
         out.word32(name.len() as u32);
         out.0.extend_from_slice(name.as_bytes());
     }
-    check_sum(&out.0)
+    Fnv1a::of(&out.0)
 }
 
 /// Whose the turning is, the model's fingerprint tells.

@@ -16,9 +16,10 @@
 //! bits, whereas a byte form of everything that a world holds would have to be kept in step with it. It costs
 //! the time of the run; a state that is not serialised is a copy and costs nothing.
 
+use fenderline_contact::hash::Fnv1a;
+
 use crate::bytes::{Reader, number, word32, word64};
 use crate::engine::{Beginning, EngineRun};
-use crate::hash::fnv64;
 use crate::plan::Plan;
 use crate::simulation::{Entry, SimulationRun, due};
 use crate::table::Class;
@@ -84,7 +85,7 @@ impl State {
         }
         let mut out = MAGIC.to_vec();
         word32(&mut out, VERSION);
-        word64(&mut out, fnv64(plan.token.as_bytes()));
+        word64(&mut out, Fnv1a::of(plan.token.as_bytes()));
         let phase = PHASES.iter().position(|phase| *phase == self.phase);
         word32(&mut out, phase.unwrap_or(0) as u32);
         [self.start_s, self.stop_s, self.time_s].iter().for_each(|&t| number(&mut out, t));
@@ -117,7 +118,7 @@ impl State {
                 }
             }
         }
-        let sum = fnv64(&out);
+        let sum = Fnv1a::of(&out);
         word64(&mut out, sum);
         Ok(out)
     }
@@ -127,7 +128,7 @@ impl State {
         let broken = || "the bytes are no state that this FMU has serialised".to_owned();
         let end = bytes.len().checked_sub(8).ok_or_else(broken)?;
         let (summed, sum) = bytes.split_at(end);
-        if sum != fnv64(summed).to_le_bytes() {
+        if sum != Fnv1a::of(summed).to_le_bytes() {
             return Err(broken());
         }
         let mut input = Reader(summed);
@@ -154,7 +155,7 @@ fn read_head(plan: &Plan, input: &mut Reader<'_>) -> Option<(State, u32)> {
     if input.take(8)? != MAGIC || input.word32()? != VERSION {
         return None;
     }
-    if input.word64()? != fnv64(plan.token.as_bytes()) {
+    if input.word64()? != Fnv1a::of(plan.token.as_bytes()) {
         return None;
     }
     let phase = *PHASES.get(input.word32()? as usize)?;

@@ -11,6 +11,7 @@ use std::ffi::{CString, c_char, c_int, c_void};
 use std::ptr::{null, null_mut, without_provenance_mut};
 use std::time::{Duration, Instant};
 
+use fenderline_contact::hash::Fnv1a;
 use fenderline_fmu::{Kind, fmi3};
 use support::{OK, Unpacked};
 
@@ -231,9 +232,7 @@ fn alter(bytes: &mut Vec<u8>, random: &mut Random) {
     }
     if bytes.len() > 8 && random.below(2) == 0 {
         let end = bytes.len() - 8;
-        let step =
-            |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        let sum = bytes[..end].iter().fold(0xcbf2_9ce4_8422_2325, step);
+        let sum = Fnv1a::of(&bytes[..end]);
         bytes[end..].copy_from_slice(&sum.to_le_bytes());
     }
 }

@@ -6,6 +6,7 @@ mod support;
 use std::ffi::c_void;
 use std::ptr::without_provenance_mut;
 
+use fenderline_contact::hash::Fnv1a;
 use fenderline_fmu::{Kind, fmi2};
 use support::{ERROR, Messages, OK, Two, Unpacked};
 
@@ -103,7 +104,7 @@ fn bytes_that_are_no_state() {
             let mut broken = bytes.clone();
             broken[at] = broken[at].wrapping_add(1);
             let end = broken.len() - 8;
-            let sum = sum(&broken[..end]).to_le_bytes();
+            let sum = Fnv1a::of(&broken[..end]).to_le_bytes();
             broken[end..].copy_from_slice(&sum);
             if let Ok(state) = tug.of_bytes(&broken) {
                 assert_eq!(tug.restore(state), OK);
@@ -114,12 +115,6 @@ fn bytes_that_are_no_state() {
             }
         }
     }
-}
-
-/// FNV-1a.
-fn sum(bytes: &[u8]) -> u64 {
-    let step = |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, step)
 }
 
 /// SplitMix64.

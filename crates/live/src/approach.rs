@@ -68,8 +68,8 @@ mod tests {
     fn farther_off_a_ship_may_be_faster() {
         let limit = ApproachLimit::default();
         assert_eq!(limit.light(0.16, 0.0), Light::Alarm);
-        assert_eq!(limit.light(0.16, 10.0), Light::Caution);
-        assert_eq!(limit.light(0.16, 100.0), Light::Ok);
+        assert_eq!(limit.light(0.16, 5.0), Light::Caution);
+        assert_eq!(limit.light(0.16, 10.0), Light::Ok);
         assert_eq!(limit.light(-1.0, 0.0), Light::Ok);
         assert!((limit.at_mps(0.0) - 0.15).abs() < 1e-15);
     }

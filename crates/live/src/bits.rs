@@ -1,16 +1,13 @@
 //! A state's fingerprint: equal where every bit that matters is.
 
+use fenderline_contact::hash::Fnv1a;
 use fenderline_sim::Simulation;
 
-/// FNV-1a over 64 bits (Fowler, Noll, Vo) of all bodies' states, the vessels' machinery, the lines and the tugs: a
+/// FNV-1a of all bodies' states, the vessels' machinery, the lines and the tugs: a
 /// replay that differs anywhere shows here within a step or two. No protection against malice.
 pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
-    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-    let mut add = |number: f64| {
-        for byte in number.to_bits().to_le_bytes() {
-            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        }
-    };
+    let mut hash = Fnv1a::default();
+    let mut add = |number: f64| hash.word(number.to_bits());
     for state in simulation.states() {
         add(state.position_m.x);
         add(state.position_m.y);
@@ -36,5 +33,5 @@ pub(crate) fn fingerprint(simulation: &Simulation) -> u64 {
         add(tug.state.force_n);
         add(tug.state.direction_rad);
     }
-    hash
+    hash.finish()
 }

@@ -2,7 +2,7 @@
 
 use fenderline_contact::vec2;
 use fenderline_sim::order::{
-    Argument, ArgumentKind, Arguments, Named, OrderName, TargetKind, Value,
+    Absent, Argument, ArgumentKind, Arguments, Named, OrderName, TargetKind, Value,
 };
 use fenderline_sim::{Action, Setup};
 use serde_json::{Map, Value as Json, json};
@@ -80,7 +80,8 @@ impl NamedOrder {
         map: Map<String, Json>,
     ) -> Result<NamedOrder, String> {
         let spec = order.spec();
-        let (mut to, mut given) = (None, Vec::new());
+        let mut to = None;
+        let mut given: Vec<(&Argument, Given)> = Vec::new();
         for (field, value) in map {
             if field == spec.target.word() {
                 let Json::String(name) = value else {
@@ -99,6 +100,14 @@ impl NamedOrder {
             }
         }
         let to = to.ok_or_else(|| format!("missing field `{}`", spec.target.word()))?;
+        let is_given = |name: &str| given.iter().any(|(argument, _)| argument.name == name);
+        let missing = spec
+            .arguments
+            .iter()
+            .find(|argument| argument.absent == Absent::Refused && !is_given(argument.name));
+        if let Some(missing) = missing {
+            return Err(format!("missing field `{}`", missing.field()));
+        }
         // By the table, whatever the order in the text: one order has one text.
         given.sort_by_key(|(argument, _)| {
             spec.arguments.iter().position(|other| other.name == argument.name)
@@ -188,7 +197,7 @@ impl NamedOrder {
 impl Given {
     /// `None`: it is `null`.
     fn from_json(argument: &Argument, field: &str, value: &Json) -> Result<Option<Given>, String> {
-        if value.is_null() && argument.absent != fenderline_sim::order::Absent::Refused {
+        if value.is_null() && argument.absent != Absent::Refused {
             return Ok(None);
         }
         let given = match argument.kind {

@@ -140,7 +140,7 @@ mod tests {
             ),
             (
                 r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"a","share":null}}"#,
-                "invalid type: null",
+                "`share` is a number",
             ),
             (
                 r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"a"}}"#,

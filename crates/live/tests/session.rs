@@ -194,17 +194,17 @@ fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
         (order(OrderName::Push, "aft").number("direction", 1.0).into(), "needs `force`"),
         (
             order(OrderName::Pull, "aft").number("force", -1.0).number("direction", 1.0).into(),
-            "is not within",
+            "must be between",
         ),
         (order(OrderName::LetGo, "none").into(), "no line `none`"),
-        (order(OrderName::Heave, "head").number("rate", -1.0).into(), "is not within"),
+        (order(OrderName::Heave, "head").number("rate", -1.0).into(), "must be between"),
         (
             order(OrderName::PushShip, "ship")
                 .name("ship", "ship")
                 .place("at", [0.0, 0.0])
                 .number("force", 1.0)
                 .into(),
-            "the tug herself",
+            "from the ship's outline",
         ),
         (
             order(OrderName::PushShip, "ship")
@@ -228,7 +228,7 @@ fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
                 .number("direction", 0.0)
                 .number("force", 1.0)
                 .into(),
-            "not between `ship` and a ship",
+            "no azimuth units",
         ),
         (
             order(OrderName::PullShip, "ship")

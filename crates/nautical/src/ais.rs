@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use crate::NAUTICAL_MILE_M;
 use crate::chart::GeoPoint;
 use crate::sentence::sentence;
 
@@ -134,7 +135,7 @@ pub fn ais_position(of: &PositionReport, own: bool) -> Vec<String> {
     bits.unsigned(u32::from(of.status), 4);
     bits.signed(turn(of.turn_radps), 8);
     // Tenths of a knot; 1022 stands for 102.2 and more.
-    bits.unsigned((libm::round(of.speed_mps * 36_000.0 / 1852.0) as u32).min(1022), 10);
+    bits.unsigned((libm::round(of.speed_mps * 36_000.0 / NAUTICAL_MILE_M) as u32).min(1022), 10);
     bits.unsigned(0, 1);
     bits.signed(libm::round(of.place.longitude_deg * 600_000.0) as i32, 28);
     bits.signed(libm::round(of.place.latitude_deg * 600_000.0) as i32, 27);

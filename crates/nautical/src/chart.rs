@@ -62,7 +62,7 @@ impl ChartOrigin {
         // Radii of curvature along the meridian and across it.
         let along_m = AXIS_M * (1.0 - eccentricity_2) / (below * libm::sqrt(below));
         let across_m = AXIS_M / libm::sqrt(below);
-        let per_deg = core::f64::consts::PI / 180.0;
+        let per_deg = 1.0_f64.to_radians();
         Ok(ChartOrigin { at, metres_per_deg: [along_m * per_deg, across_m * cos * per_deg] })
     }
 

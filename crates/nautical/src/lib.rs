@@ -10,6 +10,9 @@ mod chart;
 mod nmea;
 mod sentence;
 
+/// International nautical mile (m).
+const NAUTICAL_MILE_M: f64 = 1852.0;
+
 pub use ais::{PositionReport, ShipData, ais_position, ais_ship_data};
 pub use chart::{ChartOrigin, GeoPoint, OutOfChart};
 pub use nmea::{Instruments, Moment, Shaft, instruments};

@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use crate::NAUTICAL_MILE_M;
 use crate::chart::GeoPoint;
 use crate::sentence::sentence;
 
@@ -78,7 +79,7 @@ pub struct Instruments {
     pub shafts: Vec<Shaft>,
 }
 
-const KNOT_MPS: f64 = 1852.0 / 3600.0;
+const KNOT_MPS: f64 = NAUTICAL_MILE_M / 3600.0;
 
 /// Sentences HDT, ROT, RMC, VTG, VBW, MWV (relative and true), DPT, RSA and RPM, each with its end.
 ///

@@ -9,7 +9,8 @@ use crate::plot::plain;
 /// Where a run was interrupted.
 pub fn interrupted_text(interrupted: &Interrupted) -> String {
     let Interrupted { steps, of_steps, at_s, of_s } = interrupted;
-    let (at_s, of_s) = (plain(*at_s, 9), plain(*of_s, 9));
+    // Without separators between thousands, as the terminal prints it too.
+    let [at_s, of_s] = [*at_s, *of_s].map(|s| plain(s, 9).replace('\u{202f}', ""));
     format!(
         "ended by its user after {steps} of {of_steps} steps, at {at_s} of {of_s} s; results are those up to there"
     )

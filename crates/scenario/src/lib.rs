@@ -59,6 +59,7 @@ mod bounded_file;
 mod checked;
 mod choices;
 mod csv;
+mod data_files;
 mod error;
 mod files;
 mod fit;

@@ -1,4 +1,4 @@
-//! What can be wrong with a set-up or a run.
+//! Errors of a set-up and of a run.
 
 use std::fmt;
 
@@ -14,11 +14,11 @@ use crate::range::OutOfRange;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SetupError {
-    /// The contact model refuses it.
+    /// The contact model is invalid.
     Model(ModelError),
-    /// Δt, duration or a load is not a number that can be used.
+    /// A number of the set-up is out of range or not finite.
     OutOfRange {
-        /// What.
+        /// The number.
         field: &'static str,
         /// Its value.
         value: f64,
@@ -30,29 +30,29 @@ pub enum SetupError {
         /// The name.
         name: String,
     },
-    /// A particular of the berthing that no ship has.
+    /// A particular of the berthing is out of range.
     Berthing(BerthingError),
-    /// A tug with a number that no tug has.
+    /// A number of a tug is out of range.
     Tug {
         /// The tug.
         tug: String,
         /// What is wrong.
         error: OutOfRange,
     },
-    /// Water that is none.
+    /// The environment is invalid.
     Environment(EnvironmentError),
-    /// A line that cannot be made fast where the bodies are at the start.
+    /// A line does not fit between the initial positions of its ends.
     Line(MooringError),
     /// An order that cannot be carried out.
     Order(OrderError),
-    /// A vessel with the paper's contact method, which knows one mass for all directions.
+    /// A vessel with the paper's contact method, which has one mass for all directions.
     VesselByPaperMethod {
         /// The index of her body.
         body: usize,
     },
-    /// A load or pair names a body that is not there, or a load a fixed one.
+    /// A body index that does not exist, or the index of a fixed body where a floating one is needed.
     BadBody {
-        /// What names it.
+        /// What refers to it.
         owner: &'static str,
         /// The index.
         body: usize,
@@ -74,11 +74,14 @@ impl fmt::Display for SetupError {
             SetupError::Line(error) => error.fmt(f),
             SetupError::Order(error) => error.fmt(f),
             SetupError::VesselByPaperMethod { body } => {
-                write!(f, "body {body} is a vessel: the paper's method has no mass matrix for her")
+                write!(
+                    f,
+                    "body {body} is a vessel, but the paper's method has no mass matrix: use `method = \"coupled\"`"
+                )
             }
             SetupError::Berthing(error) => write!(f, "the berthing's {error}"),
             SetupError::BadBody { owner, body } => {
-                write!(f, "a {owner} names body {body}, which is not there or is fixed")
+                write!(f, "a {owner} refers to body {body}, which does not exist or is fixed")
             }
         }
     }
@@ -92,12 +95,12 @@ impl From<ModelError> for SetupError {
     }
 }
 
-/// A step that failed; the simulation is where it was before it.
+/// A step that failed. The simulation is unchanged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SimError {
     /// Start of the step (s).
     pub t_s: f64,
-    /// Why.
+    /// The cause.
     pub cause: StepError,
 }
 

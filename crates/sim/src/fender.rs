@@ -1,4 +1,4 @@
-//! Fenders: what a set-up says of them and what a run did to them.
+//! Fenders: their set-up, and the summary of each one after a run.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, FenderLaw, ReactionFactors, Stop, Unloading, Vec2};
@@ -16,39 +16,39 @@ pub struct FenderSetup {
     pub facing_rad: f64,
     /// Width of its face along the berth (m).
     pub width_m: f64,
-    /// Height of its face (m); with the width the area that presses on the hull.
+    /// Height of its face (m). Width times height is the area that presses on the hull.
     pub height_m: f64,
-    /// Middle of its face above the still waterline (m), above datum where its body is fixed: where its force
-    /// heels a vessel.
+    /// Height of the middle of its face above the still waterline (m), or above datum if its body is fixed. The lever
+    /// arm with which its force heels a vessel follows from it.
     pub above_water_m: f64,
-    /// From the mounting to the face, uncompressed (m).
+    /// Distance from the mounting to the face, uncompressed (m).
     pub projection_m: f64,
-    /// Reaction from deflection.
+    /// Reaction by deflection.
     pub law: FenderLaw,
-    /// How its reaction falls when the hull retreats, by the coupled method; `None`: by its material's restitution.
+    /// Unloading law, used by the coupled method; `None`: unloading by the restitution of the material.
     pub unloading: Option<Unloading>,
     /// Index into [`crate::Setup::materials`]: friction, restitution, damping, and k of an area law.
     pub material: usize,
-    /// What it is made for; `None` where nobody said.
+    /// Rated performance; `None` if no rating is given.
     pub rated: Option<Rated>,
-    /// Where it stiffens to a stop.
+    /// Stop at the end of its travel.
     pub stop: Option<Stop>,
-    /// Corrections of its reaction.
+    /// Correction factors on its reaction.
     pub factors: ReactionFactors,
-    /// Points (angle between face and hull (rad), factor on the energy that it can take): catalogues
-    /// give another factor for the energy than for the reaction. Empty: that of the reaction.
+    /// Factor on the energy capacity by the angle between face and hull: points (angle (rad), factor). Catalogues
+    /// give different angle factors for energy and reaction. If empty, the factor of the reaction is used.
     pub energy_by_angle: Vec<[f64; 2]>,
     /// How it presses on the hull.
     pub hull_pressure: HullPressure,
-    /// The pressure that the hull takes (N/m²).
+    /// Permissible hull pressure (N/m²).
     pub hull_pressure_limit_npm2: Option<f64>,
     /// Where its data come from.
     pub source: Option<FenderSource>,
 }
 
 impl FenderSetup {
-    /// Pressure on the hull (N/m²) at a deflection (m) and a reaction (N); `None` where nobody said how
-    /// it presses.
+    /// Pressure on the hull (N/m²) at a deflection (m) and a reaction (N); `None` if it is not known how the fender
+    /// presses on the hull.
     #[must_use]
     pub fn hull_pressure_npm2(&self, deflection_m: f64, reaction_n: f64) -> Option<f64> {
         match self.hull_pressure {
@@ -67,9 +67,9 @@ impl FenderSetup {
 pub enum HullPressure {
     /// By a panel: the reaction over the area of the face.
     OverFace,
-    /// By its inner pressure, on as much of its skin as lies against the hull: a straight line from the
-    /// pressure at no deflection to the one at the rated deflection, and on beyond it. A gas that is pressed
-    /// together rises ever faster, so the line is on the safe side up to the rated deflection, and not beyond.
+    /// A pneumatic fender: the internal pressure, linear in the deflection from the initial pressure through the
+    /// rated one. The pressure of a compressed gas is a convex function of deflection, so the line is conservative up
+    /// to the rated deflection, and not beyond.
     Inner {
         /// At no deflection (N/m²).
         initial_npm2: f64,
@@ -78,7 +78,7 @@ pub enum HullPressure {
         /// Rated deflection (m).
         rated_deflection_m: f64,
     },
-    /// Without a panel, and nobody said how hard.
+    /// No panel, and no pressure given.
     Unknown,
 }
 
@@ -94,7 +94,7 @@ pub struct Rated {
 }
 
 impl Rated {
-    /// Of a reaction curve up to a deflection; `None` for an area law, which has none.
+    /// The rating of a reaction curve at a deflection; `None` for an area law, which has no rating.
     #[must_use]
     pub fn of(law: &FenderLaw, deflection_m: f64) -> Option<Rated> {
         let FenderLaw::Curve(points) = law else { return None };
@@ -104,10 +104,10 @@ impl Rated {
     }
 }
 
-/// Where a fender's data come from, and how sure they are.
+/// The source of a fender's data, and how well it is known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FenderSource {
-    /// Type and size, as a report names them.
+    /// Type and size, for reports.
     pub designation: String,
     /// Document or page.
     pub source: String,
@@ -115,56 +115,55 @@ pub struct FenderSource {
     pub standing: String,
 }
 
-/// What a run did to one fender. Peaks are the true ones, sub-steps included.
+/// Summary of one fender after a run. Peaks are those within the steps, sub-steps included.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FenderSummary {
     /// Index into [`crate::Setup::fenders`].
     pub fender: usize,
     /// Start of the first step in which it was touched (s).
     pub first_touch_s: f64,
-    /// V_n in that step (m/s), positive approaching.
+    /// Normal speed V_n in that step (m/s), positive when approaching.
     pub approach_speed_mps: f64,
     /// Angle between face and hull in that step (rad).
     pub approach_angle_rad: f64,
-    /// The factor on its reaction at first touch: temperature, tolerance, speed and angle.
+    /// Factor on its reaction, fixed at first touch: temperature, tolerance, speed and angle.
     pub factor: f64,
-    /// Largest deflection (m), and when (s).
+    /// Largest deflection (m).
     pub peak_deflection_m: f64,
     /// Start of the step of the largest deflection (s).
     pub peak_deflection_at_s: f64,
     /// Largest reaction along its axis (N).
     pub peak_reaction_n: f64,
-    /// Start of the step of the largest reaction (s); a fender that buckles has it before its largest
+    /// Start of the step of the largest reaction (s). For a fender that buckles it comes before the largest
     /// deflection.
     pub peak_reaction_at_s: f64,
-    /// Largest energy at a time that its loading curve takes to where it is (J), which catalogues rate.
+    /// Largest energy absorbed along the loading curve (J), the quantity that catalogues rate.
     pub peak_energy_j: f64,
     /// Largest pressure on the hull (N/m²), by [`FenderSetup::hull_pressure_npm2`].
     pub peak_hull_pressure_npm2: Option<f64>,
-    /// Energy that it can take with its factors (J).
+    /// Energy capacity with the correction factors (J).
     pub capacity_j: Option<f64>,
-    /// Peak energy over that.
+    /// Peak energy over the capacity.
     pub share_of_rated_energy: Option<f64>,
-    /// Peak reaction over the rated one with its factors.
+    /// Peak reaction over the rated reaction with the correction factors.
     pub share_of_rated_reaction: Option<f64>,
-    /// Peak deflection over the rated one.
+    /// Peak deflection over the rated deflection.
     pub share_of_rated_deflection: Option<f64>,
-    /// Peak pressure over what the hull takes.
+    /// Peak hull pressure over the permissible one.
     pub share_of_hull_pressure: Option<f64>,
-    /// True where it was deflected beyond its stop, or beyond its projection.
+    /// True if it was deflected beyond the start of its stop, or beyond its projection if it has none.
     pub failed: bool,
-    /// Deflection and reaction in the last step; 0 where it is not touched then (m, N).
+    /// Deflection in the last step; 0 if it is not touched (m).
     pub last_deflection_m: f64,
-    /// Reaction in the last step (N).
+    /// Reaction in the last step; 0 if it is not touched (N).
     pub last_reaction_n: f64,
 }
 
-/// Collects [`FenderSummary`]s step by step, in the order of the set-up's fenders; `None` for one that
-/// was never touched.
+/// Builds the [`FenderSummary`]s, in the order of the set-up; `None` for a fender that was never touched.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FenderSummaries {
     pub(crate) all: Vec<Option<FenderSummary>>,
-    /// Reactions and deflections of this step.
+    /// Reaction and energy of each fender in this step.
     now: Vec<(f64, f64)>,
 }
 
@@ -173,8 +172,8 @@ impl FenderSummaries {
         FenderSummaries { all: vec![None; fenders], now: vec![(0.0, 0.0); fenders] }
     }
 
-    /// Books one step.
-    pub(crate) fn book(&mut self, setups: &[FenderSetup], contacts: &[Contact], t_s: f64) {
+    /// Adds one step.
+    pub(crate) fn add(&mut self, setups: &[FenderSetup], contacts: &[Contact], t_s: f64) {
         if setups.is_empty() {
             return;
         }
@@ -189,16 +188,16 @@ impl FenderSummaries {
             let summary =
                 self.all[index].get_or_insert_with(|| first_touch(index, setup, contact, t_s));
             let (reaction_n, energy_j) = &mut self.now[index];
-            // Two hulls on one fender press together; of a tilted hull's force the fender's reaction is the
-            // part along its axis.
+            // Forces of several hulls on one fender add up. The reaction is the component along the fender's axis.
             *reaction_n += contact.peak_normal_force_n * libm::cos(contact.tilt_rad);
             *energy_j += contact.energy.peak_absorbed_j;
-            book_contact(summary, setup, contact, t_s);
-            book_peaks(summary, setup, *reaction_n, *energy_j, t_s);
+            add_contact(summary, setup, contact, t_s);
+            update_peaks(summary, setup, *reaction_n, *energy_j, t_s);
         }
     }
 }
 
+/// The summary of a fender at its first touch.
 fn first_touch(index: usize, setup: &FenderSetup, contact: &Contact, t_s: f64) -> FenderSummary {
     let angle_rad = contact.tilt_rad;
     let capacity_j = setup.rated.map(|rated| {
@@ -239,7 +238,7 @@ fn first_touch(index: usize, setup: &FenderSetup, contact: &Contact, t_s: f64) -
     }
 }
 
-fn book_contact(summary: &mut FenderSummary, setup: &FenderSetup, contact: &Contact, t_s: f64) {
+fn add_contact(summary: &mut FenderSummary, setup: &FenderSetup, contact: &Contact, t_s: f64) {
     summary.last_reaction_n += contact.normal_force_n * libm::cos(contact.tilt_rad);
     summary.last_deflection_m = greater(summary.last_deflection_m, contact.depth_m);
     let deflection_m = contact.peak_depth_m;
@@ -252,7 +251,7 @@ fn book_contact(summary: &mut FenderSummary, setup: &FenderSetup, contact: &Cont
     }
 }
 
-fn book_peaks(
+fn update_peaks(
     summary: &mut FenderSummary,
     setup: &FenderSetup,
     reaction_n: f64,
@@ -269,7 +268,7 @@ fn book_peaks(
         summary.share_of_rated_reaction =
             setup.rated.map(|rated| reaction_n / (rated.reaction_n * summary.factor));
     }
-    // It never falls with deflection or reaction, so that its peak is at theirs.
+    // Hull pressure grows with deflection and reaction, so its peak is at their peaks.
     let pressure_npm2 =
         setup.hull_pressure_npm2(summary.peak_deflection_m, summary.peak_reaction_n);
     summary.peak_hull_pressure_npm2 = pressure_npm2;

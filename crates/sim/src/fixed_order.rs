@@ -1,10 +1,10 @@
-//! The order in which forces are added up: the same whatever the order in a file, as a sum of floating-point numbers
-//! depends on it in its last bits.
+//! The order of summation. A floating-point sum depends on the order of its terms, so forces are summed in the order of
+//! names and not in the order of the scenario file.
 
 use crate::setup::{BodySetup, Load};
 use crate::world::WorldSetup;
 
-/// Places in a set-up, in the order of the names there.
+/// Indices into the set-up, sorted by name.
 #[derive(Clone, Debug)]
 pub(crate) struct SumOrder {
     pub(crate) bodies: Vec<usize>,
@@ -24,7 +24,7 @@ impl SumOrder {
     }
 }
 
-/// Places of what has names, in the order of these; of equal names in their own order.
+/// Indices of the names in sorted order; equal names keep their order.
 fn by_name<'n>(names: impl Iterator<Item = &'n str>) -> Vec<usize> {
     let names: Vec<&str> = names.collect();
     let mut places: Vec<usize> = (0..names.len()).collect();
@@ -32,7 +32,7 @@ fn by_name<'n>(names: impl Iterator<Item = &'n str>) -> Vec<usize> {
     places
 }
 
-/// Sorts loads, which have no names, by what they are: two that compare as equal are the same.
+/// Sorts loads by their values, as they have no names: loads that compare equal are identical.
 pub(crate) fn sort_loads(loads: &mut [Load]) {
     let key = |load: &Load| {
         let Load { body: _, force_n, moment_nm, from_s, until_s } = *load;
@@ -52,13 +52,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_decide_and_not_places() {
+    fn the_order_is_that_of_the_names() {
         assert_eq!(by_name(["spring", "aft", "head"].into_iter()), [1, 2, 0]);
         assert_eq!(by_name(["a", "b", "a"].into_iter()), [0, 2, 1]);
     }
 
     #[test]
-    fn loads_come_in_one_order_from_any() {
+    fn loads_are_sorted_the_same_way_from_any_order() {
         let load = |body, north_n, from_s| Load {
             body,
             force_n: vec2(north_n, 0.0),

@@ -1,16 +1,16 @@
-//! Energy that a run by the paper's method has made.
+//! Energy that contacts created in a run with the paper's method.
 
 use core::fmt;
 
-/// The least share of the energy that came into contacts that is told when contacts gave it on top.
+/// The smallest gain that is reported, as a share of the energy that the contacts absorbed.
 pub(crate) const REPORTED_GAIN: f64 = 0.01;
 
-/// What contacts gave the bodies more than they took from them.
+/// Energy that contacts returned to the bodies beyond what they absorbed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyGain {
-    /// Given on top (J).
+    /// The excess (J).
     pub gained_j: f64,
-    /// What came into contacts in the run (J).
+    /// Energy that the contacts absorbed in the run (J).
     pub taken_j: f64,
 }
 
@@ -19,8 +19,8 @@ impl fmt::Display for EnergyGain {
         let percent = 100.0 * self.gained_j / self.taken_j;
         write!(
             f,
-            "contacts gave the bodies {:.1} kJ more than they took, {percent:.0} % of what came into them: the paper's \
-             method makes energy at this time step; take a shorter `step` or `method = \"coupled\"`",
+            "contacts returned {:.1} kJ more than they absorbed, {percent:.0} % of the absorbed energy: the paper's \
+             method creates energy at this time step; use a shorter `step` or `method = \"coupled\"`",
             self.gained_j / 1e3
         )
     }

@@ -1,13 +1,13 @@
-//! Stage 6, gather: contact and loads into one wrench per body, in a fixed order.
+//! Sums of loads and contact wrenches, one per body, in a fixed order.
 
 use fenderline_contact::Wrench;
 use fenderline_contact::number::{greater, lesser};
 
 use crate::setup::Load;
 
-/// Mean wrench of a load over the step `[t, t + step]`: one that begins or ends within the step acts
-/// with its share of it, so that its impulse does not depend on the time step. One that acts throughout is
-/// exactly itself: a host that tells it to the engine gets the same bits.
+/// Mean wrench of a load over the step `[t, t + step]`. A load that begins or ends within the step counts with the
+/// share of the step in which it acts, so its impulse does not depend on the time step. A load that acts throughout is
+/// returned unchanged, bit for bit.
 pub(crate) fn mean_load(load: &Load, t_s: f64, step_s: f64) -> Wrench {
     if load.from_s <= t_s && load.until_s >= t_s + step_s {
         return Wrench { force_n: load.force_n, moment_nm: load.moment_nm };
@@ -17,7 +17,7 @@ pub(crate) fn mean_load(load: &Load, t_s: f64, step_s: f64) -> Wrench {
     Wrench { force_n: load.force_n * share, moment_nm: load.moment_nm * share }
 }
 
-/// Sum of the loads on each body in the step, in their order.
+/// Sum of the loads on each body in the step, in the given order.
 pub(crate) fn gather_loads(loads: &[Load], t_s: f64, step_s: f64, into: &mut [Wrench]) {
     into.fill(Wrench::default());
     for load in loads {
@@ -27,7 +27,7 @@ pub(crate) fn gather_loads(loads: &[Load], t_s: f64, step_s: f64, into: &mut [Wr
     }
 }
 
-/// Adds what the host puts on each body; on fixed ones it moves nothing.
+/// Adds the external wrench on each body. On a fixed body it has no effect.
 pub(crate) fn add_external(external: &[Wrench], into: &mut [Wrench]) {
     for (load, wrench) in into.iter_mut().zip(external) {
         load.force_n += wrench.force_n;
@@ -35,7 +35,7 @@ pub(crate) fn add_external(external: &[Wrench], into: &mut [Wrench]) {
     }
 }
 
-/// Loads and contact, body by body.
+/// Sum of load and contact wrench, body by body.
 pub(crate) fn gather(loads: &[Wrench], contact: &[Wrench], into: &mut [Wrench]) {
     for ((sum, load), contact) in into.iter_mut().zip(loads).zip(contact) {
         sum.force_n = load.force_n + contact.force_n;

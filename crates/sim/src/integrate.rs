@@ -1,4 +1,4 @@
-//! Stage 7, integrate: the state and its rate to the next state.
+//! Time integrators: from a state and its rate to the next state.
 
 use fenderline_contact::{BodyState, Vec2, Wrench};
 
@@ -14,11 +14,12 @@ pub(crate) struct Rate {
 }
 
 impl Rate {
-    /// Velocities that the step moves the body with (m/s, rad/s).
+    /// Linear and angular velocity (m/s, rad/s).
     pub(crate) fn motion(&self) -> (Vec2, f64) {
         (self.velocity_mps, self.yaw_rate_radps)
     }
 
+    /// The rate of a state under a wrench.
     pub(crate) fn of(inertia: &Inertia, state: &BodyState, wrench: &Wrench) -> Rate {
         let (acceleration_mps2, yaw_acceleration_radps2) = inertia.acceleration(state, wrench);
         Rate {
@@ -66,7 +67,7 @@ impl Rate {
     }
 }
 
-/// Forward Euler: position with the old velocity, as the paper's simulator.
+/// Forward Euler: positions with the old velocities, as in the paper's simulator.
 pub(crate) fn euler(state: &BodyState, rate: &Rate, step_s: f64) -> BodyState {
     BodyState {
         position_m: state.position_m + rate.velocity_mps * step_s,
@@ -76,7 +77,7 @@ pub(crate) fn euler(state: &BodyState, rate: &Rate, step_s: f64) -> BodyState {
     }
 }
 
-/// Velocities first, then positions with the new velocities.
+/// Semi-implicit Euler: velocities first, then positions with the new velocities.
 pub(crate) fn semi_implicit(state: &BodyState, rate: &Rate, step_s: f64) -> BodyState {
     let velocity_mps = state.velocity_mps + rate.acceleration_mps2 * step_s;
     let yaw_rate_radps = state.yaw_rate_radps + rate.yaw_acceleration_radps2 * step_s;

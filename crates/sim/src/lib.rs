@@ -1,64 +1,166 @@
-//! Vessels and their world around the contact engine: rigid bodies in the plane, external loads,
-//! integrators, the energy ledger and what a run reports.
+//! A ship-manoeuvring simulator in the horizontal plane around the contact engine `fenderline-contact`.
 //!
-//! A [`Setup`] is the constant part; [`Simulation`] steps it and hands out one [`StepRecord`] a
-//! step. No files, no clock, no threads.
+//! It simulates ships, tugs, fenders, quays and mooring lines under wind, current, waves and tide: hull forces by the
+//! MMG method, propellers, rudders and thrusters, wind and wave loads, elastic lines with winches, pilots that follow
+//! orders, and the contact forces between all bodies. It has no files, clock or threads, and gives the same bits
+//! for the same input on every machine.
+//!
+//! [`Setup`] is everything that is constant in a run. [`Simulation`] holds the state, advances it by one time step with
+//! [`Simulation::step`], and returns a [`StepRecord`] with forces, contacts, energies and events. Units are SI. North is x,
+//! east is y; headings and moments are positive clockwise, seen from above.
+//!
+//! # Example
+//!
+//! Wind presses a ship onto a fender on a quay, for a minute.
 //!
 //! ```
-//! use fenderline_contact::{Material, Outline, vec2};
+//! use fenderline_contact::{FenderLaw, Material, Outline, ReactionFactors, vec2};
+//! use fenderline_sim::environment::wind::{Blendermann, RelativeWind, ShipWindage, WindMethod};
 //! use fenderline_sim::*;
-//! let square = [vec2(-5.0, -5.0), vec2(5.0, -5.0), vec2(5.0, 5.0), vec2(-5.0, 5.0)];
-//! let (outline, _) = Outline::new(&square)?;
-//! let body = |name: &str, mass, north_m: f64, speed_mps| BodySetup {
-//!     name: name.into(),
-//!     outline: outline.clone(),
-//!     mass,
-//!     position_m: vec2(north_m, 0.0),
-//!     heading_rad: 0.0,
-//!     velocity: BodyVelocity { surge_mps: speed_mps, ..Default::default() },
+//!
+//! let rectangle = |length_m: f64, beam_m: f64| {
+//!     let (l, b) = (0.5 * length_m, 0.5 * beam_m);
+//!     Outline::new(&[vec2(-l, -b), vec2(l, -b), vec2(l, b), vec2(-l, b)]).map(|(outline, _)| outline)
 //! };
-//! let mass = MassProperties { mass_kg: 1e6, yaw_inertia_kgm2: 2e7, ..Default::default() };
-//! let setup = Setup {
+//! // A ship of 200 m heading north. The quay is to starboard, with its face 1.5 m from her side.
+//! let ship = BodySetup {
+//!     name: "ship".into(),
+//!     outline: rectangle(200.0, 32.0)?,
+//!     mass: Some(MassProperties {
+//!         mass_kg: 4e7,
+//!         yaw_inertia_kgm2: 1e11,
+//!         added_surge_kg: 2e6,
+//!         added_sway_kg: 3e7,
+//!         added_yaw_kgm2: 5e10,
+//!     }),
+//!     position_m: vec2(0.0, 0.0),
+//!     heading_rad: 0.0,
+//!     velocity: BodyVelocity::default(),
+//! };
+//! let quay = BodySetup {
+//!     name: "quay".into(),
+//!     outline: rectangle(300.0, 20.0)?,
+//!     mass: None,
+//!     position_m: vec2(0.0, 16.0 + 1.5 + 10.0),
+//!     ..ship.clone()
+//! };
+//! let rubber = NamedMaterial {
+//!     name: "rubber".into(),
+//!     material: Material {
+//!         stiffness_npm2: 5e5,
+//!         damping_nspm2: 0.0,
+//!         shear_stiffness_npm: 3e6,
+//!         friction_static: 0.3,
+//!         friction_dynamic: 0.3,
+//!         restitution: 0.3,
+//!     },
+//! };
+//! // A fender in the middle of the quay's face, 1.2 m deep, with a reaction of 1 MN at 0.6 m.
+//! let fender = FenderSetup {
+//!     name: "fender".into(),
+//!     body: 1,
+//!     position_m: vec2(0.0, -10.0),
+//!     facing_rad: -90_f64.to_radians(),
+//!     width_m: 2.0,
+//!     height_m: 2.0,
+//!     above_water_m: 2.0,
+//!     projection_m: 1.2,
+//!     law: FenderLaw::Curve(vec![[0.0, 0.0], [0.6, 1e6], [0.9, 1.5e6]]),
+//!     unloading: None,
+//!     material: 0,
+//!     rated: None,
+//!     stop: None,
+//!     factors: ReactionFactors::default(),
+//!     energy_by_angle: vec![],
+//!     hull_pressure: HullPressure::OverFace,
+//!     hull_pressure_limit_npm2: None,
+//!     source: None,
+//! };
+//! // The force of a westerly wind of 15 m/s on the ship.
+//! let windage = ShipWindage {
+//!     length_m: 200.0,
+//!     beam_m: 32.0,
+//!     frontal_m2: 900.0,
+//!     lateral_m2: 4000.0,
+//!     centroid_forward_m: 0.0,
+//!     centroid_height_m: 10.0,
+//!     method: WindMethod::Blendermann(Blendermann::of_type("car carrier").ok_or("no such type")?),
+//! };
+//! let wind = RelativeWind::of(vec2(0.0, 15.0), vec2(0.0, 0.0), ship.heading_rad);
+//! let [surge_n, sway_n, yaw_nm] = windage.force(&wind, 1.224);
+//! let load = Load {
+//!     body: 0,
+//!     force_n: vec2(surge_n, sway_n),
+//!     moment_nm: yaw_nm,
+//!     from_s: 0.0,
+//!     until_s: f64::INFINITY,
+//! };
+//!
+//! let mut simulation = Simulation::new(Setup {
 //!     step_s: 0.1,
-//!     duration_s: 20.0,
-//!     integrator: Integrator::Euler,
-//!     method: Method::Paper,
-//!     bodies: vec![body("tug", Some(mass), 0.0, 1.0), body("quay", None, 11.0, 0.0)],
-//!     materials: vec![NamedMaterial {
-//!         name: "rubber".into(),
-//!         material: Material {
-//!             stiffness_npm2: 500e3,
-//!             damping_nspm2: 0.0,
-//!             shear_stiffness_npm: 3e6,
-//!             friction_static: 0.5,
-//!             friction_dynamic: 0.5,
-//!             restitution: 0.1,
-//!         },
-//!     }],
+//!     duration_s: 60.0,
+//!     integrator: Integrator::SemiImplicit,
+//!     method: Method::Coupled,
+//!     bodies: vec![ship, quay],
+//!     materials: vec![rubber],
 //!     pairs: vec![PairSetup { bodies: [0, 1], material: 0 }],
 //!     all_other_pairs: None,
-//!     fenders: vec![],
+//!     fenders: vec![fender],
 //!     berthing: None,
-//!     loads: vec![],
+//!     loads: vec![load],
 //!     world: WorldSetup::default(),
-//! };
-//! let mut simulation = Simulation::new(setup)?;
+//! })?;
+//! let mut force_on_ship_n = vec2(0.0, 0.0);
 //! while !simulation.is_done() {
-//!     simulation.step()?;
+//!     let record = simulation.step()?;
+//!     force_on_ship_n = record.wrenches[0].force_n;
 //! }
-//! let pair = &simulation.pair_summaries()[0];
-//! assert!((pair.final_speed_mps - 0.1).abs() < 1e-9); // γ times the approach speed
+//! let fender = simulation.fender_summaries().next().ok_or("the ship did not touch the fender")?;
+//! assert!(fender.peak_reaction_n > sway_n); // The ship arrives with some speed.
+//! assert!(force_on_ship_n.y <= 0.0); // The fender pushes her away from the quay.
+//! assert!(simulation.energy().residual_j.abs() < 1.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! For a ship with a manoeuvring model, propeller, rudder, lines and a berth, start from a scenario file: the crate
+//! `fenderline-scenario` reads one into a [`Setup`].
+//!
+//! # Where to look next
+//!
+//! | subject | module or file |
+//! |---|---|
+//! | the time step, from top to bottom | `simulation.rs`, [`Simulation::step`] |
+//! | vessels, tugs and lines in a simulation, pilots and orders | `world/`, [`WorldSetup`] |
+//! | hull, propeller, rudder and thruster forces; standard manoeuvres | [`hydro`] |
+//! | wind, current, waves, tide and banks | [`environment`] |
+//! | mooring lines and winches | [`mooring`] |
+//! | heave, roll and pitch | [`attitude`] |
+//! | tugs as force vectors | [`tug`] |
+//! | controllers for heading, position and thrust | [`control`] |
+//! | berthing energy by PIANC's formulas | [`berthing`] |
+//! | forces from other programs | [`external`] |
+//! | energies of a step and of a run | `record.rs`, [`ContactEnergy`], [`Energy`] |
+//!
+//! One step of [`Simulation::step`]:
+//!
+//! 1. `gather_loads`: loads of the set-up and of the host, then vessels, tugs, lines and environment (`world/mod.rs`).
+//! 2. `turn_momentum`: Coriolis and centripetal terms over the step (`turning.rs`).
+//! 3. `advance_bodies`: contact forces (`fenderline_contact::advance_in_place`, or `step` for the paper's method)
+//!    and the new states (`integrate.rs`).
+//! 4. `update_world`: heel and trim of the vessels under all forces.
+//! 5. `account_energy`: work of each contact and load, and the energy ledger (`contact_totals.rs`, `ledger.rs`).
+//! 6. `record`: summaries and the [`StepRecord`].
 #![forbid(unsafe_code)]
 
 pub mod attitude;
 pub mod berthing;
+pub mod constants;
 pub mod control;
 pub mod environment;
 pub mod external;
 pub mod hydro;
 
+mod contact_totals;
 mod error;
 mod fender;
 mod fixed_order;
@@ -67,6 +169,7 @@ mod gather;
 mod integrate;
 mod ledger;
 mod load_work;
+mod mean_velocity;
 pub mod mooring;
 pub mod order;
 mod random;

@@ -1,23 +1,23 @@
-//! What each kind of load does to the bodies in a step.
+//! Work of the loads on the bodies in a step, by kind of load.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use crate::fixed_order::SumOrder;
 use crate::hydro::Force;
-use crate::ledger::MeanVelocity;
+use crate::mean_velocity::MeanVelocity;
 use crate::record::LoadWork;
 use crate::rigid_body::Inertia;
 use crate::world::{Carried, Mooring, TugAtWork, VesselForces, WorldSetup};
 
-/// A step as the books of the loads need it.
+/// Forces and motion of one step.
 pub(crate) struct LoadedStep<'a> {
     pub(crate) inertias: &'a [Inertia],
-    /// States at its start and its end.
+    /// States at the start and at the end of the step.
     pub(crate) before: &'a [BodyState],
     pub(crate) after: &'a [BodyState],
     pub(crate) mean: &'a [MeanVelocity],
-    /// Plain loads, and what the host puts on the bodies.
-    pub(crate) others: &'a [Wrench],
+    /// Loads of the set-up and of the host.
+    pub(crate) plain: &'a [Wrench],
     pub(crate) world: &'a WorldSetup,
     pub(crate) forces: &'a [VesselForces],
     pub(crate) carried: &'a [Carried],
@@ -28,11 +28,11 @@ pub(crate) struct LoadedStep<'a> {
 }
 
 impl LoadedStep<'_> {
-    /// Force times way over the ground, load by load.
+    /// Work of each kind of load: force times displacement over the ground.
     pub(crate) fn works(&self) -> LoadWork {
         let mut works = LoadWork::default();
         for &body in self.order.bodies.iter().filter(|&&body| !self.inertias[body].fixed) {
-            works.other_j += self.mean[body].power_w(&self.others[body]) * self.step_s;
+            works.other_j += self.mean[body].power_w(&self.plain[body]) * self.step_s;
         }
         for &vessel in &self.order.vessels {
             self.vessel(vessel, self.world.vessels[vessel].body, &mut works);
@@ -48,10 +48,11 @@ impl LoadedStep<'_> {
         works
     }
 
+    /// Adds the works of a vessel's own forces and of the current.
     fn vessel(&self, index: usize, body: usize, works: &mut LoadWork) {
         let (forces, carried) = (&self.forces[index], &self.carried[index]);
-        // Munk's moment and the centripetal terms stand in a hull's coefficients; here they are taken out again, as
-        // they belong to the momentum that turns with her.
+        // The hull coefficients contain the Munk moment and the centripetal terms of the added mass. They do no work
+        // and are part of the turning momentum, so they are removed here.
         works.hull_j += self.of_force(index, forces.hull + carried.ideal);
         works.propeller_j += self.of_force(index, forces.propeller);
         works.rudder_j += self.of_force(index, forces.rudder);
@@ -61,27 +62,28 @@ impl LoadedStep<'_> {
         works.banks_j += self.of_force(index, forces.banks);
         works.bottom_j += self.of_force(index, forces.bottom);
         let stream_j = |state: &BodyState| {
-            let adrift =
+            let drifting =
                 BodyState { velocity_mps: carried.stream_mps, yaw_rate_radps: 0.0, ..*state };
-            self.inertias[body].kinetic_j(&adrift)
+            self.inertias[body].kinetic_j(&drifting)
         };
         works.current_j += self.mean[body].power_w(&carried.along) * self.step_s
             + stream_j(&self.after[body])
             - stream_j(&self.before[body]);
     }
 
-    /// Work of a force about midship of a vessel.
+    /// Work of a force on a vessel that is given about midship.
     fn of_force(&self, vessel: usize, force: Force) -> f64 {
         let vessel = &self.world.vessels[vessel];
         let rotation = Rotation::from_angle(self.before[vessel.body].heading_rad);
-        let ahead_m = vessel.ship.particulars.centre_of_gravity_m;
+        let forward_m = vessel.ship.particulars.centre_of_gravity_m;
         let wrench = Wrench {
             force_n: rotation.apply(vec2(force.surge_n, force.sway_n)),
-            moment_nm: force.yaw_nm - ahead_m * force.sway_n,
+            moment_nm: force.yaw_nm - forward_m * force.sway_n,
         };
         self.mean[vessel.body].power_w(&wrench) * self.step_s
     }
 
+    /// Work of a line's force on the body at one of its ends.
     fn of_line_end(&self, (body, at_m, force_n): (usize, Vec2, Vec2)) -> f64 {
         if self.inertias[body].fixed {
             return 0.0;

@@ -1,8 +1,7 @@
 //! Seeded random numbers, the same bits on every machine.
 
-/// SplitMix64 (Steele, Lea & Flood 2014; the constants of Java's SplittableRandom, whose
-/// first outputs a test holds). For phases, not for
-/// secrets.
+/// SplitMix64 (Steele, Lea & Flood 2014), with the constants of Java's SplittableRandom. For random phases; not
+/// cryptographically secure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct SplitMix64 {
     state: u64,
@@ -21,7 +20,7 @@ impl SplitMix64 {
         z ^ (z >> 31)
     }
 
-    /// Uniform in [0, 1): the upper 53 bits.
+    /// A number uniform in [0, 1), from the upper 53 bits.
     pub(crate) fn unit(&mut self) -> f64 {
         (self.next_u64() >> 11) as f64 * (1.0 / (1_u64 << 53) as f64)
     }
@@ -31,9 +30,9 @@ impl SplitMix64 {
 mod tests {
     use super::*;
 
-    /// What java.util.SplittableRandom of OpenJDK 17 gives for this seed.
+    /// Outputs of java.util.SplittableRandom of OpenJDK 17 for this seed.
     #[test]
-    fn the_known_outputs_of_seed_1234567() {
+    fn outputs_agree_with_javas_splittable_random() {
         let mut random = SplitMix64::new(1_234_567);
         let first: Vec<u64> = (0..5).map(|_| random.next_u64()).collect();
         let known = [
@@ -47,7 +46,7 @@ mod tests {
     }
 
     #[test]
-    fn units_fill_the_interval_evenly() {
+    fn unit_numbers_are_uniform() {
         let mut random = SplitMix64::new(7);
         let mut tenths = [0_u32; 10];
         for _ in 0..100_000 {

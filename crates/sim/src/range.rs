@@ -1,19 +1,19 @@
-//! One check for every number that a user gives: its name, its unit, its range.
+//! The range check for numbers given by the user.
 
 use std::fmt;
 
 use fenderline_contact::DisplayNumber;
 
-/// A quantity that is not a number within its range.
+/// A quantity outside its range, or not a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfRange {
-    /// Which, with its unit.
+    /// The quantity, with its unit.
     pub quantity: &'static str,
     /// Its value.
     pub value: f64,
-    /// The least that is taken.
+    /// Lower limit.
     pub low: f64,
-    /// The greatest that is taken.
+    /// Upper limit.
     pub high: f64,
 }
 
@@ -27,8 +27,8 @@ impl fmt::Display for OutOfRange {
 
 impl std::error::Error for OutOfRange {}
 
-/// The value where it lies within the range, both ends included; NaN does not. Ranges are wider than
-/// anything real and narrow enough that nothing computed from them overflows.
+/// Returns the value if it is within the range, both ends included; NaN is not. Ranges are wider than any real value and
+/// narrow enough that no result computed from them overflows.
 pub(crate) fn within(
     quantity: &'static str,
     value: f64,

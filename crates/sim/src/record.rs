@@ -1,89 +1,90 @@
-//! What one step of a simulation reports (stage 8).
+//! The record of one time step, and the energies in it.
 
 use fenderline_contact::{BodyState, Contact, Event, Wrench};
 
 use crate::world::{Mooring, TugAtWork, VesselForces, VesselState, WorldEvent};
 
-/// One step, seen at its start: states at `t_s`, the forces that act from there on.
+/// The record of one step: states before and after it, and the forces that acted in it.
 #[derive(Clone, Copy, Debug)]
 pub struct StepRecord<'a> {
     /// Number of the step, from 0.
     pub index: u64,
-    /// Start of the step (s).
+    /// Time at the start of the step (s).
     pub t_s: f64,
-    /// States at the start of the step, one a body, in the order of the set-up.
+    /// States at the start of the step, one per body, in the order of the set-up.
     pub states: &'a [BodyState],
     /// States at the end of the step.
     pub states_after: &'a [BodyState],
-    /// Touching patches at the start of the step, in a fixed order.
+    /// Contact patches at the start of the step, in a fixed order.
     pub contacts: &'a [Contact],
-    /// What contact did in this step, one entry a fender and its hull or a pair of outlines; also for
-    /// those that touched in the last step and have just let go.
+    /// Work and energy of each contact in this step: one entry per fender and hull, or per pair of outlines. Contacts
+    /// that ended after the last step are included.
     pub contact_energies: &'a [ContactEnergy],
-    /// Sum of contact forces on each body at the start of the step, one a body.
+    /// Contact wrenches of the step, one per body.
     pub wrenches: &'a [Wrench],
-    /// Events of this step.
+    /// Contact events of this step.
     pub events: &'a [Event],
     /// The energy ledger at the end of the step.
     pub energy: Energy,
     /// Controls and attitude of the vessels at the end of the step, in the order of the set-up.
     pub vessels: &'a [VesselState],
-    /// Where the forces on each vessel came from in this step.
+    /// Forces on each vessel in this step, by cause.
     pub vessel_forces: &'a [VesselForces],
     /// The tugs at the end of the step, in the order of the set-up.
     pub tugs: &'a [TugAtWork],
     /// The lines at the end of the step, in the order of the set-up.
     pub lines: &'a [Mooring],
-    /// What happened in the world.
+    /// Events of vessels, tugs and lines.
     pub world_events: &'a [WorldEvent],
 }
 
-/// What one contact did in one step, over all the integrator's stages and the engine's sub-steps: a
-/// fender and its hull, or two outlines.
+/// Work and energy of one contact in one step: a fender and a hull, or two outlines. Integrator stages and sub-steps of
+/// the engine are included.
 ///
-/// What the bodies lose to the normal force goes four ways, `-normal_j = Δstored + hysteresis_j + damping_j +
-/// restitution_j`, and what they lose to the tangential force two: `-tangential_j = Δshear_stored +
-/// friction_j`.
+/// The energy that the normal force takes from the bodies is stored or lost in one of three ways:
+/// `-normal_j = Δstored + hysteresis_j + damping_j + restitution_j`. The energy that the tangential force takes is
+/// stored or lost: `-tangential_j = Δshear_stored + friction_j`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ContactEnergy {
     /// Indices of the bodies in the set-up, the smaller first.
     pub bodies: [usize; 2],
-    /// Index of the fender in the set-up; `None`: outline on outline.
+    /// Index of the fender in the set-up; `None` for a contact between outlines.
     pub fender: Option<usize>,
-    /// ∫ N dt (N·s).
+    /// Normal impulse ∫ N dt (N·s).
     pub normal_impulse_ns: f64,
-    /// Work of the normal force on the two bodies (J): negative while it takes energy.
+    /// Work of the normal force on the two bodies (J), negative where it takes energy from them.
     pub normal_j: f64,
     /// Work of the tangential force on the two bodies (J).
     pub tangential_j: f64,
-    /// Work of both on the two bodies since the contact began (J): positive where it has given them more than it took;
-    /// −∞ for a contact that was there at the start, with who knows how much stored.
+    /// Work of both forces on the two bodies since the contact began (J). It is positive if the contact returned more
+    /// energy than it absorbed, and −∞ for a contact that exists at the start of the run, whose stored energy is not
+    /// known.
     pub since_began_j: f64,
-    /// Stored in spring and stop at the end of the step, and to be had back (J).
+    /// Recoverable energy stored in spring and stop at the end of the step (J).
     pub stored_j: f64,
-    /// Stored in the shear spring at the end of the step (J).
+    /// Energy stored in the shear spring at the end of the step (J).
     pub shear_stored_j: f64,
-    /// Turned into heat by a fender's unloading law (J).
+    /// Hysteresis loss of a fender's unloading law (J).
     pub hysteresis_j: f64,
-    /// Turned into heat by damping (J).
+    /// Damping loss (J).
     pub damping_j: f64,
-    /// What the springs gave back and the limiter kept from the bodies (J).
+    /// Restitution loss: energy that the springs released and the limiter withheld from the bodies (J).
     pub restitution_j: f64,
-    /// Turned into heat by friction, and by the implicit shear spring (J).
+    /// Friction loss, and the numerical damping of the implicit shear spring (J).
     pub friction_j: f64,
-    /// What was stored and is not: the spring's book at the end of a contact, and for a fender at each
-    /// step what differs from its potential (J). With a fender it is the time step's, and falls with
-    /// it; between outlines it is also what the chord's turning normal made (negative) or lost, as that
-    /// law has no potential.
+    /// Accumulated stored energy that does not agree with the spring (J): for a fender the difference from its
+    /// potential at each step, and for any contact what is left when it ends. For fenders it is a discretisation error,
+    /// which decreases with the time step. Between outlines it also contains the energy that the rotation of the chord
+    /// normal creates (negative) or loses, as that force law has no potential.
     pub residual_j: f64,
 }
 
-/// Work of the loads on the bodies since the start of the run, by what they come from (J): force times way over the
-/// ground. What pushes a body on is positive; a hull that a current takes along is pushed by it.
+/// Work of the loads on the bodies, by cause (J): force times displacement over the ground, positive where the load
+/// accelerates the body. A hull that drifts with a current gains energy from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadWork {
-    /// Drag and lift of the vessels' hulls in the water, current within. Of the hull force of
-    /// [`crate::VesselForces`] the part that turns the momentum of the added mass is not in it: it does no work.
+    /// Drag and lift of the vessels' hulls, current included. The Coriolis part of the hull force in
+    /// [`crate::VesselForces`] is not included, as it does no work.
     pub hull_j: f64,
     /// Propellers.
     pub propeller_j: f64,
@@ -99,19 +100,19 @@ pub struct LoadWork {
     pub banks_j: f64,
     /// The bottom, where vessels are aground.
     pub bottom_j: f64,
-    /// What a current does besides its part in the hull's force: water that speeds up takes a vessel along, and the
-    /// water that goes with her (her added mass) is another share of it when she has turned. Nothing in still water.
+    /// Work of a current beyond its part in the hull force: an accelerating current accelerates the vessel, and the
+    /// energy of the added mass in the current changes with her heading. Zero in still water.
     pub current_j: f64,
     /// Vector tugs.
     pub tugs_j: f64,
-    /// Mooring and tow lines: what they store, and what winches give or take.
+    /// Mooring and tow lines, winches included.
     pub lines_j: f64,
-    /// Loads of the set-up and of other programs.
+    /// Loads of the set-up, and external wrenches.
     pub other_j: f64,
 }
 
 impl LoadWork {
-    /// Each with the name that it has in tables.
+    /// Each work with its name in tables.
     #[must_use]
     pub fn parts(&self) -> [(&'static str, f64); 12] {
         [
@@ -130,7 +131,7 @@ impl LoadWork {
         ]
     }
 
-    /// All together (J).
+    /// The sum (J).
     #[must_use]
     pub fn total_j(&self) -> f64 {
         self.parts().iter().map(|(_, work_j)| work_j).sum()
@@ -152,57 +153,56 @@ impl LoadWork {
     }
 }
 
-/// The energy ledger since the start of the run (J), over the ground: the kinetic energy is what a fender on a quay has
-/// to take, and every work is force times way over the ground.
+/// The energy ledger since the start of the run (J). Velocities and displacements are over the ground, so that the
+/// kinetic energy is what a fender on a quay has to absorb.
 ///
-/// The way of a step is its mean velocity times Δt, so that it accounts for the change of kinetic energy exactly:
+/// Work is force times mean velocity times Δt, which gives the change of kinetic energy exactly:
 ///
 /// kinetic = kinetic at the start + load_work + normal_work + tangential_work + residual, and
 /// −(normal_work + tangential_work) = stored + shear_stored + hysteresis + damping + restitution + friction +
 /// contact_residual.
 ///
-/// A contact that leaves with more energy than it came with shows as positive `normal_work_j` and
-/// negative `contact_residual_j`: energy that the method or the time step made up.
+/// A contact that returns more energy than it absorbed has positive `normal_work_j` and negative
+/// `contact_residual_j`: energy created by the method or the time step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
-    /// Kinetic energy now, added mass included.
+    /// Current kinetic energy, added mass included.
     pub kinetic_j: f64,
-    /// Work done by everything but contact: the sum of [`Energy::loads`].
+    /// Work of everything but contact: the sum of [`Energy::loads`].
     pub load_work_j: f64,
-    /// The same by what it comes from.
+    /// Work of everything but contact, by cause.
     pub loads: LoadWork,
-    /// Work done by normal contact forces on the bodies.
+    /// Work of normal contact forces on the bodies.
     pub normal_work_j: f64,
-    /// Work done by tangential contact forces on the bodies.
+    /// Work of tangential contact forces on the bodies.
     pub tangential_work_j: f64,
-    /// Stored now in springs and stops.
+    /// Currently stored in springs and stops.
     pub stored_j: f64,
-    /// Stored now in shear springs.
+    /// Currently stored in shear springs.
     pub shear_stored_j: f64,
-    /// Lost in rubber: by the unloading laws of fenders.
+    /// Hysteresis losses of fenders.
     pub hysteresis_j: f64,
-    /// Lost to damping.
+    /// Damping losses.
     pub damping_j: f64,
-    /// Lost to restitution.
+    /// Restitution losses.
     pub restitution_j: f64,
-    /// Lost to friction.
+    /// Friction losses.
     pub friction_j: f64,
     /// Sum of the contacts' residuals: see [`ContactEnergy::residual_j`].
     pub contact_residual_j: f64,
-    /// What came into contacts: the works of all steps and contacts in which the bodies lost energy.
+    /// Energy absorbed by contacts: the sum over all steps and contacts in which the bodies lost energy.
     pub contact_taken_j: f64,
-    /// What contacts have given the bodies more than they took from them since each began; those that were there at
-    /// the start of the run, and may have had energy stored, are not counted.
+    /// Energy that contacts returned to the bodies beyond what they absorbed since each began. Contacts that exist at
+    /// the start of the run are not counted, as they may have had energy stored.
     pub contact_gained_j: f64,
-    /// Kinetic energy now, less that at the start, less all work. Rounding where a body's mass is the
-    /// same in surge and sway, and for a vessel that nothing touches; else also what a step makes of momentum that
-    /// turns with the body, which falls with Δt.
+    /// Change of kinetic energy less all work. It is rounding error for bodies with equal mass in surge and sway and for
+    /// vessels without contact. Otherwise it also contains the error of the Coriolis terms over a step, which
+    /// decreases with Δt.
     pub residual_j: f64,
 }
 
 impl Energy {
-    /// How much energy changed hands: the sum of the magnitudes of all works, each since the start (J). What
-    /// [`Energy::residual_j`] is to be seen beside.
+    /// Total energy exchanged (J): the sum of the absolute values of all works. Compare [`Energy::residual_j`] with it.
     #[must_use]
     pub fn exchanged_j(&self) -> f64 {
         let loads_j: f64 = self.loads.parts().iter().map(|(_, work_j)| work_j.abs()).sum();

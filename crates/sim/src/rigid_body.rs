@@ -1,11 +1,11 @@
-//! A rigid body in the plane.
+//! A rigid body in the plane: inertia, acceleration, kinetic energy.
 
 use fenderline_contact::number::lesser;
 use fenderline_contact::{BodyState, Mobility, Vec2, Wrench, vec2};
 
 use crate::setup::{BodySetup, BodyVelocity, MassProperties, Method};
 
-/// How a body answers a wrench: rigid body and added mass; nothing moves a fixed one.
+/// Inertia of a body, rigid-body and added mass; a fixed body has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Inertia {
     pub(crate) surge_kg: f64,
@@ -13,15 +13,17 @@ pub(crate) struct Inertia {
     pub(crate) yaw_kgm2: f64,
     /// Coupling of sway and yaw about the centre of gravity (kg·m).
     pub(crate) coupling_kgm: f64,
-    /// The engine moves the body and turns its momentum with it.
+    /// The contact engine moves the body and adds its Coriolis terms.
     pub(crate) engine_turns: bool,
     pub(crate) fixed: bool,
 }
 
 impl Inertia {
-    /// By the paper's method the mass is displacement plus the *smallest* added mass in the plane,
-    /// in every direction (§3.1 of the paper), for the limiter and for the motion alike: else the
-    /// limiter's promise of γV⁰ would not be kept. The coupled method takes each as it is.
+    /// The inertia of a plain body.
+    ///
+    /// With the coupled method, surge, sway and yaw have their own added mass. With the paper's method the mass is
+    /// displacement plus the *smaller* of the two added masses, in every direction (§3.1 of the paper), for the
+    /// limiter and for the motion: with different masses the limiter would not give the rebound speed γV⁰.
     pub(crate) fn of(mass: Option<&MassProperties>, method: Method, engine_turns: bool) -> Inertia {
         let Some(m) = mass else {
             return Inertia {
@@ -50,7 +52,7 @@ impl Inertia {
         }
     }
 
-    /// A vessel's, from her mass matrix about the centre of gravity.
+    /// The inertia of a vessel, from her mass matrix about the centre of gravity.
     pub(crate) fn of_vessel(matrix: &[[f64; 3]; 3]) -> Inertia {
         Inertia {
             surge_kg: matrix[0][0],
@@ -62,7 +64,7 @@ impl Inertia {
         }
     }
 
-    /// As the contact engine wants it.
+    /// The inertia in the form of the contact engine.
     pub(crate) fn mobility(&self) -> Mobility {
         if self.fixed {
             return Mobility::Fixed;
@@ -82,24 +84,25 @@ impl Inertia {
         Mobility::FullMatrix { matrix }
     }
 
-    /// The wrench that turns with the body's momentum: M v̇ = F + this, in earth-fixed axes, for a
-    /// mass that differs between surge and sway, in a stream (m/s). With Δ = sway − surge and c the coupling, in
-    /// the body's axes and through the stream: (Δ r v + c r², Δ r u, −Δ u v), the Coriolis and centripetal terms of
-    /// the added mass (Munk's moment among them); nothing where the mass is the same in all directions.
-    pub(crate) fn momentum_wrench(&self, state: &BodyState, stream_mps: Vec2) -> Wrench {
+    /// The Coriolis and centripetal wrench C of a body in a current (m/s), earth-fixed: M v̇ = F + C.
+    ///
+    /// With Δ = sway mass − surge mass, c the coupling of sway and yaw, and u, v, r relative to the water, it is
+    /// (Δ r v + c r², Δ r u, −Δ u v) in the body's axes; its moment is the Munk moment. It is zero if the mass is the
+    /// same in all directions.
+    pub(crate) fn momentum_wrench(&self, state: &BodyState, current_mps: Vec2) -> Wrench {
         let difference_kg = self.sway_kg - self.surge_kg;
         if (difference_kg == 0.0 && self.coupling_kgm == 0.0) || self.engine_turns {
             return Wrench::default();
         }
         let rotation = state.pose().rotation;
-        let uv = rotation.apply_inverse(state.velocity_mps - stream_mps);
+        let uv = rotation.apply_inverse(state.velocity_mps - current_mps);
         let r = state.yaw_rate_radps;
-        let outward_n = self.coupling_kgm * r * r;
-        let turned = vec2(r * uv.y * difference_kg + outward_n, r * uv.x * difference_kg);
-        Wrench { force_n: rotation.apply(turned), moment_nm: -difference_kg * uv.x * uv.y }
+        let centripetal_n = self.coupling_kgm * r * r;
+        let own_n = vec2(r * uv.y * difference_kg + centripetal_n, r * uv.x * difference_kg);
+        Wrench { force_n: rotation.apply(own_n), moment_nm: -difference_kg * uv.x * uv.y }
     }
 
-    /// Earth-fixed acceleration under a wrench about the centre of gravity, the momentum's own among it
+    /// Earth-fixed acceleration under a wrench about the centre of gravity, Coriolis terms included in the wrench
     /// (m/s², rad/s²).
     pub(crate) fn acceleration(&self, state: &BodyState, wrench: &Wrench) -> (Vec2, f64) {
         if self.fixed {
@@ -133,7 +136,7 @@ impl Inertia {
     }
 }
 
-/// The state that a body starts from.
+/// The initial state of a body.
 pub(crate) fn initial_state(body: &BodySetup) -> BodyState {
     let BodyVelocity { surge_mps, sway_mps, yaw_radps } = body.velocity;
     let still = BodyState {

@@ -1,4 +1,4 @@
-//! The constant part of a simulation: what a scenario file says, in SI units.
+//! The set-up of a simulation: everything that is constant in a run, in SI units.
 
 use fenderline_contact::{Material, Outline, Vec2};
 
@@ -6,32 +6,32 @@ use crate::berthing::BerthingSetup;
 use crate::fender::FenderSetup;
 use crate::world::WorldSetup;
 
-/// A whole simulation before its first step.
+/// The constant part of a simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
     /// Δt (s).
     pub step_s: f64,
     /// Length of the run (s); the number of steps is its ratio to Δt, rounded up.
     pub duration_s: f64,
-    /// How states advance.
+    /// Time integrator.
     pub integrator: Integrator,
-    /// Which contact method.
+    /// Contact method.
     pub method: Method,
     /// Bodies, in the order of the scenario.
     pub bodies: Vec<BodySetup>,
-    /// Materials, named by the pairs.
+    /// Materials, referenced by pairs and fenders.
     pub materials: Vec<NamedMaterial>,
-    /// Who may touch whom.
+    /// Pairs of bodies that may touch, with their material.
     pub pairs: Vec<PairSetup>,
-    /// Material of every pair that `pairs` does not name; `None`: those do not touch.
+    /// Material of every pair that is not in `pairs`; `None`: those pairs do not touch.
     pub all_other_pairs: Option<usize>,
     /// Fenders on the bodies.
     pub fenders: Vec<FenderSetup>,
-    /// Particulars for the berthing energy by formula, where it is asked for.
+    /// Particulars for the berthing formulas, if the comparison is wanted.
     pub berthing: Option<BerthingSetup>,
     /// External loads.
     pub loads: Vec<Load>,
-    /// Everything else that acts on the bodies.
+    /// Vessels, tugs, lines, environment and orders.
     pub world: WorldSetup,
 }
 
@@ -44,24 +44,26 @@ impl Setup {
     }
 }
 
-/// How states advance from step to step.
+/// Time integrator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integrator {
-    /// Forward Euler, as the paper: positions with the old velocities.
+    /// Forward Euler, as in the paper: positions with the old velocities.
     Euler,
-    /// Velocities first, then positions with the new velocities.
+    /// Semi-implicit Euler: velocities first, then positions with the new velocities. With the coupled method the
+    /// contact engine moves the bodies itself, as a leapfrog, in sub-steps where needed.
     SemiImplicit,
-    /// Classical fourth-order Runge–Kutta; contact forces are taken anew at each stage.
+    /// Classical fourth-order Runge–Kutta. With the paper's method each stage computes its own contact forces; with the
+    /// coupled method the mean contact wrench of the step acts in all stages.
     Rk4,
 }
 
-/// Which contact method limits the forces.
+/// Contact method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// One solve for all contacts of a step with the loads in it, in sub-steps where needed; the full
-    /// mass matrix of each body.
+    /// All contacts and loads of a step are solved together, in sub-steps where needed, with the full mass matrix of
+    /// each body.
     Coupled,
-    /// The paper's: each pair limited by itself (eq. 9–26), masses with the smallest added mass.
+    /// The paper's method: each pair is limited on its own (eq. 9–26), with the smaller added mass in all directions.
     Paper,
 }
 
@@ -83,7 +85,7 @@ pub struct BodySetup {
 }
 
 impl BodySetup {
-    /// It does not float, so that the tide comes and goes about it.
+    /// True if the body is fixed to the ground, so that the water level around it changes with the tide.
     #[must_use]
     pub fn is_fixed(&self) -> bool {
         self.mass.is_none()
@@ -143,8 +145,8 @@ pub struct Load {
     pub force_n: Vec2,
     /// Moment about the vertical, positive to starboard (N·m).
     pub moment_nm: f64,
-    /// First moment of the load (s).
+    /// Start of the load (s).
     pub from_s: f64,
-    /// End of the load (s); infinity for a steady one.
+    /// End of the load (s); infinite for a steady load.
     pub until_s: f64,
 }

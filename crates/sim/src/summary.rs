@@ -1,10 +1,10 @@
-//! Running totals of a run, per pair of bodies.
+//! Summaries of a run, one per pair of bodies that touched.
 
 use fenderline_contact::Contact;
 
 use crate::record::StepRecord;
 
-/// What happened between two bodies in a run. Peaks are the true ones of every step.
+/// Summary of the contact between two bodies. Peaks are those within the steps, sub-steps included.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairSummary {
     /// Indices into the set-up's bodies.
@@ -13,53 +13,54 @@ pub struct PairSummary {
     pub first_touch_s: f64,
     /// Start of the last step in which they touched (s).
     pub last_touch_s: f64,
-    /// Largest sum over the patches of their peak N (N), sub-steps included.
+    /// Largest normal force (N): the sum over the patches of their peaks in a step.
     pub peak_normal_force_n: f64,
-    /// When (s).
+    /// Start of the step with the largest normal force (s).
     pub peak_normal_force_at_s: f64,
-    /// Largest depth of a patch (m).
+    /// Largest penetration of a patch (m).
     pub peak_depth_m: f64,
-    /// When (s).
+    /// Start of the step with the largest penetration (s).
     pub peak_depth_at_s: f64,
-    /// ∫ N dt (N·s): what the normal forces changed of the bodies' momentum.
+    /// Impulse of the normal forces, ∫ N dt (N·s).
     pub impulse_ns: f64,
-    /// V_n in the first touching step, positive approaching (m/s).
+    /// Normal speed V_n at first contact, positive when approaching (m/s).
     pub approach_speed_mps: f64,
-    /// −V_n at the end of the last touching step, along that step's normal: positive leaving (m/s).
+    /// Normal speed −V_n at the end of the last step with contact, along the normal of that step, positive when
+    /// separating (m/s).
     pub final_speed_mps: f64,
     /// Work of the normal forces on the two bodies (J).
     pub normal_work_j: f64,
     /// Work of the tangential forces on the two bodies (J).
     pub tangential_work_j: f64,
-    /// True when they touch in the run's last step.
+    /// True if the bodies are in contact in the last step of the run.
     pub touching_at_end: bool,
 }
 
-/// Collects [`PairSummary`]s step by step, in the order of first touch.
+/// Builds the [`PairSummary`]s, in the order of first touch.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Summaries {
     pub(crate) pairs: Vec<PairSummary>,
 }
 
 impl Summaries {
-    /// Books one step.
-    pub(crate) fn book(&mut self, record: &StepRecord<'_>) {
+    /// Adds one step.
+    pub(crate) fn add(&mut self, record: &StepRecord<'_>) {
         for pair in &mut self.pairs {
             pair.touching_at_end = false;
         }
         let mut contacts = record.contacts;
         while let Some(first) = contacts.first() {
-            // A pair's patches stand together.
+            // The patches of a pair are adjacent in the list.
             let bodies = [first.body_1.0 as usize, first.body_2.0 as usize];
             let count = contacts.iter().take_while(|c| same_pair(c, first)).count();
             let (own, rest) = contacts.split_at(count);
             contacts = rest;
             let pair = self.pair(bodies, record.t_s, first.v_normal_mps);
-            book_touch(pair, own, record);
+            add_touch(pair, own, record);
         }
         for work in record.contact_energies {
             let Some(pair) = self.pairs.iter_mut().find(|p| p.bodies == work.bodies) else {
-                continue; // touched only at a later stage of Runge-Kutta; the next step sees it
+                continue; // in contact only at a later Runge-Kutta stage: the next step adds the pair
             };
             pair.impulse_ns += work.normal_impulse_ns;
             pair.normal_work_j += work.normal_j;
@@ -67,6 +68,7 @@ impl Summaries {
         }
     }
 
+    /// The summary of a pair, created at its first contact.
     fn pair(&mut self, bodies: [usize; 2], t_s: f64, approach_speed_mps: f64) -> &mut PairSummary {
         let index = self.pairs.iter().position(|p| p.bodies == bodies).unwrap_or_else(|| {
             self.pairs.push(PairSummary {
@@ -94,7 +96,8 @@ fn same_pair(a: &Contact, b: &Contact) -> bool {
     (a.body_1, a.body_2) == (b.body_1, b.body_2)
 }
 
-fn book_touch(pair: &mut PairSummary, own: &[Contact], record: &StepRecord<'_>) {
+/// Updates the summary of a pair in contact.
+fn add_touch(pair: &mut PairSummary, own: &[Contact], record: &StepRecord<'_>) {
     pair.last_touch_s = record.t_s;
     pair.touching_at_end = true;
     let force_n: f64 = own.iter().map(|c| c.peak_normal_force_n).sum();
@@ -108,7 +111,7 @@ fn book_touch(pair: &mut PairSummary, own: &[Contact], record: &StepRecord<'_>) 
             pair.peak_depth_at_s = record.t_s;
         }
     }
-    // Of the patch that presses hardest, with the bodies' speeds at the end of the step.
+    // The final speed is that at the patch with the largest force, with the velocities at the end of the step.
     let main = own
         .iter()
         .fold(own[0], |main, c| if c.normal_force_n > main.normal_force_n { *c } else { main });

@@ -1,132 +1,157 @@
-//! The momentum of a vessel that turns, over a step.
+//! The Coriolis and centripetal wrench of a vessel over a whole step (Kirchhoff's equations).
 //!
-//! Her mass differs between surge and sway, so that her momentum turns with her: Kirchhoff's terms. They do no work,
-//! but held over a step as they are at its start they do, in a turn always to one side. So the wrench is found that
-//! stands for them over the whole step: what takes the momentum M V of the water's and the ship's mass from the heading before to the
-//! one after, with the moment by which the step's ends have the energy that all other forces gave.
+//! A vessel's mass with added mass differs between surge and sway, so her momentum turns with her heading. The
+//! wrench that represents this does no work. If its value at the start of a step were held over the step, it would do
+//! work, in a steady turn always of the same sign. So this module finds a mean wrench over the step with two
+//! properties: it takes the momentum M V of ship and added mass from the heading before the step to the heading after
+//! it, and it leaves the change of kinetic energy to the other forces.
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
 use crate::rigid_body::Inertia;
 
-/// Most rounds of the fixed point: each takes off a factor of about the angle that she turns in the step.
-const ROUNDS: u32 = 40;
+/// Maximum number of fixed-point iterations. Each reduces the error by a factor of about the angle turned in the step.
+const ITERATIONS: u32 = 40;
 
-/// Which yaw rate the integrator turns her with.
+/// Which yaw rate the integrator turns the heading with.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Turns {
-    /// That before the step: forward Euler.
-    Before,
-    /// That after it: the engine's sub-steps.
-    After,
+pub(crate) enum YawRateAt {
+    /// The start of the step: forward Euler.
+    Start,
+    /// The end of the step: the engine's sub-steps.
+    End,
 }
 
-/// The wrench that turns a vessel's momentum over a step in which `load` acts on her. Velocities
-/// are those through a stream, which carries the frame along. Forces act for a time, which for the engine's first step is
-/// half of it: the velocities that it begins with belong to its start, and those that it goes on with to its middle. More than a radian a step, and what does not settle, is
-/// taken as at the start.
+/// How the integrator takes a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TurningStep {
+    /// Length of the step (s).
+    pub(crate) step_s: f64,
+    /// Time for which forces change the velocities (s). It is half a step in the first step of the leapfrog, which
+    /// takes the velocities from the start of the step to its middle, and otherwise the whole step.
+    pub(crate) acts_s: f64,
+    /// Which yaw rate turns the heading.
+    pub(crate) turned_by: YawRateAt,
+}
+
+/// The wrench that turns a vessel's momentum over a step in which `load` acts on her, in a current (m/s).
+///
+/// If the vessel would turn by more than a radian in the step, or the iteration does not converge, the wrench is the one
+/// at the start of the step, or the last iterate.
 pub(crate) fn turning_wrench(
     inertia: &Inertia,
     state: &BodyState,
     load: &Wrench,
-    stream_mps: Vec2,
-    (step_s, acts_s, turns): (f64, f64, Turns),
+    current_mps: Vec2,
+    step: &TurningStep,
 ) -> Wrench {
-    let start = inertia.momentum_wrench(state, stream_mps);
-    let before = Moment::of(state, stream_mps);
-    let mut wrench = start;
-    for _ in 0..ROUNDS {
+    let at_start = inertia.momentum_wrench(state, current_mps);
+    let before = WaterVelocity::of(state, current_mps);
+    let mut wrench = at_start;
+    for _ in 0..ITERATIONS {
         let sum = Wrench {
             force_n: load.force_n + wrench.force_n,
             moment_nm: load.moment_nm + wrench.moment_nm,
         };
-        let (along_mps2, around_radps2) = inertia.acceleration(state, &sum);
-        let after = Moment {
-            velocity_mps: before.velocity_mps + along_mps2 * acts_s,
-            yaw_radps: before.yaw_radps + around_radps2 * acts_s,
+        let (linear_mps2, yaw_radps2) = inertia.acceleration(state, &sum);
+        let after = WaterVelocity {
+            velocity_mps: before.velocity_mps + linear_mps2 * step.acts_s,
+            yaw_radps: before.yaw_radps + yaw_radps2 * step.acts_s,
         };
-        let turned_rad = step_s
-            * match turns {
-                Turns::Before => before.yaw_radps,
-                Turns::After => after.yaw_radps,
+        let turned_rad = step.step_s
+            * match step.turned_by {
+                YawRateAt::Start => before.yaw_radps,
+                YawRateAt::End => after.yaw_radps,
             };
-        let is_within = turned_rad.abs() <= 1.0;
-        if !is_within {
-            return start;
+        let is_small = turned_rad.abs() <= 1.0;
+        if !is_small {
+            return at_start;
         }
-        let next =
-            turned(inertia, state.heading_rad, (&before, &after), turned_rad, (step_s, acts_s));
-        let moved_n = (next.force_n - wrench.force_n).length();
-        let is_settled = moved_n <= 1e-14 * next.force_n.length()
+        let turn =
+            Turn { before: &before, after: &after, heading_rad: state.heading_rad, turned_rad };
+        let next = turn.wrench(inertia, step);
+        let change_n = (next.force_n - wrench.force_n).length();
+        let has_converged = change_n <= 1e-14 * next.force_n.length()
             && (next.moment_nm - wrench.moment_nm).abs() <= 1e-14 * next.moment_nm.abs();
         wrench = next;
-        if is_settled {
+        if has_converged {
             break;
         }
     }
     wrench
 }
 
-/// Velocities through the water at one moment.
-struct Moment {
+/// Velocity through the water.
+struct WaterVelocity {
     velocity_mps: Vec2,
     yaw_radps: f64,
 }
 
-impl Moment {
-    fn of(state: &BodyState, stream_mps: Vec2) -> Moment {
-        Moment { velocity_mps: state.velocity_mps - stream_mps, yaw_radps: state.yaw_rate_radps }
+impl WaterVelocity {
+    fn of(state: &BodyState, current_mps: Vec2) -> WaterVelocity {
+        WaterVelocity {
+            velocity_mps: state.velocity_mps - current_mps,
+            yaw_radps: state.yaw_rate_radps,
+        }
     }
 
-    fn mean(&self, other: &Moment) -> Moment {
-        Moment {
+    fn mean(&self, other: &WaterVelocity) -> WaterVelocity {
+        WaterVelocity {
             velocity_mps: (self.velocity_mps + other.velocity_mps) * 0.5,
             yaw_radps: 0.5 * (self.yaw_radps + other.yaw_radps),
         }
     }
 
-    /// M V at a heading: momentum and angular momentum about the centre of gravity.
+    /// M V at a heading: momentum, and angular momentum about the centre of gravity.
     fn momentum(&self, inertia: &Inertia, rotation: Rotation) -> (Vec2, f64) {
         let own = rotation.apply_inverse(self.velocity_mps);
         let Inertia { surge_kg, sway_kg, yaw_kgm2, coupling_kgm, .. } = *inertia;
         let sway_ns = sway_kg * own.y + coupling_kgm * self.yaw_radps;
-        let around_nms = coupling_kgm * own.y + yaw_kgm2 * self.yaw_radps;
-        (rotation.apply(vec2(surge_kg * own.x, sway_ns)), around_nms)
+        let yaw_nms = coupling_kgm * own.y + yaw_kgm2 * self.yaw_radps;
+        (rotation.apply(vec2(surge_kg * own.x, sway_ns)), yaw_nms)
     }
 
-    /// V·P.
-    fn along(&self, (momentum_ns, around_nms): (Vec2, f64)) -> f64 {
-        self.velocity_mps.dot(momentum_ns) + self.yaw_radps * around_nms
+    /// V·P, the product with a momentum.
+    fn dot(&self, (momentum_ns, yaw_nms): (Vec2, f64)) -> f64 {
+        self.velocity_mps.dot(momentum_ns) + self.yaw_radps * yaw_nms
     }
 }
 
-/// The wrench between two moments. With M₀ and M₁ the mass matrix at the two headings: force −(M₁ − M₀)V₁ over the time that
-/// it acts, so that M V is what loads make of it, and Munk's moment half-way, −Δ u v. What is left to −½V₁ᵀ(M₁ − M₀)V₁ of work, which
-/// leaves ½VᵀMV to the loads, is of third order in a steady turn and of second where she begins to turn, as integrators
-/// turn her with one of the yaw rates and not with their mean; it is made up by that little of her momentum.
-fn turned(
-    inertia: &Inertia,
+/// The change of velocity and heading in a step.
+struct Turn<'a> {
+    before: &'a WaterVelocity,
+    after: &'a WaterVelocity,
     heading_rad: f64,
-    (before, after): (&Moment, &Moment),
     turned_rad: f64,
-    (step_s, acts_s): (f64, f64),
-) -> Wrench {
-    let at = |rad: f64| Rotation::from_angle(heading_rad + rad);
-    let (first, half_way, last) = (at(0.0), at(0.5 * turned_rad), at(turned_rad));
-    let (to_ns, to_nms) = after.momentum(inertia, last);
-    let (as_before_ns, as_before_nms) = after.momentum(inertia, first);
-    let difference = (to_ns - as_before_ns, to_nms - as_before_nms);
-    let [from, to] = [before, after].map(|m| half_way.apply_inverse(m.velocity_mps));
-    let difference_kg = inertia.sway_kg - inertia.surge_kg;
-    let munk_nm = -0.5 * difference_kg * (to.y * from.x + to.x * from.y);
-    let impulse = (difference.0 * -1.0, munk_nm * step_s);
-    let mean = before.mean(after);
-    let missing_j = -0.5 * after.along(difference) - mean.along(impulse);
-    let (mean_ns, mean_nms) = mean.momentum(inertia, first);
-    let twice_j = mean.along((mean_ns, mean_nms));
-    let share = if twice_j > 0.0 { missing_j / twice_j } else { 0.0 };
-    Wrench {
-        force_n: (impulse.0 + mean_ns * share) * (1.0 / acts_s),
-        moment_nm: (impulse.1 + mean_nms * share) / acts_s,
+}
+
+impl Turn<'_> {
+    /// The mean wrench of the turn.
+    ///
+    /// With M₀ and M₁ the mass matrix at the two headings, the impulse is −(M₁ − M₀)V₁, so that the loads alone
+    /// change M V; the moment is the Munk moment −Δ u v at the middle of the turn. This wrench should do the work
+    /// −½V₁ᵀ(M₁ − M₀)V₁, which leaves the change of ½VᵀMV to the loads. It misses that by a small amount: of third
+    /// order in Δt in a steady turn, of second order where the turn begins, because the integrators turn the heading with
+    /// one of the two yaw rates and not with their mean. A wrench along the mean momentum adds the missing work.
+    fn wrench(&self, inertia: &Inertia, step: &TurningStep) -> Wrench {
+        let Turn { before, after, heading_rad, turned_rad } = *self;
+        let at = |rad: f64| Rotation::from_angle(heading_rad + rad);
+        let (first, middle, last) = (at(0.0), at(0.5 * turned_rad), at(turned_rad));
+        let (end_ns, end_nms) = after.momentum(inertia, last);
+        let (unturned_ns, unturned_nms) = after.momentum(inertia, first);
+        let difference = (end_ns - unturned_ns, end_nms - unturned_nms);
+        let [from, to] = [before, after].map(|v| middle.apply_inverse(v.velocity_mps));
+        let difference_kg = inertia.sway_kg - inertia.surge_kg;
+        let munk_nm = -0.5 * difference_kg * (to.y * from.x + to.x * from.y);
+        let impulse = (difference.0 * -1.0, munk_nm * step.step_s);
+        let mean = before.mean(after);
+        let missing_j = -0.5 * after.dot(difference) - mean.dot(impulse);
+        let (mean_ns, mean_nms) = mean.momentum(inertia, first);
+        let twice_energy_j = mean.dot((mean_ns, mean_nms));
+        let share = if twice_energy_j > 0.0 { missing_j / twice_energy_j } else { 0.0 };
+        Wrench {
+            force_n: (impulse.0 + mean_ns * share) * (1.0 / step.acts_s),
+            moment_nm: (impulse.1 + mean_nms * share) / step.acts_s,
+        }
     }
 }

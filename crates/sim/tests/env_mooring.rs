@@ -2,10 +2,9 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
+use fenderline_sim::constants::STANDARD_GRAVITY_MPS2 as G;
 use fenderline_sim::mooring::*;
 use proptest::prelude::*;
-
-const G: f64 = 9.806_65;
 
 /// The cable of validation/lines_and_tugs.toml: EA 1e9 N, 200 kg/m, ø 0.1 m in sea water.
 fn reference(length_m: f64) -> Cable {

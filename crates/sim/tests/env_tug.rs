@@ -5,11 +5,10 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use fenderline_contact::{Vec2, vec2};
+use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2 as G};
 use fenderline_sim::tug::*;
 use proptest::prelude::*;
 
-const KNOT_MPS: f64 = 1852.0 / 3600.0;
-const G: f64 = 9.806_65;
 const BP_N: f64 = 60e3 * G;
 
 /// 60 t bollard pull, 32 × 4.5 m, Cd 0.73.

@@ -5,10 +5,10 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use fenderline_contact::vec2;
+use fenderline_sim::constants::STANDARD_GRAVITY_MPS2 as G;
 use fenderline_sim::environment::waves::*;
 use proptest::prelude::*;
 
-const G: f64 = 9.806_65;
 const SEA: Jonswap = Jonswap { height_m: 2.0, peak_period_s: 8.0, peak_enhancement: 3.3 };
 
 fn sea(harmonics: usize, seed: u64) -> Sea {

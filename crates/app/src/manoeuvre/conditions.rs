@@ -1,5 +1,6 @@
 //! What the manoeuvres are carried out in, and what the user ordered.
 
+use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::hydro::Water;
 use fenderline_sim::hydro::vessels::Vessel;
 
@@ -7,11 +8,6 @@ use super::catalogue::ManoeuvreName;
 use super::depth::Shallow;
 use crate::cli::ManoeuvreArgs;
 use crate::failure::Failure;
-
-/// Metres a second in a knot.
-pub(super) const KNOT_MPS: f64 = 1852.0 / 3600.0;
-/// Acceleration of gravity (m/s²).
-pub(super) const GRAVITY_MPS2: f64 = 9.806_65;
 
 /// Froude number beyond which no displacement ship goes, and no coefficient here was measured.
 const LARGEST_FROUDE: f64 = 0.5;
@@ -77,7 +73,7 @@ impl Conditions {
         let ordered_mps = args.speed.map(|speed_kn| speed_kn * KNOT_MPS);
         // Without either nothing that was chosen has an approach.
         let speed_mps = ordered_mps.or(vessel.approach_mps).unwrap_or(0.0);
-        let froude = speed_mps / (GRAVITY_MPS2 * vessel.ship.particulars.length_m).sqrt();
+        let froude = speed_mps / (STANDARD_GRAVITY_MPS2 * vessel.ship.particulars.length_m).sqrt();
         if froude > LARGEST_FROUDE {
             return Err(Failure::input(format_args!(
                 "error: --speed: a Froude number of {froude:.2}; nothing here is known above {LARGEST_FROUDE}"

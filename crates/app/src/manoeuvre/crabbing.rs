@@ -1,9 +1,9 @@
 //! Crabbing: how fast a steady side force drives the ship across, and what comes with it.
 
+use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::hydro::manoeuvres::{ManoeuvreError, crabbing};
 use fenderline_sim::hydro::{Force, Model3};
 
-use super::conditions::{GRAVITY_MPS2, KNOT_MPS};
 use super::section::{Row, Section, Unit};
 
 /// Froude number of the speed across at which cross-flow drag alone balances the push, where the user orders
@@ -49,7 +49,7 @@ pub(super) fn crabbing_section(
 /// ½ρLTC_D v² at v = 0.01√(gL) (N): the push where the user orders none.
 pub(super) fn usual_push_n(model: &Model3) -> f64 {
     let length_m = model.ship().particulars.length_m;
-    let speed_squared = FROUDE * FROUDE * GRAVITY_MPS2 * length_m;
+    let speed_squared = FROUDE * FROUDE * STANDARD_GRAVITY_MPS2 * length_m;
     drag_npm2s2(model) * speed_squared
 }
 

@@ -2,10 +2,10 @@
 
 use core::str::FromStr;
 
+use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 use fenderline_sim::hydro::vessels::Vessel;
 
-use super::conditions::GRAVITY_MPS2;
 use super::section::Section;
 use crate::failure::Failure;
 use fenderline_report::plot::{fixed, plain};
@@ -91,7 +91,7 @@ impl Shallow {
                  their tangent"
             ));
         }
-        let froude = speed_mps / (GRAVITY_MPS2 * self.depth_m).sqrt();
+        let froude = speed_mps / (STANDARD_GRAVITY_MPS2 * self.depth_m).sqrt();
         if froude > SLOW_FROUDE {
             all.push(format!(
                 "{} approaches at a Froude number of depth of {}; corrections know nothing of her waves, which count \

@@ -1,9 +1,10 @@
 //! The measures as JSON.
 
+use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::hydro::vessels::Vessel;
 use serde_json::{Map, Value, json};
 
-use super::conditions::{Conditions, KNOT_MPS, Sea};
+use super::conditions::{Conditions, Sea};
 use super::section::{Row, Section};
 use crate::validate::errors_of;
 use fenderline_results::{accuracy_json, source_json};

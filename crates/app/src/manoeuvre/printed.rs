@@ -2,10 +2,11 @@
 
 use core::fmt::Write as _;
 
+use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::hydro::vessels::Vessel;
 
 use super::catalogue::ManoeuvreName;
-use super::conditions::{Conditions, GRAVITY_MPS2, KNOT_MPS, Sea};
+use super::conditions::{Conditions, Sea};
 use super::section::{Row, Section, Unit};
 use crate::vessels::accuracy_text;
 use fenderline_report::plot::{fixed, plain, significant};
@@ -78,7 +79,7 @@ fn heading(
         plain(sea.water.density_kgpm3, 4),
     );
     if chosen.iter().any(|manoeuvre| manoeuvre.has_approach()) {
-        let froude = conditions.speed_mps / (GRAVITY_MPS2 * hull.length_m).sqrt();
+        let froude = conditions.speed_mps / (STANDARD_GRAVITY_MPS2 * hull.length_m).sqrt();
         let _ = write!(
             text,
             "; approach at {} kn, Fn {}; rudder {}°/s",

@@ -1,5 +1,6 @@
 //! The manoeuvres themselves.
 
+use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::hydro::Model3;
 use fenderline_sim::hydro::manoeuvres::{
     Approach, CrashStop, ManoeuvreError, Moment, TurningCircle, ZigZag, bollard_pull_n,
@@ -8,7 +9,7 @@ use fenderline_sim::hydro::manoeuvres::{
 use fenderline_sim::hydro::vessels::Vessel;
 
 use super::catalogue::ManoeuvreName;
-use super::conditions::{Conditions, KNOT_MPS, Sea};
+use super::conditions::{Conditions, Sea};
 use super::crabbing::crabbing_section;
 use super::imo;
 use super::section::{Row, Section, Track, Unit};

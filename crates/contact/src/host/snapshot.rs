@@ -17,6 +17,7 @@ use alloc::vec::Vec;
 
 use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
+use crate::hash::Fnv1a;
 use crate::host::cosim::{CoSimHost, Followed, Given};
 use crate::host::direct::{Beside, DirectHost};
 use crate::host::lead::Lead;
@@ -24,7 +25,7 @@ use crate::host::mass_check::Answers;
 use crate::host::settings::{HostIntegration, HostSettings};
 use crate::host::steering::{Velocity, Way};
 use crate::memory::Memory;
-use crate::model::{Fnv, Model};
+use crate::model::Model;
 use crate::report::Wrench;
 use crate::snapshot::{Reader, SNAPSHOT_VERSION, Writer};
 
@@ -67,9 +68,9 @@ impl CoSimHost {
                 write_given(&mut out, &step[id.0 as usize]);
             }
         }
-        let mut sum = Fnv::default();
+        let mut sum = Fnv1a::default();
         sum.bytes(&out.0);
-        out.word64(sum.0);
+        out.word64(sum.finish());
         out.0
     }
 
@@ -150,9 +151,9 @@ impl DirectHost {
             write_wrench(&mut out, &body.wrench);
             write_lead(&mut out, body.ahead);
         }
-        let mut sum = Fnv::default();
+        let mut sum = Fnv1a::default();
         sum.bytes(&out.0);
-        out.word64(sum.0);
+        out.word64(sum.finish());
         out.0
     }
 
@@ -194,9 +195,9 @@ fn admitted<'b>(bytes: &'b [u8], magic: &[u8; 8]) -> Result<Reader<'b>, RestoreE
         return Err(RestoreError::Version { found });
     }
     let (summed, sum) = bytes.split_at(bytes.len().checked_sub(8).ok_or(RestoreError::Length)?);
-    let mut expected = Fnv::default();
+    let mut expected = Fnv1a::default();
     expected.bytes(summed);
-    if sum != expected.0.to_le_bytes() {
+    if sum != expected.finish().to_le_bytes() {
         return Err(RestoreError::Checksum);
     }
     Ok(input)

@@ -232,8 +232,8 @@ fn paper_notes(step_s: f64) -> Markup {
         li {
             "Paper method: each pair is limited by itself. Where a body rests on several "
             "others at once, or is pressed by a steady load, the limits do not know of each "
-            "other nor of the load, and depth and rebound may be off; see ARCHITECTURE. The "
-            "limiter sees the mass with the smallest added mass."
+            "other nor of the load, and depth and rebound may be off (docs/contact_model.md, "
+            "section 5). The limiter sees the mass with the smallest added mass."
         }
         li {
             "Forces stand at the start of the time step over which they act (" (step_s)

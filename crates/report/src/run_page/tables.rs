@@ -1,5 +1,6 @@
 //! Tables of the report: results, bodies, materials, loads and how the run was made.
 
+use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::{BodySetup, Integrator, Load, Method, NamedMaterial, PairSummary, Setup};
 use maud::{Markup, html};
 
@@ -8,8 +9,6 @@ use fenderline_results::Outcome;
 
 /// Rows shown of a long table.
 pub(super) const ROWS: usize = 30;
-/// One knot (m/s).
-pub(super) const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
 pub(super) fn number(text: &str) -> Markup {
     html! { td class="number" { (text) } }

@@ -20,26 +20,11 @@ pub(crate) use keys::{FENDER_FILE, RETURNED_ENERGY};
 pub use look_up::LookUpError;
 pub(crate) use read::unloading_curve;
 
+use crate::data_files::FENDER_FILES;
 use crate::error::ScenarioError;
 use crate::reader;
 use crate::sources::Sources;
 use crate::syntax;
-
-macro_rules! built_in {
-    ($($name:literal),*) => {
-        [$(($name, include_str!(concat!("../../../../fenders/", $name)))),*]
-    };
-}
-
-/// The files that the program carries in itself: name and text.
-static BUILT_IN: [(&str, &str); 6] = built_in![
-    "cone.toml",
-    "cone_spc.toml",
-    "hull_pressure.toml",
-    "pneumatic.toml",
-    "unit_element.toml",
-    "v_leg.toml"
-];
 
 /// Families of fenders and hull pressure limits.
 ///
@@ -84,7 +69,7 @@ impl FenderLibrary {
         static READ: OnceLock<FenderLibrary> = OnceLock::new();
         let read = || {
             let empty = FenderLibrary::default();
-            BUILT_IN.iter().fold(empty, |library, (name, text)| {
+            FENDER_FILES.iter().fold(empty, |library, (name, text)| {
                 library.with_file(text, name).expect("built-in fender files are good")
             })
         };

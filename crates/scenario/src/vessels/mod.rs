@@ -15,28 +15,12 @@ pub use data::{Belting, DeckPoint, Shaft, Stability, VesselData};
 pub(crate) use keys::VESSEL_FILE;
 pub(crate) use read::{hydrostatics, own_vessel};
 
+use crate::data_files::VESSEL_FILES;
 use crate::error::ScenarioError;
 use crate::library::LookUpError;
 use crate::reader;
 use crate::sources::{Sources, quoted};
 use crate::syntax;
-
-macro_rules! built_in {
-    ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("../../../../vessels/", $name)))),*]
-    };
-}
-
-/// The files that the program carries in itself: name and text.
-static BUILT_IN: [(&str, &str); 7] = built_in![
-    "kvlcc2.toml",
-    "kcs.toml",
-    "esso_osaka.toml",
-    "moreno2023.toml",
-    "asd_tug.toml",
-    "bulk_carrier.toml",
-    "s175.toml",
-];
 
 /// Vessels by name.
 ///
@@ -68,7 +52,7 @@ impl VesselLibrary {
         static READ: OnceLock<VesselLibrary> = OnceLock::new();
         let read = || {
             let empty = VesselLibrary::default();
-            BUILT_IN.iter().fold(empty, |library, (name, text)| {
+            VESSEL_FILES.iter().fold(empty, |library, (name, text)| {
                 let read = library.with_file(text, name);
                 read.unwrap_or_else(|error| panic!("vessels/{name}: {error}"))
             })

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use std::fmt::Display;
 
 use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics, oscillator_estimates};
+use fenderline_sim::constants::SEA_WATER_KGPM3;
 use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::{Figure, Origin, Source};
 use fenderline_sim::hydro::{
@@ -27,10 +28,8 @@ use crate::sources::Sources;
 
 type Read<T> = Result<T, ScenarioError>;
 
-/// Density of the sea water in which a displacement is given (kg/m³).
-const SEA_KGPM3: f64 = 1025.0;
-/// Gravity of Froude numbers (m/s²).
-const GRAVITY_MPS2: f64 = 9.81;
+/// Acceleration of gravity (m/s²) in the Froude numbers of vessel files: published trials round it so.
+const FROUDE_GRAVITY_MPS2: f64 = 9.81;
 /// Rate of a steering gear of which nothing is said (rad/s): 2.32 degrees a second, IMO's 65 degrees in 28 s.
 const USUAL_RATE_RADPS: f64 = 2.32 * TAU / 360.0;
 /// A rudder's stop of which nothing is said (rad): 35 degrees.
@@ -298,7 +297,7 @@ impl Reading<'_, '_> {
         let value = *volume.number();
         let volume_m3 = match volume.name {
             "volume" => value,
-            "displacement" => value / SEA_KGPM3,
+            "displacement" => value / SEA_WATER_KGPM3,
             "mass_coefficient" => value * (0.5 * length_m * length_m * draught_m),
             _ => value * length_m * beam_m * draught_m,
         };
@@ -476,7 +475,7 @@ impl Reading<'_, '_> {
             (Some(_), Some(item)) => Err(self.together(table, item, "speed")),
             (Some(speed), None) => Ok(Some(*speed.number())),
             (None, Some(froude)) => {
-                Ok(Some(froude.number() * (GRAVITY_MPS2 * ship.length_m).sqrt()))
+                Ok(Some(froude.number() * (FROUDE_GRAVITY_MPS2 * ship.length_m).sqrt()))
             }
             (None, None) => Ok(base.and_then(|(base, time_scale)| {
                 let speed_mps = base.approach_mps? / time_scale;
@@ -588,7 +587,7 @@ impl Reading<'_, '_> {
             gravity_above_keel_m: number("gravity_above_keel"),
             waterplane_m2: number("waterplane_area"),
         };
-        hydrostatics(&stability, ship, SEA_KGPM3)
+        hydrostatics(&stability, ship, SEA_WATER_KGPM3)
             .map_err(|error| self.at(self.table, item, &error))?;
         // A box has the highest metacentre of all: KB at most the draught, BM = I/∇.
         let most_m = ship.draught_m
@@ -631,7 +630,7 @@ pub(crate) fn hydrostatics(
 
 /// How heave, roll and pitch are estimated, where they are, in sea water.
 fn oscillators(stability: Option<&Stability>, ship: &Particulars) -> Option<Source> {
-    let of_sea = |stability| hydrostatics(stability, ship, SEA_KGPM3).ok();
+    let of_sea = |stability| hydrostatics(stability, ship, SEA_WATER_KGPM3).ok();
     stability.and_then(of_sea).map(|of| oscillator_estimates(&of))
 }
 

@@ -1,12 +1,10 @@
 //! From a ship's particulars to her three oscillators.
 
+use crate::constants::STANDARD_GRAVITY_MPS2;
 use std::fmt;
 
 use super::oscillator::Oscillator;
 use crate::hydro::vessels::{Figure, Source, Standing};
-
-/// Standard gravity (m/s²).
-const GRAVITY_MPS2: f64 = 9.806_65;
 
 /// A ship's heave, roll and pitch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,7 +95,7 @@ impl Hydrostatics {
             return Err(AttitudeError { quantity, value, must });
         }
         let (weight_n, specific_npm3) =
-            (ship.mass_kg * GRAVITY_MPS2, ship.water_kgpm3 * GRAVITY_MPS2);
+            (ship.mass_kg * STANDARD_GRAVITY_MPS2, ship.water_kgpm3 * STANDARD_GRAVITY_MPS2);
         let longitudinal_m4 = (0.350 * coefficient * coefficient - 0.405 * coefficient + 0.146)
             * ship.beam_m
             * ship.length_m

@@ -1,4 +1,4 @@
-//! A berthing in a run beside the same berthing by formula.
+//! A simulated berthing beside the berthing formulas.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{BodyState, Contact, Rotation};
@@ -8,9 +8,10 @@ use super::eccentricity::{ContactPoint, gyradius_m};
 use super::energy::{BerthingEnergy, Configuration, Softness, abnormal_energy_j};
 use super::error::BerthingError;
 use crate::fender::FenderSetup;
+use crate::record::StepRecord;
 use crate::rigid_body::Inertia;
 
-/// What the formulas need to know of a ship and her berth.
+/// The inputs of the formulas: particulars of ship and berth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BerthingSetup {
     /// Index of the ship in [`crate::Setup::bodies`].
@@ -29,15 +30,15 @@ pub struct BerthingSetup {
     pub softness: Softness,
     /// Cc.
     pub configuration: Configuration,
-    /// Abnormal berthing factor, where one is asked for.
+    /// Abnormal berthing factor, if the abnormal energy is wanted.
     pub abnormal_factor: Option<f64>,
 }
 
 impl BerthingSetup {
-    /// Checks the particulars as the formulas do.
+    /// Checks the particulars against the ranges of the formulas.
     ///
     /// # Errors
-    /// The first that no ship has, by its name.
+    /// The first particular outside its range.
     pub fn check(&self) -> Result<(), BerthingError> {
         self.added_masses()?;
         let gyradius_m = gyradius_m(self.block_coefficient, self.length_bp_m)?;
@@ -57,7 +58,7 @@ impl BerthingSetup {
     }
 }
 
-/// The first touch of a fender, by formula and as it came out.
+/// The first contact of the ship with a fender: energies by the formulas and as simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BerthingOutcome {
     /// Start of the step of the first touch (s).
@@ -74,15 +75,15 @@ pub struct BerthingOutcome {
     pub displacement_kg: f64,
     /// Cm by PIANC 2002, Ueda and Vasco Costa.
     pub added_mass: [f64; 3],
-    /// Mass square to the face over displacement, as the run has it.
+    /// Mass normal to the face in the simulation, added mass included, over displacement.
     pub added_mass_simulated: f64,
-    /// K by formula (m).
+    /// K, radius of gyration by formula (m).
     pub gyradius_m: f64,
-    /// K of the run, added mass included (m).
+    /// K in the simulation, added mass included (m).
     pub gyradius_simulated_m: f64,
     /// Ce with the formula's K.
     pub eccentricity: f64,
-    /// Ce with the run's K.
+    /// Ce with the simulation's K.
     pub eccentricity_of_run: f64,
     /// Cs.
     pub softness: f64,
@@ -92,40 +93,52 @@ pub struct BerthingOutcome {
     pub energy_j: [f64; 3],
     /// The first of them times the abnormal berthing factor (J).
     pub abnormal_energy_j: Option<f64>,
-    /// Kinetic energy of the run square to the face at first touch, ½ M Cm V² (J).
+    /// Kinetic energy normal to the face at first touch in the simulation, ½ M Cm V² (J).
     pub kinetic_j: f64,
-    /// The most that all fenders together had taken at a time of the first hit (J), what their rubber does not give back
-    /// included: from the first touch until they hold less than half of what they held at most. Loads that act meanwhile are in it.
+    /// Largest energy absorbed by all fenders together during the first impact (J), hysteresis losses included. The impact
+    /// lasts from the first touch until the fenders store less than half of their maximum. Work of other loads
+    /// during that time is included.
     pub fender_energy_j: f64,
-    /// That over `kinetic_j`: Ce as it came out.
+    /// `fender_energy_j` over `kinetic_j`: Ce as simulated.
     pub eccentricity_measured: f64,
 }
 
-/// The study of a run, step by step.
+/// Collects the outcome of a berthing, step by step.
 #[derive(Clone, Debug)]
 pub(crate) struct Study {
     setup: BerthingSetup,
     displacement_kg: f64,
     first_hit_is_over: bool,
-    /// What rubber has turned to heat since the first touch, and the most that fenders held (J).
+    /// Hysteresis loss of the fenders since the first touch (J).
     heat_j: f64,
+    /// Largest energy stored in the fenders (J).
     most_stored_j: f64,
     pub(crate) outcome: Option<Result<BerthingOutcome, BerthingError>>,
 }
 
-/// One step as the study sees it.
+/// The quantities of one step that the study uses.
 pub(crate) struct StudyStep<'a> {
     pub(crate) t_s: f64,
     pub(crate) states: &'a [BodyState],
     pub(crate) contacts: &'a [Contact],
-    /// What all fenders hold at the end of the step and can give back (J).
+    /// Recoverable energy stored in all fenders at the end of the step (J).
     pub(crate) stored_j: f64,
-    /// What their rubber has turned to heat in the step (J).
+    /// Hysteresis loss of all fenders in the step (J).
     pub(crate) hysteresis_j: f64,
 }
 
+impl<'a> StudyStep<'a> {
+    pub(crate) fn of(record: &StepRecord<'a>) -> StudyStep<'a> {
+        let StepRecord { t_s, states, contacts, contact_energies, .. } = *record;
+        let of_fenders = || contact_energies.iter().filter(|contact| contact.fender.is_some());
+        let stored_j = of_fenders().map(|contact| contact.stored_j).sum();
+        let hysteresis_j = of_fenders().map(|contact| contact.hysteresis_j).sum();
+        StudyStep { t_s, states, contacts, stored_j, hysteresis_j }
+    }
+}
+
 impl Study {
-    /// The particulars have been checked.
+    /// A study of particulars that have been checked.
     pub(crate) fn new(setup: BerthingSetup, displacement_kg: f64) -> Study {
         Study {
             setup,
@@ -137,8 +150,8 @@ impl Study {
         }
     }
 
-    /// Books one step.
-    pub(crate) fn book(
+    /// Adds one step.
+    pub(crate) fn add(
         &mut self,
         fenders: &[FenderSetup],
         inertias: &[Inertia],
@@ -159,11 +172,11 @@ impl Study {
         let peaks_j: f64 = step.contacts.iter().map(|c| c.energy.peak_absorbed_j).sum();
         self.heat_j += step.hysteresis_j;
         self.most_stored_j = greater(self.most_stored_j, step.stored_j);
-        // Peaks of one step need not come together; what is taken by its end does.
+        // The peaks of several fenders within a step need not coincide, so their sum is only an upper bound.
         let taken_j = step.stored_j + self.heat_j;
         outcome.fender_energy_j = greater(outcome.fender_energy_j, lesser(taken_j, peaks_j));
         outcome.eccentricity_measured = outcome.fender_energy_j / outcome.kinetic_j;
-        // A first brush of no account is not the hit.
+        // A light touch before the impact does not count as the impact.
         let was_hit = outcome.fender_energy_j > 0.05 * outcome.kinetic_j;
         self.first_hit_is_over = was_hit && step.stored_j < 0.5 * self.most_stored_j;
     }

@@ -1,6 +1,7 @@
 //! Velocities and forces in the ship's own axes: x forward, y to starboard, moments positive to
 //! starboard, all about midship.
 
+use crate::constants::SEA_WATER_KGPM3;
 use fenderline_contact::number::bounded;
 
 use std::ops::{Add, Mul};
@@ -79,7 +80,7 @@ pub struct Water {
 
 impl Water {
     /// Sea water, 1025 kg/m³.
-    pub const SEA: Water = Water { density_kgpm3: 1025.0 };
+    pub const SEA: Water = Water { density_kgpm3: SEA_WATER_KGPM3 };
     /// Fresh water of a towing tank, 1000 kg/m³.
     pub const FRESH: Water = Water { density_kgpm3: 1000.0 };
 }

@@ -1,12 +1,11 @@
 //! Squat: how much deeper a ship under way sits in shallow water.
 
+use crate::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_contact::number::{greater, lesser};
 
 use super::particulars::Particulars;
 use super::shallow::{SHALLOWEST_RATIO, barrass_squat_m, eryuzlu_squat_m, icorels_squat_m};
 
-/// Acceleration of gravity (m/s²).
-const GRAVITY_MPS2: f64 = 9.806_65;
 /// Froude number of depth up to which a displacement ship goes in shallow water, and from which on squat is held.
 const FASTEST_FROUDE: f64 = 0.9;
 
@@ -55,7 +54,7 @@ impl Squat {
     pub fn sinkage_m(self, ship: &Particulars, depth_m: f64, surge_mps: f64) -> f64 {
         assert!(!depth_m.is_nan() && !surge_mps.is_nan(), "depth and speed are numbers");
         let depth_m = greater(depth_m, SHALLOWEST_RATIO * ship.draught_m);
-        let fastest_mps = FASTEST_FROUDE * (GRAVITY_MPS2 * depth_m).sqrt();
+        let fastest_mps = FASTEST_FROUDE * (STANDARD_GRAVITY_MPS2 * depth_m).sqrt();
         let speed_mps = lesser(surge_mps.abs(), fastest_mps);
         let formula = match self {
             Squat::Barrass => barrass_squat_m,

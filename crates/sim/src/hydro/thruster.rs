@@ -1,12 +1,11 @@
 //! Thrusters: in a tunnel across the ship, and on an azimuth.
 
+use crate::constants::KNOT_MPS;
 use fenderline_contact::number::greater;
 
 use super::propeller::Propeller;
 use super::quantities::{Force, Velocity, Water, smooth_step};
 
-/// Metres a second in a knot.
-const KNOT_MPS: f64 = 1852.0 / 3600.0;
 /// Speed at which a tunnel thruster works worst, and what is left of it there.
 const WORST_MPS: f64 = 4.0 * KNOT_MPS;
 const WORST: f64 = 0.5;

@@ -2,6 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use crate::constants::KNOT_MPS;
 use crate::mooring::InboardEnd;
 use crate::setup::Setup;
 
@@ -223,8 +224,6 @@ orders! {
     LetGo = "let_go" to Line with None: &[];
 }
 
-/// One knot (m/s).
-const KNOT_MPS: f64 = 1852.0 / 3600.0;
 /// The farthest that a place beside a ship may be from her centre of gravity, along and across (m).
 const FARTHEST_BESIDE_M: f64 = 1e4;
 const UNCHANGED: Absent = Absent::Means("as before");

@@ -1,5 +1,6 @@
 //! Wind, current and water of a run.
 
+use crate::constants::{AIR_KGPM3, SEA_WATER_KGPM3};
 use fenderline_contact::Vec2;
 use fenderline_contact::number::greater;
 
@@ -40,8 +41,8 @@ impl Default for Environment {
             wind: None,
             current: None,
             sea: None,
-            water_density_kgpm3: 1025.0,
-            air_density_kgpm3: 1.225,
+            water_density_kgpm3: SEA_WATER_KGPM3,
+            air_density_kgpm3: AIR_KGPM3,
             depth_m: None,
             tide: Tide::default(),
             squat: Some(Squat::default()),

@@ -1,5 +1,6 @@
 //! A ship in her water and wind: from her state and controls to the wrench on her body.
 
+use crate::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
 
@@ -370,7 +371,7 @@ impl VesselSetup {
             return Force::default();
         };
         let ship = &self.ship.particulars;
-        let specific_npm3 = environment.water_density_kgpm3 * 9.806_65;
+        let specific_npm3 = environment.water_density_kgpm3 * STANDARD_GRAVITY_MPS2;
         let waterplane_m2 = ship.block_coefficient() * ship.length_m * ship.beam_m;
         let weight_n = specific_npm3 * waterplane_m2 * sunk_m;
         let own = Rotation::from_angle(state.heading_rad).apply_inverse(state.velocity_mps);

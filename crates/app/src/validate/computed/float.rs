@@ -1,9 +1,10 @@
 //! Periods of heave and roll of the container ship.
 
 use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics};
+use fenderline_sim::constants::SEA_WATER_KGPM3;
 
 use super::Values;
-use super::ships::{SEA_KGPM3, container};
+use super::ships::container;
 
 pub(super) fn compute(values: &mut Values) {
     for (gm_m, name) in [(1.0, "1"), (2.0, "2"), (5.0, "5")] {
@@ -15,13 +16,13 @@ pub(super) fn compute(values: &mut Values) {
 fn afloat(gm_m: f64) -> Hydrostatics {
     let hull = container();
     let ship = HydrostaticParticulars {
-        mass_kg: SEA_KGPM3 * hull.volume_m3,
+        mass_kg: SEA_WATER_KGPM3 * hull.volume_m3,
         length_m: hull.length_m,
         beam_m: hull.beam_m,
         draught_m: hull.draught_m,
         waterplane_m2: 10_612.0,
         gm_m,
-        water_kgpm3: SEA_KGPM3,
+        water_kgpm3: SEA_WATER_KGPM3,
     };
     Hydrostatics::of(&ship).expect("she floats upright")
 }

@@ -1,5 +1,6 @@
 //! Hull forces at low speed, added masses, current and squat in shallow water.
 
+use fenderline_sim::constants::{KNOT_MPS, SEA_WATER_KGPM3};
 use fenderline_sim::hydro::shallow::{
     barrass_squat_m, current_abeam_n, eryuzlu_squat_m, icorels_squat_m, shallow_cross_flow_drag,
 };
@@ -8,10 +9,7 @@ use fenderline_sim::hydro::{
 };
 
 use super::Values;
-use super::ships::{SEA_KGPM3, container, tug, vessel};
-
-/// Metres a second in a knot.
-const KNOT_MPS: f64 = 1852.0 / 3600.0;
+use super::ships::{container, tug, vessel};
 
 pub(super) fn compute(values: &mut Values) {
     cross_flow(values);
@@ -61,7 +59,7 @@ fn esso_osaka(values: &mut Values) {
 fn added_masses(values: &mut Values) {
     for (name, ship) in [("container", container()), ("tug", tug())] {
         let zhou = zhou_added_mass(&ship).expect("the hull is inside the charts");
-        let mass_kg = SEA_KGPM3 * (ship.volume_m3 + zhou.surge_m3);
+        let mass_kg = SEA_WATER_KGPM3 * (ship.volume_m3 + zhou.surge_m3);
         values.put(format!("{name}/zhou/surge"), zhou.surge_m3 / ship.volume_m3, "");
         values.put(format!("{name}/zhou/sway"), zhou.sway_m3 / ship.volume_m3, "");
         values.put(format!("{name}/zhou/yaw"), zhou.yaw_m5 / ship.yaw_inertia_m5(), "");

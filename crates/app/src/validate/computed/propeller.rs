@@ -2,13 +2,11 @@
 
 use std::f64::consts::PI;
 
+use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::hydro::{Propeller, Series, Water, tunnel_effect};
 
 use super::Values;
 use super::ships::vessel;
-
-/// Metres a second in a knot.
-const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
 pub(super) fn compute(values: &mut Values) {
     own_polynomial(values);

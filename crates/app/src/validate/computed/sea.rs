@@ -2,17 +2,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use fenderline_sim::constants::{KNOT_MPS, SEA_WATER_KGPM3, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::environment::waves::{DriftHull, Jonswap};
 use fenderline_sim::mooring::{Cable, catenary};
 use fenderline_sim::tug::TugEnvelope;
 
 use super::Values;
-use super::ships::SEA_KGPM3;
-
-/// Acceleration of gravity (m/s²).
-const GRAVITY_MPS2: f64 = 9.806_65;
-/// Metres a second in a knot.
-const KNOT_MPS: f64 = 1852.0 / 3600.0;
 
 pub(super) fn compute(values: &mut Values) {
     let m0_m2 = jonswap_m0_m2();
@@ -40,7 +35,7 @@ fn drift(values: &mut Values) {
     for (ship, hull) in [("tanker", tanker), ("fpso", fpso)] {
         for period_s in [5.95, 7.16, 8.63, 10.44, 15.32] {
             let frequency_radps = TAU / period_s;
-            let number = frequency_radps * frequency_radps / GRAVITY_MPS2;
+            let number = frequency_radps * frequency_radps / STANDARD_GRAVITY_MPS2;
             let [ahead_m, ..] = hull.coefficients(number, PI);
             let [_, abeam_m, _] = hull.coefficients(number, FRAC_PI_2);
             values.put(format!("drift/{ship}/ahead/{period_s}"), -ahead_m, "m");
@@ -59,8 +54,8 @@ fn jonswap_m0_m2() -> f64 {
 
 /// EA 1e9 N, 200 kg/m, ø 0.1 m in sea water, 210 m over a span of 200 m and a depth of 50 m.
 fn cable(values: &mut Values) {
-    let displaced_kgpm = SEA_KGPM3 * PI * 0.1 * 0.1 / 4.0;
-    let weight_npm = (200.0 - displaced_kgpm) * GRAVITY_MPS2;
+    let displaced_kgpm = SEA_WATER_KGPM3 * PI * 0.1 * 0.1 / 4.0;
+    let weight_npm = (200.0 - displaced_kgpm) * STANDARD_GRAVITY_MPS2;
     let cable = Cable { length_m: 210.0, axial_stiffness_n: 1e9, weight_npm };
     let hanging = catenary(&cable, 200.0, 50.0, true);
     values.put("cable/tension", hanging.upper_tension_n() / 1e3, "kN");
@@ -70,7 +65,7 @@ fn cable(values: &mut Values) {
 
 /// Beam-on push of a tug of 60 t bollard pull, 32 × 4.5 m, Cd 0.73, over the bollard pull.
 fn tug(values: &mut Values) {
-    let bollard_pull_n = 60e3 * GRAVITY_MPS2;
+    let bollard_pull_n = 60e3 * STANDARD_GRAVITY_MPS2;
     let envelope = TugEnvelope {
         bollard_pull_n,
         length_m: 32.0,
@@ -79,7 +74,7 @@ fn tug(values: &mut Values) {
         drag_coefficient: 0.73,
     };
     for (knots, name) in [(5.0, "5"), (6.0, "6")] {
-        let push_n = envelope.available_n(FRAC_PI_2, knots * KNOT_MPS, SEA_KGPM3);
+        let push_n = envelope.available_n(FRAC_PI_2, knots * KNOT_MPS, SEA_WATER_KGPM3);
         values.put(format!("tug/{name}"), push_n / bollard_pull_n, "");
     }
 }

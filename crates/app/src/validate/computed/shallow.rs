@@ -1,5 +1,6 @@
 //! Shallow water: factors of each set of corrections, and what they make of turns and zig-zags.
 
+use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_sim::hydro::manoeuvres::{Approach, turning_circle, zig_zag};
 use fenderline_sim::hydro::shallow::{CorrectionSet, Corrections};
 use fenderline_sim::hydro::vessels::Vessel;
@@ -137,8 +138,9 @@ impl Measures {
         // In ratios the density of the water plays no part.
         let model = Model3::new(ship, Water::SEA);
         let length_m = ship.particulars.length_m;
-        let speed_mps =
-            vessel.approach_mps.unwrap_or_else(|| FROUDE * (9.806_65 * length_m).sqrt());
+        let speed_mps = vessel
+            .approach_mps
+            .unwrap_or_else(|| FROUDE * (STANDARD_GRAVITY_MPS2 * length_m).sqrt());
         let approach =
             Approach::at(&model, speed_mps, vessel.steering, STEP * length_m / speed_mps)
                 .expect("the propeller holds the speed of approach");

@@ -4,8 +4,6 @@ use fenderline_scenario::{VesselData, VesselLibrary};
 use fenderline_sim::hydro::Particulars;
 use fenderline_sim::hydro::vessels::Vessel;
 
-/// Density of sea water (kg/m³).
-pub(super) const SEA_KGPM3: f64 = 1025.0;
 /// A vessel of the data, ready for manoeuvres.
 pub(super) fn vessel(name: &str) -> Vessel {
     data(name).trial()

@@ -1,6 +1,7 @@
 //! Lines, tugs, wind, current and waves of a plan view, and the view of the moored ship.
 
 use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::environment::Bank;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::{Environment, LineEnd, Setup};
@@ -14,7 +15,6 @@ use crate::plot::{
 use crate::run_page::Recorder;
 use crate::run_page::fenders::boxes;
 use crate::run_page::recorder::TugMark;
-use crate::run_page::tables::KNOT_MPS;
 use crate::run_page::vessels::compass;
 use fenderline_results::Outcome;
 

@@ -1,13 +1,13 @@
 //! Charts of vessels, tugs and lines over time.
 
 use fenderline_sim::VesselSetup;
+use fenderline_sim::constants::KNOT_MPS;
 use maud::{Markup, html};
 
 use crate::plot::{Axis, Decimator, Reference, STYLES, Series};
 use crate::run_page::Recorder;
 use crate::run_page::charts::{Charts, scaled};
 use crate::run_page::recorder::{DockingTrace, VesselTrace};
-use crate::run_page::tables::KNOT_MPS;
 
 /// Vessels with charts of their own.
 const VESSELS: usize = 3;

@@ -1,5 +1,6 @@
 //! Tables of vessels, tugs and lines.
 
+use fenderline_sim::constants::KNOT_MPS;
 use fenderline_sim::environment::Tide;
 use fenderline_sim::environment::waves::MotionResponse;
 use fenderline_sim::hydro::vessels::{Origin, Source, Standing};
@@ -8,7 +9,7 @@ use maud::{Markup, html};
 
 use super::headline::class;
 use crate::plot::{fixed, plain, significant};
-use crate::run_page::tables::{KNOT_MPS, ROWS, heading, more, number};
+use crate::run_page::tables::{ROWS, heading, more, number};
 use fenderline_results::Outcome;
 use fenderline_results::{ACCURACY, accuracy};
 use fenderline_results::{LineTotals, TugTotals, VesselTotals};

@@ -1,7 +1,7 @@
 //! A closed-form estimate of how a box-like ship moves in waves.
 
-use super::GRAVITY_MPS2;
 use super::complex::Complex;
+use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::range::{OutOfRange, within};
 
 /// A ship by her main particulars, for an *estimate* of heave, pitch and roll. Surge, sway and yaw are not
@@ -55,7 +55,7 @@ impl BoxShip {
     #[must_use]
     pub fn at(&self, frequency_radps: f64, direction_rad: f64, speed_mps: f64) -> [Complex; 6] {
         let (cos, sin) = (libm::cos(direction_rad), libm::sin(direction_rad));
-        let k = frequency_radps * frequency_radps / GRAVITY_MPS2;
+        let k = frequency_radps * frequency_radps / STANDARD_GRAVITY_MPS2;
         let encounter_radps = frequency_radps - k * speed_mps * cos;
         let (heave_up, pitch) = self.heave_and_pitch(k, cos, encounter_radps / frequency_radps);
         let zero = Complex::default();

@@ -2,13 +2,13 @@
 
 use fenderline_contact::number::greater;
 
-use super::GRAVITY_MPS2;
+use crate::constants::STANDARD_GRAVITY_MPS2;
 
 /// Wave number k (rad/m) of a wave of ω > 0 (rad/s) in water of a depth > 0 (m): ω² = g k tanh(kh) (linear
 /// theory), by Newton's method from above the root, where it cannot overshoot.
 #[must_use]
 pub fn wave_number(frequency_radps: f64, depth_m: f64) -> f64 {
-    let deep = frequency_radps * frequency_radps / GRAVITY_MPS2;
+    let deep = frequency_radps * frequency_radps / STANDARD_GRAVITY_MPS2;
     // In x = kh: x tanh x = deep·h = d. max(d, √d) ≤ x; x tanh x is convex enough there for Newton.
     let d = deep * depth_m;
     let mut x = greater(d, d.sqrt());

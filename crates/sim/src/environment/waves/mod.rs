@@ -26,6 +26,3 @@ pub use jonswap::Jonswap;
 pub use motion::{FirstOrderMotion, MotionResponse, ShipInWaves, first_order_motion};
 pub use rao::RaoTable;
 pub use sea::{DIRECTIONS, RegularWave, Sea};
-
-/// Acceleration of gravity (m/s²).
-pub(super) const GRAVITY_MPS2: f64 = 9.806_65;

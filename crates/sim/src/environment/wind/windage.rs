@@ -2,9 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use super::blendermann::Blendermann;
-use super::fujiwara::Fujiwara;
-use super::isherwood::Isherwood;
+use super::method::WindMethod;
 use super::relative::RelativeWind;
 use crate::range::{OutOfRange, within};
 
@@ -25,38 +23,6 @@ pub struct ShipWindage {
     pub centroid_height_m: f64,
     /// How the coefficients are found.
     pub method: WindMethod,
-}
-
-/// How wind coefficients are found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum WindMethod {
-    /// Isherwood 1972: regression over merchant ships.
-    Isherwood(Isherwood),
-    /// Blendermann 1994: four parameters of a type of ship.
-    Blendermann(Blendermann),
-    /// Fujiwara et al. 1998: regression of a Fourier series in the angle.
-    Fujiwara(Fujiwara),
-}
-
-impl WindMethod {
-    /// Its name, and how well it is known, for a reader of a report.
-    #[must_use]
-    pub fn standing(&self) -> (&'static str, &'static str) {
-        match self {
-            WindMethod::Isherwood(_) => {
-                ("Isherwood 1972", "tables read in a public toolbox; the paper was not read")
-            }
-            WindMethod::Blendermann(_) => (
-                "Blendermann 1994",
-                "formulas and table of types read in a public toolbox; the paper was not read",
-            ),
-            WindMethod::Fujiwara(_) => (
-                "Fujiwara et al. 1998",
-                "coefficients read in a public code; the paper was not read, and no printed number was found to \
-                 hold them against",
-            ),
-        }
-    }
 }
 
 /// Coefficients for one angle: X = ½ρV²·CX·A_F, Y = ½ρV²·CY·A_L, N = ½ρV²·CN·A_L·L.
@@ -85,11 +51,7 @@ impl ShipWindage {
         let forward_m = self.centroid_forward_m;
         within("centroid of the lateral area forward of midship [m]", forward_m, -half_m, half_m)?;
         within("height of the lateral area's centroid [m]", self.centroid_height_m, 1e-3, 200.0)?;
-        match &self.method {
-            WindMethod::Isherwood(method) => method.check(self),
-            WindMethod::Blendermann(method) => method.check(),
-            WindMethod::Fujiwara(method) => method.check(self),
-        }?;
+        self.method.check(self)?;
         for ten in 0..=18 {
             let c = self.coefficients(f64::from(ten) * PI / 18.0);
             within(
@@ -119,11 +81,7 @@ impl ShipWindage {
     #[must_use]
     pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
-        let one_side = match &self.method {
-            WindMethod::Isherwood(m) => m.coefficients(self, wrapped_rad.abs()),
-            WindMethod::Blendermann(m) => m.coefficients(self, wrapped_rad.abs()),
-            WindMethod::Fujiwara(m) => m.coefficients(self, wrapped_rad.abs()),
-        };
+        let one_side = self.method.coefficients(self, wrapped_rad.abs());
         // Straight from ahead or astern there is no side to push to.
         let side =
             if wrapped_rad == 0.0 || wrapped_rad.abs() >= PI { 0.0 } else { wrapped_rad.signum() };
@@ -147,10 +105,6 @@ impl ShipWindage {
     /// force at the centroid of the lateral area, times κ by Blendermann (K = κ·s_H·Y).
     #[must_use]
     pub fn roll_moment_nm(&self, sway_n: f64) -> f64 {
-        let factor = match &self.method {
-            WindMethod::Blendermann(method) => method.kind.roll_factor,
-            WindMethod::Isherwood(_) | WindMethod::Fujiwara(_) => 1.0,
-        };
-        factor * self.centroid_height_m * sway_n
+        self.method.roll_factor() * self.centroid_height_m * sway_n
     }
 }

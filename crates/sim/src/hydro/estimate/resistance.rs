@@ -1,5 +1,6 @@
 //! Resistance of a ship without tests of her own.
 
+use crate::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_contact::number::bounded;
 
 use crate::hydro::friction::{SEA_M2PS, ittc_1957};
@@ -26,7 +27,7 @@ pub(super) fn ahead(ship: &Particulars) -> f64 {
 /// The manual has it for any ship-shaped vessel, bow or stern into the current. It takes the friction at her speed; here
 /// it is that of one Froude number, so that the coefficient is one: at half that speed it is a tenth more.
 pub(super) fn astern(ship: &Particulars) -> f64 {
-    let speed_mps = ADRIFT_FROUDE * (9.806_65 * ship.length_m).sqrt();
+    let speed_mps = ADRIFT_FROUDE * (STANDARD_GRAVITY_MPS2 * ship.length_m).sqrt();
     let [least, most] = REYNOLDS;
     let reynolds = bounded(speed_mps * ship.length_m / SEA_M2PS, least, most);
     let friction = ittc_1957(reynolds)

@@ -3,13 +3,9 @@
 //! Each refuses water that is no deeper than the draught.
 
 use super::draught_over_depth;
+use crate::constants::{KNOTS_PER_MPS, STANDARD_GRAVITY_MPS2};
 use crate::hydro::error::HydroError;
 use crate::hydro::particulars::Particulars;
-
-/// Acceleration of gravity (m/s²).
-const GRAVITY_MPS2: f64 = 9.806_65;
-/// Knots in a metre a second.
-const KNOTS: f64 = 3600.0 / 1852.0;
 
 /// Largest squat in open shallow water by Barrass: Cb V²/100 (m), V in knots. For h/T 1.1 to 1.4.
 ///
@@ -21,7 +17,7 @@ pub fn barrass_squat_m(
     speed_mps: f64,
 ) -> Result<f64, HydroError> {
     draught_over_depth(ship, depth_m)?;
-    let knots = speed_mps * KNOTS;
+    let knots = speed_mps * KNOTS_PER_MPS;
     Ok(ship.block_coefficient() * knots * knots / 100.0)
 }
 
@@ -36,7 +32,7 @@ pub fn icorels_squat_m(
     speed_mps: f64,
 ) -> Result<f64, HydroError> {
     draught_over_depth(ship, depth_m)?;
-    let square = speed_mps * speed_mps / (GRAVITY_MPS2 * depth_m);
+    let square = speed_mps * speed_mps / (STANDARD_GRAVITY_MPS2 * depth_m);
     if square.is_nan() || square >= 1.0 {
         return Err(HydroError::Supercritical { froude: square.sqrt() });
     }
@@ -56,6 +52,6 @@ pub fn eryuzlu_squat_m(
 ) -> Result<f64, HydroError> {
     let ratio = 1.0 / draught_over_depth(ship, depth_m)?;
     let draught_m = ship.draught_m;
-    let froude = speed_mps.abs() / (GRAVITY_MPS2 * draught_m).sqrt();
+    let froude = speed_mps.abs() / (STANDARD_GRAVITY_MPS2 * draught_m).sqrt();
     Ok(0.298 * depth_m * depth_m / draught_m * libm::pow(froude, 2.289) * libm::pow(ratio, -2.972))
 }

@@ -22,8 +22,8 @@ mod waterline;
 use fenderline_contact::Vec2;
 use fenderline_contact::number::bounded;
 
-use super::GRAVITY_MPS2;
 use super::sea::Sea;
+use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::hydro::Particulars;
 use crate::range::{OutOfRange, within};
 use waterline::Waterline;
@@ -109,7 +109,7 @@ pub fn mean_drift(
             }
         }
     }
-    sum.map(|sum| water_density_kgpm3 * GRAVITY_MPS2 * sum)
+    sum.map(|sum| water_density_kgpm3 * STANDARD_GRAVITY_MPS2 * sum)
 }
 
 /// The wave that drifts a ship who goes against it with a share τ of its own speed, and how much more it does: the

@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use super::windage::{ShipWindage, WindCoefficients};
+use crate::environment::wind::{ShipWindage, WindCoefficients};
 use crate::range::{OutOfRange, within};
 
 /// Blendermann, "Parameter identification of wind loads on ships", J. Wind Eng. Ind. Aerodyn. 51 (1994).

@@ -1,6 +1,6 @@
 //! Fujiwara's Fourier series.
 
-use super::windage::{ShipWindage, WindCoefficients};
+use crate::environment::wind::{ShipWindage, WindCoefficients};
 use crate::range::{OutOfRange, within};
 
 /// Fujiwara, Ueno & Nimura, "Estimation of wind forces and moments acting on ships", J. Soc. Nav. Archit.

@@ -2,7 +2,7 @@
 
 use fenderline_contact::number::bounded;
 
-use super::windage::{ShipWindage, WindCoefficients};
+use crate::environment::wind::{ShipWindage, WindCoefficients};
 use crate::range::{OutOfRange, within};
 
 /// Isherwood, "Wind resistance of merchant ships", Trans. RINA 115 (1972).

@@ -1,0 +1,55 @@
+//! FNV-1a, a hash for check sums and fingerprints (Fowler, Noll and Vo). It finds accidental changes; it gives no
+//! protection against deliberate ones.
+
+/// The 64-bit FNV-1a hash of the bytes added so far.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fnv1a(u64);
+
+impl Default for Fnv1a {
+    fn default() -> Fnv1a {
+        Fnv1a(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Fnv1a {
+    /// The hash of some bytes.
+    #[must_use]
+    pub fn of(bytes: &[u8]) -> u64 {
+        let mut hash = Fnv1a::default();
+        hash.bytes(bytes);
+        hash.finish()
+    }
+
+    /// Adds a word, least significant byte first.
+    pub fn word(&mut self, word: u64) {
+        self.bytes(&word.to_le_bytes());
+    }
+
+    /// Adds bytes.
+    pub fn bytes(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    /// The hash of all bytes added so far.
+    #[must_use]
+    pub fn finish(self) -> u64 {
+        self.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Fnv1a;
+
+    /// The sums of "" and "a" are those that the Python package fnvhash gives.
+    #[test]
+    fn known_sums() {
+        assert_eq!(Fnv1a::of(b""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(Fnv1a::of(b"a"), 0xaf63_dc4c_8601_ec8c);
+        let mut hash = Fnv1a::default();
+        hash.word(u64::from(b'a'));
+        assert_eq!(hash.finish(), Fnv1a::of(b"a\0\0\0\0\0\0\0"));
+    }
+}

@@ -1,0 +1,40 @@
+//! Lists the data files that the program carries in itself: every `.toml` of `fenders/` and of `vessels/`, so that a new
+//! file there needs no line of code.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// Folder, and the name of its list.
+const LISTS: [(&str, &str); 2] = [("fenders", "FENDER_FILES"), ("vessels", "VESSEL_FILES")];
+
+fn main() {
+    println!("cargo::rerun-if-changed=build.rs");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut lists = String::new();
+    for (folder, name) in LISTS {
+        let folder = root.join(folder);
+        println!("cargo::rerun-if-changed={}", folder.display());
+        let files = data_files(&folder);
+        writeln!(lists, "pub(crate) static {name}: [(&str, &str); {}] = [", files.len())
+            .expect("a string");
+        for file in files {
+            let name = file.file_name().and_then(|name| name.to_str()).expect("a plain name");
+            let path = file.to_str().expect("the repository's path is text");
+            writeln!(lists, "    ({name:?}, include_str!({path:?})),").expect("a string");
+        }
+        lists += "];\n";
+    }
+    let out = std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
+    std::fs::write(Path::new(&out).join("data_files.rs"), lists).expect("OUT_DIR can be written");
+}
+
+/// The TOML files of a folder, in the order of their names.
+fn data_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+    let paths = entries.map(|entry| entry.expect("an entry of the folder").path());
+    let mut files: Vec<PathBuf> = paths
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .collect();
+    files.sort();
+    files
+}

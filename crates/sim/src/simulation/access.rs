@@ -1,0 +1,235 @@
+//! Reading a run, and changing it between steps.
+
+use fenderline_contact::{BodyState, Contact, Memory, Model, Wrench};
+
+use super::Simulation;
+use super::check::whole_steps;
+use crate::berthing::{BerthingError, BerthingOutcome};
+use crate::environment::current::Current;
+use crate::environment::wind::Wind;
+use crate::error::SetupError;
+use crate::fender::FenderSummary;
+use crate::gain::{EnergyGain, REPORTED_GAIN};
+use crate::order::{Action, LineAction, Order, OrderError, VesselAction, check_order};
+use crate::record::Energy;
+use crate::setup::{Integrator, Method, Setup};
+use crate::summary::PairSummary;
+use crate::world::{Assist, Faults, Job, Mooring, TugAtWork, VesselState};
+
+impl Simulation {
+    /// The set-up of the run.
+    #[must_use]
+    pub fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// The contact model of the set-up.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Number of steps in the run.
+    #[must_use]
+    pub fn steps_total(&self) -> u64 {
+        self.steps_total
+    }
+
+    /// Number of steps taken.
+    #[must_use]
+    pub fn steps_taken(&self) -> u64 {
+        self.index
+    }
+
+    /// Number of steps from the start of the run up to and including the one that contains a time (s).
+    #[must_use]
+    pub fn steps_until(&self, t_s: f64) -> u64 {
+        whole_steps(t_s / self.setup.step_s)
+    }
+
+    /// True after the last step.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.index >= self.steps_total
+    }
+
+    /// Current time (s): steps taken times Δt, so that rounding does not accumulate.
+    #[must_use]
+    pub fn time_s(&self) -> f64 {
+        self.index as f64 * self.setup.step_s
+    }
+
+    /// The time of the velocities in [`Simulation::states`] (s). With the coupled method and the semi-implicit
+    /// integrator the motion is a leapfrog: velocities are those at the middle of the last step, or of its last
+    /// sub-step where contacts needed several. Otherwise this is [`Simulation::time_s`].
+    #[must_use]
+    pub fn velocity_time_s(&self) -> f64 {
+        let is_leapfrog = self.setup.integrator == Integrator::SemiImplicit
+            && self.setup.method == Method::Coupled;
+        if is_leapfrog && self.index > 0 {
+            (self.index as f64 - 0.5) * self.setup.step_s
+        } else {
+            self.time_s()
+        }
+    }
+
+    /// Current states, one per body, in the order of the set-up. Their velocities are those at
+    /// [`Simulation::velocity_time_s`].
+    #[must_use]
+    pub fn states(&self) -> &[BodyState] {
+        &self.states
+    }
+
+    /// The current memory of the contact engine.
+    #[must_use]
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// The current energy ledger.
+    #[must_use]
+    pub fn energy(&self) -> Energy {
+        self.ledger.energy
+    }
+
+    /// The energy that contacts created, if it is large enough to be reported. Only the paper's method creates
+    /// energy: its forces are explicit, and a stiff spring acts for too long in a long step.
+    /// [`Method::Coupled`] bounds the energy that each contact returns.
+    #[must_use]
+    pub fn energy_gain(&self) -> Option<EnergyGain> {
+        let Energy { contact_taken_j: taken_j, contact_gained_j: gained_j, .. } = self.energy();
+        let is_reported = self.setup.method == Method::Paper && gained_j > REPORTED_GAIN * taken_j;
+        is_reported.then_some(EnergyGain { gained_j, taken_j })
+    }
+
+    /// A summary of each pair of bodies that touched, in the order of first touch.
+    #[must_use]
+    pub fn pair_summaries(&self) -> &[PairSummary] {
+        &self.summaries.pairs
+    }
+
+    /// A summary of each fender that was touched, in the order of the set-up.
+    pub fn fender_summaries(&self) -> impl Iterator<Item = &FenderSummary> {
+        self.fender_summaries.all.iter().flatten()
+    }
+
+    /// The current state of the vessels, in the order of the set-up.
+    #[must_use]
+    pub fn vessels(&self) -> &[VesselState] {
+        &self.world.vessels
+    }
+
+    /// The current state of the tugs, in the order of the set-up.
+    #[must_use]
+    pub fn tugs(&self) -> &[TugAtWork] {
+        &self.world.tugs
+    }
+
+    /// The current state of the mooring lines, in the order of the set-up.
+    #[must_use]
+    pub fn lines(&self) -> &[Mooring] {
+        &self.world.lines
+    }
+
+    /// Contact wrenches of the last step, one per body; zero before the first step.
+    #[must_use]
+    pub fn wrenches(&self) -> &[Wrench] {
+        self.work.wrenches()
+    }
+
+    /// The contacts of the last step.
+    #[must_use]
+    pub fn contacts(&self) -> &[Contact] {
+        self.work.contacts()
+    }
+
+    /// The berthing as simulated, beside the berthing formulas. `None` if the set-up has no berthing, or no fender
+    /// was touched yet. An error if ship or speed are outside the range of the formulas.
+    #[must_use]
+    pub fn berthing(&self) -> Option<Result<&BerthingOutcome, &BerthingError>> {
+        self.study.as_ref()?.outcome.as_ref().map(Result::as_ref)
+    }
+
+    /// Sets an external wrench on each body: forces of another program, a controller or a model of the caller.
+    /// It acts from the next step until it is set again.
+    ///
+    /// # Panics
+    /// If there is not one wrench per body, or one is not finite.
+    pub fn set_external(&mut self, wrenches: &[Wrench]) {
+        assert_eq!(wrenches.len(), self.states.len(), "one wrench per body");
+        for wrench in wrenches {
+            assert!(wrench.force_n.is_finite() && wrench.moment_nm.is_finite(), "a finite wrench");
+        }
+        self.buffers.external.copy_from_slice(wrenches);
+    }
+
+    /// Gives an order during the run, as from manual control. It is executed in the step that contains its time,
+    /// or in the next step if that time has passed. Of several orders for the same time, those of the set-up come
+    /// first, then the others as they were given.
+    ///
+    /// # Errors
+    /// [`SetupError`] if the order names something that does not exist, a number is out of its limits, or the gear for
+    /// it is missing; no order is then changed.
+    pub fn order(&mut self, order: Order) -> Result<(), SetupError> {
+        check_order(&order, &self.setup)?;
+        self.world.order(order);
+        Ok(())
+    }
+
+    /// Whether an order can be carried out as things stand now: not to a line that was let go, nor to a tug that a
+    /// station pilot uses. Orders that are planned ahead are not held to this.
+    ///
+    /// # Errors
+    /// What stands in its way.
+    pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
+        let is_there = |line: usize| {
+            if !self.world.lines.get(line).is_some_and(|line| line.gone) {
+                return Ok(());
+            }
+            Err(OrderError::LineGone { line: self.setup.world.lines[line].line.name.clone() })
+        };
+        match action {
+            Action::Line(line, LineAction::Winch(_) | LineAction::LetGo) => is_there(*line),
+            Action::Vessel(_, VesselAction::Assist(Assist { job: Job::Pull { line, .. }, .. })) => {
+                is_there(*line)
+            }
+            Action::Tug(tug, _) => {
+                let Some(tug) = self.setup.world.tugs.get(*tug) else { return Ok(()) };
+                if self.world.vessels[tug.vessel].pilots.station.is_none() {
+                    return Ok(());
+                }
+                let ship = self.setup.world.vessels[tug.vessel].body;
+                Err(OrderError::TugOfStation { ship: self.setup.bodies[ship].name.clone() })
+            }
+            Action::Vessel(..) => Ok(()),
+        }
+    }
+
+    /// Keeps only those pending orders, including the set-up's, for which `keep` returns true. Use it when a user
+    /// takes manual control, so that planned orders do not interfere.
+    pub fn retain_orders(&mut self, keep: impl FnMut(&Order) -> bool) {
+        self.world.retain_orders(keep);
+    }
+
+    /// Sets the wind from the next step on; `None` for no wind. The change is a jump.
+    pub fn set_wind(&mut self, wind: Option<Wind>) {
+        self.setup.world.environment.wind = wind;
+    }
+
+    /// Sets the current from the next step on; `None` for no current. The change is a jump, but causes no
+    /// acceleration force of its own: ships are taken along by their drag.
+    pub fn set_current(&mut self, current: Option<Current>) {
+        self.setup.world.environment.current = current;
+    }
+
+    /// Sets the equipment faults of a vessel, from the next step on.
+    ///
+    /// # Errors
+    /// [`SetupError::BadBody`] if there is no such vessel.
+    pub fn set_faults(&mut self, vessel: usize, faults: Faults) -> Result<(), SetupError> {
+        let state = self.world.vessels.get_mut(vessel);
+        let state = state.ok_or(SetupError::BadBody { owner: "fault", body: vessel })?;
+        state.faults = faults;
+        Ok(())
+    }
+}

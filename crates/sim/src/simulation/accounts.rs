@@ -1,0 +1,85 @@
+//! Works and energies of a step: what contacts and loads did to the bodies.
+
+use super::Simulation;
+use crate::contact_totals::WorkSource;
+use crate::ledger::Bodies;
+use crate::load_work::LoadedStep;
+use crate::mean_velocity::MeanVelocity;
+use crate::setup::{Integrator, Method};
+
+/// Weights of the four stages of classical Runge–Kutta.
+const RUNGE_KUTTA: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
+
+impl Simulation {
+    /// Adds the works of the step to the energy ledger.
+    pub(super) fn account_energy(&mut self) {
+        self.find_mean_velocities();
+        self.account_contacts();
+        let buffers = &self.buffers;
+        let step = LoadedStep {
+            inertias: &self.inertias,
+            before: &buffers.before,
+            after: &self.states,
+            mean: &buffers.mean,
+            plain: &buffers.plain_loads,
+            world: &self.setup.world,
+            forces: &self.world.forces,
+            carried: &self.world.carried,
+            tugs: &self.world.tugs,
+            lines: &self.world.lines,
+            order: &self.world.order,
+            step_s: self.setup.step_s,
+        };
+        let bodies = Bodies {
+            order: &self.world.order.bodies,
+            inertias: &self.inertias,
+            states: &self.states,
+        };
+        self.ledger.add(bodies, &step.works(), &self.contact_totals);
+    }
+
+    /// The contact engine moves the bodies itself.
+    fn engine_moves(&self) -> bool {
+        self.setup.method == Method::Coupled && self.setup.integrator == Integrator::SemiImplicit
+    }
+
+    /// Mean velocity of each body over the step, with which the works of all forces are computed.
+    fn find_mean_velocities(&mut self) {
+        let step_s = self.setup.step_s;
+        if self.engine_moves() {
+            for (mean, motion) in self.buffers.mean.iter_mut().zip(self.work.displacements()) {
+                *mean = MeanVelocity::over(motion, step_s);
+            }
+            return;
+        }
+        if self.setup.method == Method::Coupled && self.setup.integrator == Integrator::Rk4 {
+            // `runge_kutta` has set them: with forces held over the step, work is force times displacement.
+            return;
+        }
+        let states = self.buffers.before.iter().zip(&self.states);
+        for (mean, (before, after)) in self.buffers.mean.iter_mut().zip(states) {
+            *mean = MeanVelocity::of(before, after);
+        }
+    }
+
+    /// Works and energies of each contact in the step.
+    fn account_contacts(&mut self) {
+        let step_s = self.setup.step_s;
+        let engine_moves = self.engine_moves();
+        let (contacts, buffers) = (self.work.contacts(), &self.buffers);
+        let totals = &mut self.contact_totals;
+        totals.open(contacts);
+        if engine_moves {
+            totals.add(contacts, &buffers.mean, WorkSource::Engine);
+        } else if self.setup.method == Method::Paper && self.setup.integrator == Integrator::Rk4 {
+            let [one, later @ ..] = RUNGE_KUTTA;
+            totals.add(contacts, &buffers.mean, WorkSource::MeanVelocity(one * step_s));
+            for (contacts, weight) in buffers.stage_contacts.iter().zip(later) {
+                totals.add(contacts, &buffers.mean, WorkSource::MeanVelocity(weight * step_s));
+            }
+        } else {
+            totals.add(contacts, &buffers.mean, WorkSource::MeanVelocity(step_s));
+        }
+        totals.close();
+    }
+}

@@ -1,0 +1,62 @@
+//! Arrays of one simulation that are reused from step to step.
+
+use fenderline_contact::{BodyState, Contact, Memory, Model, Vec2, Workspace, Wrench};
+
+use crate::integrate::Rate;
+use crate::mean_velocity::MeanVelocity;
+
+/// One entry per body, but for the last fields.
+#[derive(Clone, Debug)]
+pub(super) struct Buffers {
+    /// Everything but contact.
+    pub(super) loads: Vec<Wrench>,
+    /// The part of `loads` that does not come from the world: loads of the set-up and of the host.
+    pub(super) plain_loads: Vec<Wrench>,
+    /// The wrench that turns the body's momentum with it over the step, where the engine does not.
+    pub(super) turning: Vec<Wrench>,
+    /// Wrenches given by [`super::Simulation::set_external`].
+    pub(super) external: Vec<Wrench>,
+    /// Sum of the wrenches that move the body.
+    pub(super) sums: Vec<Wrench>,
+    /// Rates of the Runge–Kutta stages.
+    pub(super) rates: [Vec<Rate>; 4],
+    /// States of a Runge–Kutta stage.
+    pub(super) trial: Vec<BodyState>,
+    /// States before the step.
+    pub(super) before: Vec<BodyState>,
+    /// Mean velocities of the step.
+    pub(super) mean: Vec<MeanVelocity>,
+    /// The current at the body (m/s).
+    pub(super) currents_mps: Vec<Vec2>,
+    /// Contacts of Runge–Kutta stages 2 to 4.
+    pub(super) stage_contacts: [Vec<Contact>; 3],
+    /// Contact memory of a Runge–Kutta stage.
+    pub(super) stage_memory: Memory,
+    /// Contact workspace of a Runge–Kutta stage.
+    pub(super) stage_work: Workspace,
+    /// The contact memory before the step, restored if a later Runge–Kutta stage fails.
+    pub(super) backup: Memory,
+}
+
+impl Buffers {
+    pub(super) fn new(model: &Model, states: &[BodyState], memory: &Memory) -> Buffers {
+        let count = states.len();
+        let zero = || vec![Wrench::default(); count];
+        Buffers {
+            loads: zero(),
+            plain_loads: zero(),
+            turning: zero(),
+            external: zero(),
+            sums: zero(),
+            rates: std::array::from_fn(|_| vec![Rate::default(); count]),
+            trial: states.to_vec(),
+            before: states.to_vec(),
+            mean: vec![MeanVelocity::default(); count],
+            currents_mps: vec![Vec2::ZERO; count],
+            stage_contacts: Default::default(),
+            stage_memory: memory.clone(),
+            stage_work: Workspace::new(model),
+            backup: memory.clone(),
+        }
+    }
+}

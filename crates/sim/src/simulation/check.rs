@@ -1,0 +1,82 @@
+//! Checks of a set-up that concern several of its parts.
+
+use crate::berthing::Study;
+use crate::error::SetupError;
+use crate::setup::{Load, Setup};
+use crate::world::LineEnd;
+
+/// A number of steps from a time over Δt: rounded up, except that a ratio within 1e-9 of a whole number is
+/// that number. So 20 s in steps of 0.1 s are 200 steps.
+pub(super) fn whole_steps(ratio: f64) -> u64 {
+    let whole = libm::round(ratio);
+    let steps = if (ratio - whole).abs() <= 1e-9 * whole { whole } else { libm::ceil(ratio) };
+    steps as u64
+}
+
+/// Number of steps of the run, at least one.
+pub(super) fn count_steps(setup: &Setup) -> Result<u64, SetupError> {
+    let positive = |field, value: f64| {
+        if value > 0.0 && value.is_finite() {
+            return Ok(());
+        }
+        Err(SetupError::OutOfRange { field, value })
+    };
+    positive("the time step", setup.step_s)?;
+    positive("the duration", setup.duration_s)?;
+    let ratio = setup.duration_s / setup.step_s;
+    if ratio > 1e12 {
+        return Err(SetupError::OutOfRange { field: "the number of steps", value: ratio });
+    }
+    Ok(whole_steps(ratio).max(1))
+}
+
+/// Checks a load: a floating body, finite numbers.
+pub(super) fn check_load(load: &Load, setup: &Setup) -> Result<(), SetupError> {
+    if setup.bodies.get(load.body).is_none_or(|b| b.mass.is_none()) {
+        return Err(SetupError::BadBody { owner: "load", body: load.body });
+    }
+    for (field, value) in [
+        ("a load's north force", load.force_n.x),
+        ("a load's east force", load.force_n.y),
+        ("a load's moment", load.moment_nm),
+    ] {
+        if !value.is_finite() {
+            return Err(SetupError::OutOfRange { field, value });
+        }
+    }
+    if load.from_s.is_nan() || load.until_s.is_nan() {
+        return Err(SetupError::OutOfRange { field: "a load's time", value: f64::NAN });
+    }
+    Ok(())
+}
+
+/// Checks that every line joins existing bodies, and that lines fast at the start fit between their ends.
+pub(super) fn check_lines(setup: &Setup) -> Result<(), SetupError> {
+    for line in &setup.world.lines {
+        let far = match line.end {
+            LineEnd::OnBody { body, .. } => body,
+            LineEnd::Fixed(_) => line.ship,
+        };
+        for body in [line.ship, far] {
+            if body >= setup.bodies.len() {
+                return Err(SetupError::BadBody { owner: "line", body });
+            }
+        }
+        if line.from_s <= 0.0 {
+            let tide = &setup.world.environment.tide;
+            line.check_at_start(&setup.bodies, tide).map_err(SetupError::Line)?;
+        }
+    }
+    Ok(())
+}
+
+/// The comparison of a berthing with the berthing formulas, if the set-up asks for one.
+pub(super) fn berthing_study(setup: &Setup) -> Result<Option<Study>, SetupError> {
+    let Some(berthing) = setup.berthing else { return Ok(None) };
+    let ship = setup.bodies.get(berthing.ship).and_then(|body| body.mass);
+    let Some(mass) = ship else {
+        return Err(SetupError::BadBody { owner: "berthing", body: berthing.ship });
+    };
+    berthing.check().map_err(SetupError::Berthing)?;
+    Ok(Some(Study::new(berthing, mass.mass_kg)))
+}

@@ -1,0 +1,123 @@
+//! From a set-up to the inertias of its bodies and the contact model.
+
+use fenderline_contact::{Body, BodyId, BodyState, Fender, MaterialId, Model, Pair};
+
+use crate::error::SetupError;
+use crate::fender::FenderSetup;
+use crate::order::check_order;
+use crate::rigid_body::{Inertia, initial_state};
+use crate::setup::{BodySetup, Integrator, Method, Setup};
+use crate::world::mass_matrix;
+
+impl Setup {
+    /// The contact model of these bodies alone, for hosts that move their bodies themselves and use only the
+    /// contact engine.
+    ///
+    /// Method and integrator decide what the inertia of a body is: with the coupled method and the semi-implicit
+    /// integrator the engine adds the Coriolis terms itself, as it does in a simulation.
+    ///
+    /// # Errors
+    /// [`SetupError`], naming what is wrong.
+    pub fn contact_model(&self) -> Result<Model, SetupError> {
+        build_model(self, &inertias(self)?)
+    }
+
+    /// The initial states of the bodies, in the order of the set-up.
+    #[must_use]
+    pub fn initial_states(&self) -> Vec<BodyState> {
+        self.bodies.iter().map(initial_state).collect()
+    }
+}
+
+/// The inertia of each body; that of a vessel comes from her manoeuvring model.
+pub(super) fn inertias(setup: &Setup) -> Result<Vec<Inertia>, SetupError> {
+    let engine_moves =
+        setup.method == Method::Coupled && setup.integrator == Integrator::SemiImplicit;
+    let of_body = |body: &BodySetup| Inertia::of(body.mass.as_ref(), setup.method, engine_moves);
+    let mut inertias: Vec<Inertia> = setup.bodies.iter().map(of_body).collect();
+    let density_kgpm3 = setup.world.environment.water_density_kgpm3;
+    for vessel in &setup.world.vessels {
+        if setup.bodies.get(vessel.body).is_none_or(|body| body.mass.is_none()) {
+            return Err(SetupError::BadBody { owner: "vessel", body: vessel.body });
+        }
+        if setup.method == Method::Paper {
+            return Err(SetupError::VesselByPaperMethod { body: vessel.body });
+        }
+        inertias[vessel.body] = Inertia::of_vessel(&mass_matrix(&vessel.ship, density_kgpm3));
+    }
+    for tug in &setup.world.tugs {
+        if tug.vessel >= setup.world.vessels.len() {
+            return Err(SetupError::BadBody { owner: "tug", body: tug.vessel });
+        }
+        let of_tug = |error| SetupError::Tug { tug: tug.tug.name.clone(), error };
+        tug.tug.check().map_err(of_tug)?;
+    }
+    setup.world.orders.iter().try_for_each(|order| check_order(order, setup))?;
+    Ok(inertias)
+}
+
+/// The contact model of a set-up.
+pub(super) fn build_model(setup: &Setup, inertias: &[Inertia]) -> Result<Model, SetupError> {
+    let mut builder = Model::builder();
+    let keys = keys_of(setup.bodies.iter().map(|body| body.name.as_str()))
+        .map_err(|name| SetupError::DuplicateName { what: "bodies", name })?;
+    for ((body, inertia), key) in setup.bodies.iter().zip(inertias).zip(keys) {
+        builder.body(Body {
+            name: body.name.clone(),
+            key,
+            outline: body.outline.clone(),
+            mobility: inertia.mobility(),
+        });
+    }
+    for material in &setup.materials {
+        builder.material(material.material);
+    }
+    let keys = keys_of(setup.fenders.iter().map(|fender| fender.name.as_str()))
+        .map_err(|name| SetupError::DuplicateName { what: "fenders", name })?;
+    for (fender, key) in setup.fenders.iter().zip(keys) {
+        builder.fender(engine_fender(fender, key));
+    }
+    for pair in &setup.pairs {
+        let bodies = pair.bodies.map(|body| BodyId(body as u32));
+        builder.pair(Pair { bodies, material: MaterialId(pair.material as u32) });
+    }
+    if let Some(material) = setup.all_other_pairs {
+        builder.all_other_pairs(MaterialId(material as u32));
+    }
+    Ok(builder.build()?)
+}
+
+/// A fender as the engine takes it. Without a rating, its rated deflection is its projection.
+fn engine_fender(fender: &FenderSetup, key: u64) -> Fender {
+    Fender {
+        name: fender.name.clone(),
+        key,
+        body: BodyId(fender.body as u32),
+        position_m: fender.position_m,
+        facing_rad: fender.facing_rad,
+        width_m: fender.width_m,
+        projection_m: fender.projection_m,
+        law: fender.law.clone(),
+        unloading: fender.unloading.clone(),
+        material: MaterialId(fender.material as u32),
+        rated_deflection_m: fender.rated.map_or(fender.projection_m, |rated| rated.deflection_m),
+        stop: fender.stop,
+        factors: fender.factors.clone(),
+    }
+}
+
+/// The key of each name: its index among the sorted names, so that the order of bodies and fenders in a
+/// scenario does not change the results. The error is a name that occurs twice.
+fn keys_of<'n>(names: impl Iterator<Item = &'n str>) -> Result<Vec<u64>, String> {
+    let names: Vec<&str> = names.collect();
+    let mut order: Vec<usize> = (0..names.len()).collect();
+    order.sort_by(|&i, &j| names[i].cmp(names[j]));
+    if let Some(two) = order.windows(2).find(|two| names[two[0]] == names[two[1]]) {
+        return Err(names[two[0]].to_owned());
+    }
+    let mut keys = vec![0; names.len()];
+    for (key, &index) in order.iter().enumerate() {
+        keys[index] = key as u64;
+    }
+    Ok(keys)
+}

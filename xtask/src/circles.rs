@@ -1,0 +1,325 @@
+//! `cargo xtask circles`: no circle of files that `use` each other within a crate, but those listed here with a reason.
+//!
+//! A text scan, not a compiler: it reads the `use` declarations outside `mod tests`, and takes the longest part of a
+//! path that names a file. A re-export of a child (`pub use child::Item;`) is no use of it.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use crate::step::{Done, Step};
+
+/// The step of `cargo xtask test`.
+pub(crate) const STEP: Step = Step { name: "no circles of files", run: circles };
+
+/// Crates that are scanned.
+const CRATES: [&str; 5] = ["contact", "results", "report", "serve", "app"];
+
+/// Circles that may stay: crate, files, reason. A circle that is found must lie within one of these.
+const ALLOWED: &[(&str, &[&str], &str)] = &[
+    (
+        "contact",
+        &["geometry::convex", "geometry::lens", "geometry::through", "geometry::warm"],
+        "not yet untangled",
+    ),
+    (
+        "contact",
+        &[
+            "admit",
+            "coupled::bodies",
+            "coupled::island",
+            "coupled::leap",
+            "coupled::peaks",
+            "coupled::press_out",
+            "coupled::rows",
+            "coupled::tie",
+            "coupled::turning",
+            "events",
+            "face",
+            "fender",
+            "inherit",
+            "law::damper",
+            "law::normal",
+            "mass",
+            "memory",
+            "model",
+            "near",
+            "overlap",
+            "pairing",
+            "ranked",
+            "report",
+            "touch",
+            "unloading",
+            "workspace",
+        ],
+        "not yet untangled",
+    ),
+    ("contact", &["outline::mesh", "outline::pieces"], "not yet untangled"),
+    ("contact", &["host::inertia", "host::steering"], "not yet untangled"),
+    (
+        "contact",
+        &[
+            "host::cosim",
+            "host::mass_check",
+            "host::observer",
+            "host::predictor",
+            "host::workspace",
+        ],
+        "not yet untangled",
+    ),
+    ("results", &["tables", "world_tables"], "not yet untangled"),
+    ("results", &["outcome", "summary", "summary::fenders", "summary::world"], "not yet untangled"),
+    ("report", &["run_page::recorder", "run_page::recorder::pair"], "not yet untangled"),
+    ("report", &["run_page::charts", "run_page::parts"], "not yet untangled"),
+    (
+        "report",
+        &["plot::plan", "plot::plan::furniture", "plot::plan::harbour", "plot::plan::labels"],
+        "not yet untangled",
+    ),
+    ("serve", &["gallery", "recorder"], "not yet untangled"),
+    (
+        "serve",
+        &["lib", "client", "engine", "http", "hub", "log", "opening", "page", "wire"],
+        "not yet untangled",
+    ),
+    (
+        "app",
+        &[
+            "check",
+            "cli",
+            "load",
+            "manoeuvre",
+            "manoeuvre::conditions",
+            "manoeuvre::depth",
+            "run",
+            "validate",
+            "validate::computed",
+            "validate::computed::estimates",
+            "validate::computed::manoeuvres",
+            "validate::estimate_errors",
+            "validate::play",
+            "validate::published",
+            "validate::quantity",
+            "validate::row",
+            "vessels",
+        ],
+        "not yet untangled",
+    ),
+];
+
+/// A file by its module path; the crate's root is empty.
+type Module = Vec<String>;
+
+fn circles() -> Result<Done, String> {
+    let mut faults = String::new();
+    for name in CRATES {
+        let sources = sources(Path::new("crates").join(name).join("src").as_path())?;
+        let uses = uses(&sources);
+        for circle in components(&uses) {
+            let files: BTreeSet<String> = circle.iter().map(|module| text(module)).collect();
+            let is_allowed = ALLOWED.iter().any(|(of, allowed, _)| {
+                *of == name && files.iter().all(|file| allowed.contains(&file.as_str()))
+            });
+            if is_allowed {
+                println!("crates/{name}: allowed circle of {} files", files.len());
+                continue;
+            }
+            faults += &format!("crates/{name}: a circle of {} files:\n", files.len());
+            for file in &circle {
+                for used in uses[file].intersection(&circle) {
+                    faults += &format!("  {} uses {}\n", text(file), text(used));
+                }
+            }
+        }
+    }
+    if faults.is_empty() { Ok(Done::Good) } else { Err(faults) }
+}
+
+fn text(module: &[String]) -> String {
+    if module.is_empty() { "lib".to_owned() } else { module.join("::") }
+}
+
+/// The source text of each file, without `mod tests`.
+fn sources(root: &Path) -> Result<BTreeMap<Module, String>, String> {
+    let mut found = BTreeMap::new();
+    let mut folders = vec![(root.to_owned(), Module::new())];
+    while let Some((folder, module)) = folders.pop() {
+        let entries = fs::read_dir(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+        for entry in entries {
+            let path = entry.map_err(|e| format!("{}: {e}", folder.display()))?.path();
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let mut of = module.clone();
+            if path.is_dir() {
+                of.push(stem);
+                folders.push((path, of));
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                if !matches!(stem.as_str(), "lib" | "main" | "mod") {
+                    of.push(stem);
+                }
+                let source =
+                    fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+                let source = source.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
+                found.insert(of, source.to_owned());
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Which files each file uses.
+fn uses(sources: &BTreeMap<Module, String>) -> BTreeMap<Module, BTreeSet<Module>> {
+    let of_file = |(module, source): (&Module, &String)| {
+        let mut used = BTreeSet::new();
+        for (is_public, tree) in declarations(source) {
+            for path in paths(&tree) {
+                used.extend(target(module, &path, is_public, sources));
+            }
+        }
+        used.remove(module);
+        (module.clone(), used)
+    };
+    sources.iter().map(of_file).collect()
+}
+
+/// The `use` declarations of a source: whether each re-exports, and its tree without white space.
+fn declarations(source: &str) -> Vec<(bool, String)> {
+    let mut found = Vec::new();
+    let mut lines = source.lines();
+    while let Some(line) = lines.next() {
+        let line = line.trim_start();
+        let (is_public, rest) = match line.split_once("use ") {
+            Some(("", rest)) => (false, rest),
+            Some((before, rest)) if before.starts_with("pub") && !before.contains("fn") => {
+                (true, rest)
+            }
+            _ => continue,
+        };
+        let mut tree = rest.to_owned();
+        while !tree.contains(';') {
+            let Some(next) = lines.next() else { break };
+            tree += next;
+        }
+        let tree = tree.split(';').next().unwrap_or_default();
+        found.push((is_public, tree.chars().filter(|c| !c.is_whitespace()).collect()));
+    }
+    found
+}
+
+/// The single paths of a tree such as `a::{b, c::{d, e}}`.
+fn paths(tree: &str) -> Vec<String> {
+    let Some((head, body)) = tree.split_once('{') else { return vec![tree.to_owned()] };
+    let body = body.strip_suffix('}').unwrap_or(body);
+    let mut items = vec![String::new()];
+    let mut depth = 0;
+    for c in body.chars() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        match (c, depth) {
+            (',', 0) => items.push(String::new()),
+            _ => items.last_mut().expect("it begins with one").push(c),
+        }
+    }
+    let items = items.iter().filter(|item| !item.is_empty());
+    items.flat_map(|item| paths(item)).map(|path| format!("{head}{path}")).collect()
+}
+
+/// The file that a path of `module` leads to; `None` outside the crate and for a re-export of a child.
+fn target(
+    module: &Module,
+    path: &str,
+    is_public: bool,
+    sources: &BTreeMap<Module, String>,
+) -> Option<Module> {
+    let mut segments = path.split("::").peekable();
+    let mut at = match segments.peek() {
+        Some(&"crate") => Module::new(),
+        Some(&("self" | "super")) => module.clone(),
+        Some(first) if sources.contains_key(&child(module, first)) => module.clone(),
+        _ => return None,
+    };
+    while let Some(step @ ("crate" | "self" | "super")) = segments.peek().copied() {
+        if step == "super" {
+            at.pop();
+        }
+        segments.next();
+    }
+    if is_public && at == *module {
+        return None;
+    }
+    for segment in segments {
+        let below = child(&at, segment);
+        if !sources.contains_key(&below) {
+            break;
+        }
+        at = below;
+    }
+    Some(at)
+}
+
+fn child(module: &[String], name: &str) -> Module {
+    module.iter().cloned().chain([name.to_owned()]).collect()
+}
+
+/// Sets of more than one file in which each reaches every other.
+fn components(uses: &BTreeMap<Module, BTreeSet<Module>>) -> Vec<BTreeSet<Module>> {
+    let reached: BTreeMap<&Module, BTreeSet<Module>> = uses
+        .keys()
+        .map(|from| {
+            let mut reached = BTreeSet::new();
+            let mut open: Vec<&Module> = vec![from];
+            while let Some(next) = open.pop() {
+                for used in uses.get(next).into_iter().flatten() {
+                    if reached.insert(used.clone()) {
+                        open.push(used);
+                    }
+                }
+            }
+            (from, reached)
+        })
+        .collect();
+    let mut found = BTreeSet::new();
+    for (from, of) in &reached {
+        let circle = |other: &&Module| of.contains(*other) && reached[*other].contains(*from);
+        let all: BTreeSet<Module> = uses.keys().filter(circle).cloned().collect();
+        if all.len() > 1 {
+            found.insert(all);
+        }
+    }
+    found.into_iter().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(files: &[(&str, &str)]) -> Vec<BTreeSet<Module>> {
+        let module = |path: &str| -> Module {
+            path.split("::").filter(|part| !part.is_empty()).map(str::to_owned).collect()
+        };
+        let sources =
+            files.iter().map(|(path, source)| (module(path), (*source).to_owned())).collect();
+        components(&uses(&sources))
+    }
+
+    #[test]
+    fn a_circle_through_a_nested_use_is_found() {
+        let found = of(&[
+            ("", "mod a;\nmod b;\nuse a::run;"),
+            ("a", "use crate::{\n    b::c::{Deep, Deeper},\n};"),
+            ("b", ""),
+            ("b::c", "use super::super::a::Item;"),
+        ]);
+        let files: Vec<Vec<String>> =
+            found.iter().map(|circle| circle.iter().map(|file| text(file)).collect()).collect();
+        assert_eq!(files, [["a", "b::c"]]);
+    }
+
+    #[test]
+    fn a_re_export_is_no_use() {
+        assert!(of(&[("", "pub use a::Item;\nmod a;"), ("a", "use super::Shared;")]).is_empty());
+        assert_eq!(of(&[("", "use a::Item;\nmod a;"), ("a", "use super::Shared;")]).len(), 1);
+    }
+}
