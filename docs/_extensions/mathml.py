@@ -22,7 +22,7 @@ def _mathml(node, as_block):
     text = node.astext()
     try:
         return tex2mathml(text, as_block=as_block)
-    except MathError as error:
+    except (MathError, IndexError) as error:
         raise ExtensionError(f"{node.source}:{node.line}: equation {text!r}: {error}") from error
 
 

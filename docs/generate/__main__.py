@@ -3,7 +3,7 @@
     python docs/generate PROGRAM VALIDATION.json COLUMNS.json
 
 PROGRAM is the built `fenderline`, VALIDATION.json what `fenderline validate --out` wrote, and COLUMNS.json what
-`cargo run -p fenderline-results --example columns` printed. `cargo xtask book` calls this script.
+`fenderline columns --json` printed. `cargo xtask book` calls this script.
 """
 
 import shutil

@@ -12,7 +12,7 @@ def page(columns_json: str) -> str:
         "`fenderline run` writes these tables, as csv or, with `--format parquet`, as Parquet. Tables of fenders, vessels, "
         "thrusters, azimuth units, tugs and lines exist only where the scenario has any. `summary.json` and `report.html` "
         "stand beside them.\n",
-        "This page is made from what `cargo run -p fenderline-results --example columns` prints. A unit of `1` is a pure "
+        "This page is made from what `fenderline columns --json` prints. A unit of `1` is a pure "
         "number; `-` is a text or a truth value.\n",
     ]
     for name, columns in json.loads(Path(columns_json).read_text(encoding="utf-8")).items():

@@ -32,8 +32,7 @@ fn book() -> Result<Done, String> {
     let data = target.join(DATA);
     run_quietly(Command::new(&program).args(["validate", "--out"]).arg(&data))?;
     let columns = data.join("columns.json");
-    let example = ["run", "--quiet", "--package", "fenderline-results", "--example", "columns"];
-    std::fs::write(&columns, run_quietly(&mut cargo(example))?)
+    std::fs::write(&columns, run_quietly(Command::new(&program).args(["columns", "--json"]))?)
         .map_err(|e| format!("{}: {e}", columns.display()))?;
 
     let mut generate = Command::new(&python);

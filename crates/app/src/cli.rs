@@ -39,6 +39,8 @@ pub(crate) enum Command {
     /// Write a functional mock-up unit (FMU) of a scenario, for masters of FMI: FMPy, the Open Simulation
     /// Platform and others
     Fmu(FmuArgs),
+    /// Print the columns of the result files with their units and meanings
+    Columns(ColumnsArgs),
     /// Print the JSON Schema of scenario files, of fender files or of vessel files
     Schema(SchemaArgs),
     /// Parse and check a scenario without running it
@@ -264,6 +266,13 @@ pub(crate) enum FmiVersion {
     /// FMI 3.0
     #[value(name = "3")]
     Three,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ColumnsArgs {
+    /// Print JSON instead of Markdown
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]

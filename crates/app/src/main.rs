@@ -6,6 +6,7 @@
 
 mod check;
 mod cli;
+mod columns;
 mod failure;
 mod fender;
 mod fmu;
@@ -55,6 +56,7 @@ fn main() -> ExitCode {
         Command::Fmu(args) => fmu::fmu(args),
         Command::Serve(args) => serve::serve(args),
         Command::Replay(args) => serve::replay(args),
+        Command::Columns(args) => columns::columns(args),
         Command::Schema(args) => check::schema(args.of),
     };
     match done {

@@ -87,7 +87,7 @@ fn the_columns_are_those_that_others_rely_on() {
     assert_eq!(
         header("contacts"),
         "t_s,body_1,body_2,area_m2,depth_m,point_x_m,point_y_m,normal_x,normal_y,v_normal_mps,\
-         v_tangential_mps,shear_m,normal_force_n,tangential_force_n,state,limited,patch,fender,\
+         v_tangential_mps,shear_m,normal_force_n,tangential_force_n,friction_state,limited,patch,fender,\
          spring_n,stop_n,damper_n,limiter_n,stored_j,tilt_rad,normal_work_j,tangential_work_j"
     );
     assert_eq!(

@@ -125,17 +125,17 @@ fn a_vessel_s_forces_and_controls_are_told_step_by_step() {
     assert!((last("rudder_order_rad") - 60.0_f64.to_radians()).abs() < 1e-12);
     assert!((last("rudder_rad") - 35.0_f64.to_radians()).abs() < 1e-12);
     // Through the water she starts at the current's speed, the other way: she lies with her bow north.
-    assert!((column("u_water_mps")[0] - 0.2).abs() < 1e-12);
+    assert!((column("surge_through_water_mps")[0] - 0.2).abs() < 1e-12);
     // The wind comes over her starboard side, pushes her to port and heels her to port, until she swings.
-    assert!(column("wind_y_n")[..100].iter().all(|n| *n < 0.0));
+    assert!(column("wind_sway_n")[..100].iter().all(|n| *n < 0.0));
     assert!(column("roll_rad")[..100].iter().all(|rad| *rad < 0.0));
     // A thruster that is half on to port gives half its force, less what speed takes.
     let thrusters = columns(&place, "thrusters");
     assert_eq!(thrusters["thruster"].len(), 1200);
     assert_eq!((&*thrusters["thruster"][0], &*thrusters["thruster"][1]), ("bow", "stern"));
-    let power = numbers(&thrusters["power"]);
+    let power = numbers(&thrusters["thrust"]);
     assert!((power[1199] + 0.5).abs() < 1e-9 && power[1198] == 0.0);
-    let given_n = column("thrusters_y_n")[599];
+    let given_n = column("thrusters_sway_n")[599];
     // From 200 s on an azimuth unit too pushes to port, with 0.4 of its 30 kN.
     let azimuths = columns(&place, "azimuths");
     assert_eq!(azimuths["azimuth"].len(), 600);
@@ -143,7 +143,7 @@ fn a_vessel_s_forces_and_controls_are_told_step_by_step() {
     let last = |name: &str| *numbers(&azimuths[name]).last().expect("a row");
     assert!((last("power") - 0.4).abs() < 1e-9);
     assert!((last("direction_rad") + std::f64::consts::FRAC_PI_2).abs() < 1e-9);
-    let unit_n = last("force_y_n");
+    let unit_n = last("sway_n");
     assert!((-14e3..=-10e3).contains(&unit_n), "{unit_n}");
     let tunnels_n = given_n - unit_n;
     assert!((-20e3..=-15e3).contains(&tunnels_n), "{tunnels_n}");
@@ -274,11 +274,11 @@ fn squat_and_a_bank_are_told_with_their_standing() {
     let by_hand_m = 2.4 * 0.7 * 18.0 * 6.0 / 120.0 * square / (1.0 - square).sqrt();
     assert!((squat[0] - by_hand_m).abs() < 1e-9, "{} {by_hand_m}", squat[0]);
     // The bank is to starboard: it draws her there and turns her bow away.
-    assert!(column("banks_y_n")[0] > 0.0 && column("banks_n_nm")[0] < 0.0);
+    assert!(column("banks_sway_n")[0] > 0.0 && column("banks_yaw_nm")[0] < 0.0);
     let vessel = &place.json("out/harbour/summary.json")["vessels"][0];
     let peak_m = squat.iter().copied().fold(0.0, f64::max);
     assert_eq!(vessel["peak_squat_m"].as_f64(), Some(peak_m));
-    assert_eq!(vessel["least_under_keel_m"].as_f64(), Some(7.0 - 6.0 - peak_m));
+    assert_eq!(vessel["min_under_keel_clearance_m"].as_f64(), Some(7.0 - 6.0 - peak_m));
     let report = place.text("out/harbour/report.html");
     contains_all(
         &report,

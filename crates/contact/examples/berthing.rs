@@ -9,6 +9,7 @@
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
+use fenderline_contact::number::greater;
 use fenderline_contact::*;
 
 /// Ship of 20,000 t, 180 m × 30 m, with added mass.
@@ -49,7 +50,7 @@ fn berth(step_s: f64) -> Result<[f64; 2], Box<dyn Error>> {
         advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, step_s)?;
         for contact in work.contacts() {
             if let Some(index) = fenders.iter().position(|&id| contact.fender == Some(id)) {
-                peaks_n[index] = peaks_n[index].max(contact.peak_normal_force_n);
+                peaks_n[index] = greater(peaks_n[index], contact.peak_normal_force_n);
             }
         }
     }

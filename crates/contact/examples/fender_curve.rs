@@ -9,6 +9,7 @@
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
+use fenderline_contact::number::greater;
 use fenderline_contact::*;
 
 const MASS_KG: f64 = 3.6e7;
@@ -42,9 +43,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     for _ in 0..600 {
         advance_in_place(&model, &mut memory, &mut work, &mut states, &loads, 0.05)?;
         for contact in work.contacts() {
-            deflection_m = deflection_m.max(contact.peak_depth_m);
-            reaction_n = reaction_n.max(contact.peak_normal_force_n);
-            absorbed_j = absorbed_j.max(contact.energy.peak_absorbed_j);
+            deflection_m = greater(deflection_m, contact.peak_depth_m);
+            reaction_n = greater(reaction_n, contact.peak_normal_force_n);
+            absorbed_j = greater(absorbed_j, contact.energy.peak_absorbed_j);
         }
     }
     let kinetic_j = 0.5 * MASS_KG * SPEED_MPS * SPEED_MPS;

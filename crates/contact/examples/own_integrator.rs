@@ -9,6 +9,7 @@
 
 use std::error::Error;
 
+use fenderline_contact::number::greater;
 use fenderline_contact::*;
 
 const STEP_S: f64 = 0.1;
@@ -31,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         // 2. The contact wrench of this step.
         let loads = [drag, Wrench::default()];
         let contact = host.step(&model, &mut work, &[barge, quay], &loads, STEP_S)?[0];
-        peak_n = peak_n.max(work.peak_wrenches()[0].force_n.length());
+        peak_n = greater(peak_n, work.peak_wrenches()[0].force_n.length());
 
         // 3. The simulator's own integration, here semi-implicit Euler.
         barge.velocity_mps += (drag.force_n + contact.force_n) * (STEP_S / MASS_KG);

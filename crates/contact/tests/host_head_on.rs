@@ -53,7 +53,7 @@ fn a_tug_leaves_at_gamma_times_her_speed_whatever_delay_integrator_and_step() {
 }
 
 /// With forward Euler and nothing that limits the force (γ = 1) she leaves at 3.0 m/s by the paper's method
-/// (`crates/sim/tests/paper_method_against_coupled.rs`).
+/// (`crates/contact/tests/paper_method_against_coupled.rs`).
 #[test]
 fn without_a_limit_a_forward_euler_tug_leaves_no_faster_than_she_came() {
     for integration in INTEGRATIONS {

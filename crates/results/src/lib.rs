@@ -30,7 +30,7 @@ mod world_tables;
 mod world_totals;
 
 pub use accuracy::{ACCURACY, EstimateError, accuracy, accuracy_json, source_json};
-pub use columns::{Column, List, Names, Value};
+pub use columns::{Column, ColumnReference, List, Names, TableReference, Value, reference};
 pub use events::{event_key, world_event_key};
 pub use memory::{InMemory, KeptColumn, KeptTable, KeptValues, NotFinite, TableInMemory};
 pub use outcome::{Interrupted, Outcome, WrittenFile};

@@ -3,8 +3,8 @@
 use fenderline_sim::{Energy, FenderSetup, Setup, StepRecord};
 
 use crate::columns::{
-    BodyRow, Column, ContactRow, ContactWorks, EnergyRow, FenderRow, Names, bodies_columns,
-    contacts_columns, energy_columns, fenders_columns,
+    BodyRow, Column, ContactRow, ContactWorks, EnergyRow, FenderRow, Layout, Names, bodies_table,
+    contacts_table, energy_table, fenders_table,
 };
 use crate::touched::touched;
 use crate::world_tables::WorldTables;
@@ -61,9 +61,9 @@ impl<M: Medium, R> Counted<M, R> {
     pub(crate) fn start(
         medium: &M,
         names: &Names,
-        name: &'static str,
-        columns: Vec<Column<R>>,
+        layout: Layout<R>,
     ) -> Result<Counted<M, R>, M::Error> {
+        let Layout { name, columns, .. } = layout;
         Ok(Counted { name, table: medium.start(name, columns, names)?, rows: 0 })
     }
 
@@ -101,13 +101,13 @@ impl<M: Medium> Tables<M> {
         let names = &Names::of(setup);
         let fenders = match setup.fenders.as_slice() {
             [] => None,
-            _ => Some(Counted::start(medium, names, "fenders", fenders_columns())?),
+            _ => Some(Counted::start(medium, names, fenders_table())?),
         };
-        let mut energy = Counted::start(medium, names, "energy", energy_columns())?;
+        let mut energy = Counted::start(medium, names, energy_table())?;
         energy.push(&EnergyRow { t_s: 0.0, energy: start })?;
         Ok(Tables {
-            bodies: Counted::start(medium, names, "bodies", bodies_columns())?,
-            contacts: Counted::start(medium, names, "contacts", contacts_columns())?,
+            bodies: Counted::start(medium, names, bodies_table())?,
+            contacts: Counted::start(medium, names, contacts_table())?,
             energy,
             fenders,
             world: WorldTables::start(medium, names, &setup.world)?,

@@ -3,8 +3,8 @@
 use fenderline_sim::{StepRecord, WorldSetup};
 
 use crate::columns::{
-    AzimuthRow, Column, LineRow, Names, ThrusterRow, TugRow, VesselRow, azimuths_columns,
-    lines_columns, thrusters_columns, tugs_columns, vessels_columns,
+    AzimuthRow, Layout, LineRow, Names, ThrusterRow, TugRow, VesselRow, azimuths_table,
+    lines_table, thrusters_table, tugs_table, vessels_table,
 };
 use crate::tables::{Counted, Medium};
 
@@ -29,11 +29,11 @@ impl<M: Medium> WorldTables<M> {
         let has_vessels = !setup.vessels.is_empty();
         let of = (medium, names);
         Ok(WorldTables {
-            vessels: table(has_vessels, of, "vessels", vessels_columns)?,
-            thrusters: table(has_thrusters, of, "thrusters", thrusters_columns)?,
-            azimuths: table(has_azimuths, of, "azimuths", azimuths_columns)?,
-            tugs: table(!setup.tugs.is_empty(), of, "tugs", tugs_columns)?,
-            lines: table(!setup.lines.is_empty(), of, "lines", lines_columns)?,
+            vessels: table(has_vessels, of, vessels_table)?,
+            thrusters: table(has_thrusters, of, thrusters_table)?,
+            azimuths: table(has_azimuths, of, azimuths_table)?,
+            tugs: table(!setup.tugs.is_empty(), of, tugs_table)?,
+            lines: table(!setup.lines.is_empty(), of, lines_table)?,
             setup: setup.clone(),
         })
     }
@@ -111,8 +111,7 @@ impl<M: Medium> WorldTables<M> {
 fn table<M: Medium, R>(
     is_wanted: bool,
     (medium, names): (&M, &Names),
-    name: &'static str,
-    columns: fn() -> Vec<Column<R>>,
+    layout: fn() -> Layout<R>,
 ) -> Result<Option<Counted<M, R>>, M::Error> {
-    is_wanted.then(|| Counted::start(medium, names, name, columns())).transpose()
+    is_wanted.then(|| Counted::start(medium, names, layout())).transpose()
 }

@@ -1,8 +1,9 @@
-//! The identities of docs/contact_model.md, section 7: they need no reference data.
+//! Identities of docs/contact_model.md, section 7, that involve the integrators, the berthing formulas and the
+//! energy ledger. Others are in crates/contact/tests/identities.rs.
 
 mod support;
 
-use fenderline_contact::{BodyState, Vec2, vec2};
+use fenderline_contact::{BodyState, vec2};
 use fenderline_sim::berthing::{ContactPoint, frictionless_factor};
 use fenderline_sim::{BodySetup, BodyVelocity, Integrator, Method, Setup, Simulation};
 use proptest::prelude::*;
@@ -30,25 +31,6 @@ fn head_on(
     let mut wall = fixed("wall", rectangle(20.0, 40.0));
     wall.position_m = vec2(25.0, 0.0);
     two(block, wall, spring(stiffness_npm2, restitution), integrator, step_s, duration_s)
-}
-
-#[test]
-fn a_flat_contact_is_a_half_sine_of_omega_root_kw_over_m() {
-    let (speed, stiffness): (f64, f64) = (1.0, 500e3);
-    let omega = (stiffness * 10.0 / 1e6_f64).sqrt();
-    let step_s = 1e-4;
-    let duration_s = 3.3 / omega;
-    let simulation =
-        run(head_on(speed, stiffness, 1.0, Integrator::SemiImplicit, step_s, duration_s));
-    let pair = &simulation.pair_summaries()[0];
-    // First-order in Δt: ωΔt is 2e-4 here.
-    let close =
-        |ours: f64, exact: f64| assert!((ours / exact - 1.0).abs() < 5e-4, "{ours} {exact}");
-    close(pair.peak_depth_m, speed / omega);
-    close(pair.peak_normal_force_n, stiffness * 10.0 * speed / omega);
-    close(pair.peak_depth_at_s, 0.5 * std::f64::consts::PI / omega);
-    close(pair.last_touch_s - pair.first_touch_s, std::f64::consts::PI / omega);
-    close(pair.impulse_ns, 2.0 * 1e6 * speed);
 }
 
 #[allow(clippy::disallowed_methods, reason = "a test's closed form need not be bit for bit")]
@@ -169,57 +151,8 @@ fn pianc_sticking_contact_loses_the_eccentricity_factor() {
     }
 }
 
-/// Linear and angular momentum about the earth's origin.
-fn momentum(setup: &Setup, states: &[BodyState]) -> (Vec2, f64) {
-    let mut linear = Vec2::ZERO;
-    let mut angular = 0.0;
-    for (body, state) in setup.bodies.iter().zip(states) {
-        let mass = body.mass.expect("free bodies");
-        let own = state.velocity_mps * mass.mass_kg;
-        linear += own;
-        angular += state.position_m.cross(own) + mass.yaw_inertia_kgm2 * state.yaw_rate_radps;
-    }
-    (linear, angular)
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
-
-    /// Semi-implicit: Δ(x×mv) = x×FΔt exactly, so that angular momentum is kept as well as linear.
-    /// Forward Euler keeps the linear one only: it adds Δt² (v₁ − v₂)×F a step.
-    #[test]
-    fn momentum_of_a_free_pair_is_constant_to_rounding(
-        y in -18.0..18.0_f64,
-        heading in -0.6..0.6_f64,
-        speed in 0.2..4.0_f64,
-        spin in -0.05..0.05_f64,
-        friction in 0.0..0.8_f64,
-        step_s in 0.02..1.0_f64,
-    ) {
-        let mut tug = floating("tug", rectangle(32.0, 13.0), 1.01e6, 8.0);
-        tug.velocity.surge_mps = speed;
-        tug.heading_rad = heading;
-        tug.position_m = vec2(-40.0, y);
-        let mut ship = floating("ship", rectangle(46.0, 120.0), 9e7, 30.0);
-        ship.velocity.yaw_radps = spin * 0.1;
-        let mut rubber = spring(500e3, 0.1);
-        rubber.damping_nspm2 = 2e4;
-        rubber.shear_stiffness_npm = 3e6;
-        rubber.friction_static = friction;
-        rubber.friction_dynamic = friction;
-        let setup = two(tug, ship, rubber, Integrator::SemiImplicit, step_s, 60.0);
-        let mut simulation = Simulation::new(setup.clone()).unwrap();
-        let (linear, angular) = momentum(&setup, simulation.states());
-        let scale = linear.length() + 1e5;
-        while !simulation.is_done() {
-            let record = simulation.step().unwrap();
-            let sum = record.wrenches[0].force_n + record.wrenches[1].force_n;
-            prop_assert_eq!(sum, Vec2::ZERO, "F₁ = −F₂ bit for bit");
-        }
-        let (linear_after, angular_after) = momentum(&setup, simulation.states());
-        prop_assert!((linear_after - linear).length() <= 1e-10 * scale);
-        prop_assert!((angular_after - angular).abs() <= 1e-10 * scale * 200.0);
-    }
 
     /// Head-on and without friction nobody leaves with more energy than it came with, at any time
     /// step, stiffness and restitution up to 1.

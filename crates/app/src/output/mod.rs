@@ -22,29 +22,16 @@ pub(crate) use part_file::{Folder, Sealed};
 pub(crate) use tables::Tables;
 pub(crate) use whole_file::{make_folder, write_whole};
 
-/// Every file that a run may leave; an earlier run's are removed at the start.
-const RESULT_FILES: [&str; 20] = [
-    SUMMARY,
-    "bodies.csv",
-    "bodies.parquet",
-    "contacts.csv",
-    "contacts.parquet",
-    "energy.csv",
-    "energy.parquet",
-    "fenders.csv",
-    "fenders.parquet",
-    "lines.csv",
-    "lines.parquet",
-    "azimuths.csv",
-    "azimuths.parquet",
-    "thrusters.csv",
-    "thrusters.parquet",
-    "tugs.csv",
-    "tugs.parquet",
-    "vessels.csv",
-    "vessels.parquet",
-    REPORT,
-];
+/// Names of all files that a run may leave, the summary first; an earlier run's are removed at the start.
+fn result_files() -> Vec<String> {
+    let tables = fenderline_results::reference();
+    let tables = tables.iter().flat_map(|table| {
+        [Format::Csv, Format::Parquet]
+            .map(|format| format!("{}.{}", table.name, format.extension()))
+    });
+    [SUMMARY.to_owned()].into_iter().chain(tables).chain([REPORT.to_owned()]).collect()
+}
+
 pub(crate) const SUMMARY: &str = "summary.json";
 const REPORT: &str = "report.html";
 

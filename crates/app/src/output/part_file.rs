@@ -8,7 +8,7 @@ use std::sync::Arc;
 use fenderline_scenario::without_following;
 
 use super::lock::{Lock, admit};
-use super::{OutputError, RESULT_FILES, SUMMARY};
+use super::{OutputError, SUMMARY, result_files};
 
 /// The file whose lock keeps a second run out of a folder: it is never renamed.
 const LOCK: &str = ".fenderline.lock";
@@ -110,7 +110,9 @@ impl Folder {
         fs::create_dir_all(path).map_err(refused)?;
         let handle = Handle::open(path).map_err(refused)?;
         let lock = Lock::take(&path.join(LOCK), "another run is writing to this folder")?;
-        let names = RESULT_FILES.map(|name| [path.join(name), path.join(part_name(name))]);
+        let names = result_files();
+        let names: Vec<[PathBuf; 2]> =
+            names.iter().map(|name| [path.join(name), path.join(part_name(name))]).collect();
         names.iter().flatten().try_for_each(|name| admit(name))?;
         // The mark of completeness is the first to go, before anything that it vouches for.
         remove(&path.join(SUMMARY))?;

@@ -62,7 +62,8 @@ impl Providers {
         for (index, provider) in self.all.iter_mut().enumerate() {
             let body = provider.setup.body;
             let question = ForceRequest { t_s, step_s, state: simulation.states()[body] };
-            let wrench = provider.provided.ask(&mut provider.process, &question, &mut self.events);
+            let wrench =
+                provider.provided.wrench(&mut provider.process, &question, &mut self.events);
             self.wrenches[body].force_n += wrench.force_n;
             self.wrenches[body].moment_nm += wrench.moment_nm;
             for event in self.events.drain(..) {

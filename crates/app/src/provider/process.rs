@@ -95,13 +95,13 @@ impl Process {
 }
 
 impl ForceProvider for Process {
-    fn ask(&mut self, question: &ForceRequest) -> ForceReply {
+    fn reply(&mut self, request: &ForceRequest) -> ForceReply {
         let mut is_asked = false;
         let waits = if self.timeouts < PATIENCE { self.timeout } else { Duration::ZERO };
         let mut until = Instant::now() + waits;
         loop {
             if !is_asked && self.asked < self.unanswered + UNANSWERED {
-                self.say(&protocol::question(self.asked, question));
+                self.say(&protocol::question(self.asked, request));
                 self.asked += 1;
                 is_asked = true;
             }
@@ -109,7 +109,7 @@ impl ForceProvider for Process {
             match self.lines.recv_timeout(left) {
                 Ok(line) => {
                     // A line that is no answer is passed over.
-                    let Some((n, wrench)) = protocol::answer(&line, question) else { continue };
+                    let Some((n, wrench)) = protocol::answer(&line, request) else { continue };
                     if is_asked && n.saturating_add(1) == self.asked {
                         (self.unanswered, self.timeouts) = (self.asked, 0);
                         return ForceReply::Wrench(wrench);

@@ -1,8 +1,8 @@
-//! The table of azimuth units: one row a unit, so that its columns are the same for any number of them.
+//! The table of azimuth units: one row per unit, so that the columns do not depend on the number of units.
 
 use fenderline_sim::{AzimuthOrder, AzimuthState};
 
-use super::{Column, List, float, name};
+use super::{Column, Layout, List, float, name};
 
 /// One azimuth unit of a vessel in one step.
 pub(crate) struct AzimuthRow {
@@ -14,38 +14,45 @@ pub(crate) struct AzimuthRow {
     pub(crate) now: AzimuthState,
 }
 
-/// The columns of `azimuths`, in their order.
-pub(crate) fn azimuths_columns() -> Vec<Column<AzimuthRow>> {
-    vec![
+/// The table `azimuths`.
+pub(crate) fn azimuths_table() -> Layout<AzimuthRow> {
+    let columns: Vec<Column<AzimuthRow>> = vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("vessel", "name of the vessel's body", List::Vessels, |r| Some(r.vessel)),
         name("azimuth", "name of the azimuth unit", List::Azimuths, |r| Some(r.azimuth)),
-        float("power_order", "1", "thrust ordered over that at rest and full power", |r| {
+        float("power_order", "1", "ordered thrust over the bollard thrust at full power", |r| {
             r.order.power
         }),
         float(
             "power",
             "1",
-            "what has come of it in the step; at speed there is less thrust for it",
+            "power in the step in the same measure; at speed the thrust is less",
             |r| r.now.power.value,
         ),
         float(
             "direction_order_rad",
             "rad",
-            "direction ordered of the thrust from the bow, positive to starboard",
+            "ordered direction of the thrust from the bow, positive to starboard",
             |r| libm::remainder(r.order.direction_rad, core::f64::consts::TAU),
         ),
-        float("direction_rad", "rad", "direction of the thrust in the step", |r| {
-            r.now.direction.angle_rad
-        }),
-        float("force_x_n", "N", "force of the unit on the vessel: forward", |r| {
+        float(
+            "direction_rad",
+            "rad",
+            "direction of the thrust in the step, from the bow, positive to starboard",
+            |r| r.now.direction.angle_rad,
+        ),
+        float("surge_n", "N", "surge force of the unit on the vessel, positive forward", |r| {
             r.now.force.surge_n
         }),
-        float("force_y_n", "N", "force of the unit on the vessel: to starboard", |r| {
+        float("sway_n", "N", "sway force of the unit on the vessel, positive to starboard", |r| {
             r.now.force.sway_n
         }),
-        float("moment_nm", "N·m", "moment of that force: about midship, to starboard", |r| {
-            r.now.force.yaw_nm
-        }),
-    ]
+        float(
+            "yaw_nm",
+            "N·m",
+            "yaw moment of the unit about midship, positive to starboard",
+            |r| r.now.force.yaw_nm,
+        ),
+    ];
+    Layout { name: "azimuths", rows: "one row per azimuth unit and step", columns }
 }

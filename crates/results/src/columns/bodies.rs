@@ -2,7 +2,7 @@
 
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench};
 
-use super::{Column, List, float, name};
+use super::{Column, Layout, List, float, name};
 
 /// One body at the start of one step.
 pub(crate) struct BodyRow {
@@ -32,30 +32,37 @@ impl BodyRow {
     }
 }
 
-/// The columns of `bodies`, in their order.
-pub(crate) fn bodies_columns() -> Vec<Column<BodyRow>> {
-    vec![
+/// The table `bodies`.
+pub(crate) fn bodies_table() -> Layout<BodyRow> {
+    let columns: Vec<Column<BodyRow>> = vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("body", "name of the body", List::Bodies, |r| Some(r.body)),
-        float("x_m", "m", "position of the centre of gravity, north", |r| r.position_m.x),
-        float("y_m", "m", "position of the centre of gravity, east", |r| r.position_m.y),
+        float("x_m", "m", "position of the centre of gravity, north of the origin", |r| {
+            r.position_m.x
+        }),
+        float("y_m", "m", "position of the centre of gravity, east of the origin", |r| {
+            r.position_m.y
+        }),
         float("heading_rad", "rad", "heading ψ, clockwise from north", |r| r.heading_rad),
         float(
             "u_mps",
             "m/s",
-            "surge velocity u, body-fixed, forward; by the coupled method of half a (sub-)step before t",
+            "surge velocity u, body-fixed, positive forward; with the coupled method at half a (sub-)step before t",
             |r| r.velocity_mps.x,
         ),
-        float("v_mps", "m/s", "sway velocity v, body-fixed, to starboard; as u", |r| {
-            r.velocity_mps.y
-        }),
-        float("r_radps", "rad/s", "rate of turn r, positive to starboard; as u", |r| {
+        float(
+            "v_mps",
+            "m/s",
+            "sway velocity v, body-fixed, positive to starboard; at the time of u",
+            |r| r.velocity_mps.y,
+        ),
+        float("r_radps", "rad/s", "yaw rate r, positive to starboard; at the time of u", |r| {
             r.yaw_rate_radps
         }),
-        float("force_x_n", "N", "sum of the contact forces on the body, north", |r| {
+        float("force_x_n", "N", "sum of the contact forces on the body, positive north", |r| {
             r.wrench.force_n.x
         }),
-        float("force_y_n", "N", "sum of the contact forces on the body, east", |r| {
+        float("force_y_n", "N", "sum of the contact forces on the body, positive east", |r| {
             r.wrench.force_n.y
         }),
         float(
@@ -64,5 +71,6 @@ pub(crate) fn bodies_columns() -> Vec<Column<BodyRow>> {
             "moment of the contact forces about the centre of gravity, positive to starboard",
             |r| r.wrench.moment_nm,
         ),
-    ]
+    ];
+    Layout { name: "bodies", rows: "one row per body and step", columns }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use fenderline_contact::{Contact, Friction};
 use fenderline_sim::ContactEnergy;
 
-use super::{Column, List, Value, flag, float, name};
+use super::{Column, Layout, List, Value, flag, float, name};
 
 /// One patch of contact in one step.
 pub(crate) struct ContactRow {
@@ -39,11 +39,11 @@ impl ContactWorks {
     }
 }
 
-/// The columns of `contacts`, in their order.
-pub(crate) fn contacts_columns() -> Vec<Column<ContactRow>> {
-    vec![
+/// The table `contacts`.
+pub(crate) fn contacts_table() -> Layout<ContactRow> {
+    let columns: Vec<Column<ContactRow>> = vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
-        name("body_1", "name of the body that is first in the scenario", List::Bodies, |r| {
+        name("body_1", "name of the body that comes first in the scenario", List::Bodies, |r| {
             Some(r.contact.body_1.0 as usize)
         }),
         name("body_2", "name of the other body", List::Bodies, |r| {
@@ -71,12 +71,14 @@ pub(crate) fn contacts_columns() -> Vec<Column<ContactRow>> {
             |r| r.contact.v_tangential_mps,
         ),
         float("shear_m", "m", "shear Δs of the contact", |r| r.contact.shear_m),
-        float("normal_force_n", "N", "normal force N, pressing", |r| r.contact.normal_force_n),
+        float("normal_force_n", "N", "normal force N, positive in compression", |r| {
+            r.contact.normal_force_n
+        }),
         float("tangential_force_n", "N", "tangential force T on body 1, along the tangent", |r| {
             r.contact.tangential_force_n
         }),
         Column {
-            name: "state",
+            name: "friction_state",
             unit: "-",
             meaning: "stick or slip",
             value: Value::Word(|r| match r.contact.friction {
@@ -84,7 +86,9 @@ pub(crate) fn contacts_columns() -> Vec<Column<ContactRow>> {
                 Friction::Slip => "slip",
             }),
         },
-        flag("limited", "whether the impulse-momentum limiter cut a force", |r| r.contact.limited),
+        flag("limited", "whether the impulse-momentum limiter reduced a force", |r| {
+            r.contact.limited
+        }),
         Column {
             name: "patch",
             unit: "1",
@@ -97,23 +101,26 @@ pub(crate) fn contacts_columns() -> Vec<Column<ContactRow>> {
             List::Fenders,
             |r| r.contact.fender.map(|id| id.0 as usize),
         ),
-        float("spring_n", "N", "of N: area spring or reaction curve, with its factors", |r| {
+        float("spring_n", "N", "part of N: area spring or reaction curve, with its factors", |r| {
             r.contact.parts.spring_n
         }),
-        float("stop_n", "N", "of N: the stop past a fender's travel", |r| r.contact.parts.stop_n),
-        float("damper_n", "N", "of N: the damper c Ṡ, negative while the overlap shrinks", |r| {
-            r.contact.parts.damper_n
-        }),
+        float("stop_n", "N", "part of N: stop past a fender's travel", |r| r.contact.parts.stop_n),
+        float(
+            "damper_n",
+            "N",
+            "part of N: damper c Ṡ, negative while the overlap shrinks",
+            |r| r.contact.parts.damper_n,
+        ),
         float(
             "limiter_n",
             "N",
-            "taken off N by the limit from momentum: N = spring + stop + damper − limiter",
+            "reduction of N by the impulse-momentum limiter: N = spring + stop + damper − limiter",
             |r| r.contact.parts.limiter_n,
         ),
         float(
             "stored_j",
             "J",
-            "stored in a fender's spring and stop at the start of the step",
+            "energy stored in a fender's spring and stop at the start of the step",
             |r| r.contact.energy.stored_j,
         ),
         float("tilt_rad", "rad", "angle between a fender's face and the hull", |r| {
@@ -122,15 +129,16 @@ pub(crate) fn contacts_columns() -> Vec<Column<ContactRow>> {
         float(
             "normal_work_j",
             "J",
-            "work of the normal force on the bodies in the step; of all patches of the two bodies or \
-             of the fender, in the first one's row",
+            "work of the normal force on the bodies in the step; the first row of a pair or fender has the work of all its \
+             patches, the others 0",
             |r| r.work_j[0],
         ),
         float(
             "tangential_work_j",
             "J",
-            "work of the tangential force on the bodies in the step, told in the same way",
+            "work of the tangential force on the bodies in the step, in the same rows",
             |r| r.work_j[1],
         ),
-    ]
+    ];
+    Layout { name: "contacts", rows: "one row per contact patch and step", columns }
 }

@@ -2,7 +2,7 @@
 
 use fenderline_sim::Energy;
 
-use super::{Column, float};
+use super::{Column, Layout, float};
 
 /// The ledger at one time.
 pub(crate) struct EnergyRow {
@@ -10,10 +10,10 @@ pub(crate) struct EnergyRow {
     pub(crate) energy: Energy,
 }
 
-/// The columns of `energy`, in their order.
-pub(crate) fn energy_columns() -> Vec<Column<EnergyRow>> {
-    vec![
-        float("t_s", "s", "when the ledger stands so: the start, and the end of each step", |r| {
+/// The table `energy`.
+pub(crate) fn energy_table() -> Layout<EnergyRow> {
+    let columns: Vec<Column<EnergyRow>> = vec![
+        float("t_s", "s", "time of the row: the start of the run, and the end of each step", |r| {
             r.t_s
         }),
         float(
@@ -25,64 +25,71 @@ pub(crate) fn energy_columns() -> Vec<Column<EnergyRow>> {
         float(
             "load_work_j",
             "J",
-            "work over the ground since the start by all that is no contact: the sum of the next twelve",
+            "work of all loads other than contact since the start, in the ground frame: the sum of the next twelve columns",
             |r| r.energy.load_work_j,
         ),
         float(
             "hull_work_j",
             "J",
-            "of the water on vessels' hulls, current within: drag and lift",
+            "work of the water on the hulls of vessels, current included: drag and lift",
             |r| r.energy.loads.hull_j,
         ),
-        float("propeller_work_j", "J", "of propellers", |r| r.energy.loads.propeller_j),
-        float("rudder_work_j", "J", "of rudders", |r| r.energy.loads.rudder_j),
-        float("thrusters_work_j", "J", "of tunnel thrusters and azimuth units", |r| {
+        float("propeller_work_j", "J", "work of propellers", |r| r.energy.loads.propeller_j),
+        float("rudder_work_j", "J", "work of rudders", |r| r.energy.loads.rudder_j),
+        float("thrusters_work_j", "J", "work of tunnel thrusters and azimuth units", |r| {
             r.energy.loads.thrusters_j
         }),
-        float("wind_work_j", "J", "of wind on vessels", |r| r.energy.loads.wind_j),
-        float("waves_work_j", "J", "of mean wave drift", |r| r.energy.loads.waves_j),
-        float("banks_work_j", "J", "of banks", |r| r.energy.loads.banks_j),
-        float("bottom_work_j", "J", "of the bottom on vessels aground", |r| {
+        float("wind_work_j", "J", "work of wind on vessels", |r| r.energy.loads.wind_j),
+        float("waves_work_j", "J", "work of mean wave drift", |r| r.energy.loads.waves_j),
+        float("banks_work_j", "J", "work of banks", |r| r.energy.loads.banks_j),
+        float("bottom_work_j", "J", "work of the seabed on vessels aground", |r| {
             r.energy.loads.bottom_j
         }),
         float(
             "current_work_j",
             "J",
-            "of a current that speeds up, and on the water that goes with a vessel as she turns in it; none in still water",
+            "work of an accelerating current, and on the added mass of a vessel that turns in a current; 0 in still water",
             |r| r.energy.loads.current_j,
         ),
-        float("tugs_work_j", "J", "of vector tugs", |r| r.energy.loads.tugs_j),
-        float("lines_work_j", "J", "of mooring and tow lines", |r| r.energy.loads.lines_j),
-        float("other_work_j", "J", "of the scenario's loads and other programs", |r| {
+        float("tugs_work_j", "J", "work of vector tugs", |r| r.energy.loads.tugs_j),
+        float("lines_work_j", "J", "work of mooring and tow lines", |r| r.energy.loads.lines_j),
+        float("other_work_j", "J", "work of the scenario's loads and of force providers", |r| {
             r.energy.loads.other_j
         }),
-        float("stored_j", "J", "stored now in springs and stops of contacts", |r| {
+        float("stored_j", "J", "energy now stored in springs and stops of contacts", |r| {
             r.energy.stored_j
         }),
-        float("shear_stored_j", "J", "stored now in shear springs of contacts", |r| {
+        float("shear_stored_j", "J", "energy now stored in shear springs of contacts", |r| {
             r.energy.shear_stored_j
         }),
-        float("hysteresis_j", "J", "lost in the rubber of fenders since the start", |r| {
+        float("hysteresis_j", "J", "energy lost to hysteresis of fenders since the start", |r| {
             r.energy.hysteresis_j
         }),
-        float("damping_j", "J", "lost to damping since the start", |r| r.energy.damping_j),
-        float("restitution_j", "J", "lost to restitution since the start", |r| {
+        float("damping_j", "J", "energy lost to damping since the start", |r| r.energy.damping_j),
+        float("restitution_j", "J", "energy lost to restitution since the start", |r| {
             r.energy.restitution_j
         }),
-        float("friction_j", "J", "lost to friction since the start", |r| r.energy.friction_j),
+        float("friction_j", "J", "energy lost to friction since the start", |r| {
+            r.energy.friction_j
+        }),
         float(
             "contact_residual_j",
             "J",
-            "stored and not given back for no reason but the method's or the time step's; negative: \
-             energy that they made up",
+            "numerical energy loss of contacts by the method or the time step; negative: \
+             energy gain",
             |r| r.energy.contact_residual_j,
         ),
         float(
             "residual_j",
             "J",
-            "kinetic energy less that at the start and all works: rounding, and in contact what a step makes of \
-             momentum that turns with the body",
+            "residual of the balance: kinetic energy less its value at the start and all works; rounding, and in contact the \
+             integration error where surge and sway have different added mass",
             |r| r.energy.residual_j,
         ),
-    ]
+    ];
+    Layout {
+        name: "energy",
+        rows: "the energy ledger: one row at the start, then one per step",
+        columns,
+    }
 }

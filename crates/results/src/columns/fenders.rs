@@ -2,7 +2,7 @@
 
 use fenderline_sim::FenderSetup;
 
-use super::{Column, List, float, known, name};
+use super::{Column, Layout, List, float, known, name};
 use crate::touched::TouchedFender;
 
 /// One touched fender in one step.
@@ -14,7 +14,7 @@ pub(crate) struct FenderRow {
 }
 
 impl FenderRow {
-    /// The row of fender number `fender`, which this is the set-up of.
+    /// The row of fender number `fender`, with its set-up.
     pub(crate) fn new(
         t_s: f64,
         fender: usize,
@@ -27,9 +27,9 @@ impl FenderRow {
     }
 }
 
-/// The columns of `fenders`, in their order.
-pub(crate) fn fenders_columns() -> Vec<Column<FenderRow>> {
-    vec![
+/// The table `fenders`.
+pub(crate) fn fenders_table() -> Layout<FenderRow> {
+    let columns: Vec<Column<FenderRow>> = vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("fender", "name of the fender", List::Fenders, |r| Some(r.fender)),
         float("deflection_m", "m", "deflection at the start of the step", |r| {
@@ -44,15 +44,16 @@ pub(crate) fn fenders_columns() -> Vec<Column<FenderRow>> {
             "largest reaction along the fender's axis within the step",
             |r| r.touched.peak_reaction_n,
         ),
-        float("stored_j", "J", "stored in spring and stop at the start of the step", |r| {
+        float("stored_j", "J", "energy stored in spring and stop at the start of the step", |r| {
             r.touched.stored_j
         }),
         known(
             "hull_pressure_npm2",
             "N/m²",
             "largest pressure on the hull within the step: reaction over width times height, or by inner \
-             pressure; empty or NaN where not known",
+             pressure; empty (csv) or NaN (parquet) where not known",
             |r| r.hull_pressure_npm2,
         ),
-    ]
+    ];
+    Layout { name: "fenders", rows: "one row per touched fender and step", columns }
 }

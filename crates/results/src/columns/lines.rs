@@ -2,7 +2,7 @@
 
 use fenderline_sim::Mooring;
 
-use super::{Column, List, flag, float, name};
+use super::{Column, Layout, List, flag, float, name};
 
 /// One line that was made fast, in one step.
 pub(crate) struct LineRow {
@@ -29,16 +29,19 @@ impl LineRow {
     }
 }
 
-/// The columns of `lines`, in their order.
-pub(crate) fn lines_columns() -> Vec<Column<LineRow>> {
-    vec![
+/// The table `lines`.
+pub(crate) fn lines_table() -> Layout<LineRow> {
+    let columns: Vec<Column<LineRow>> = vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("line", "name of the line", List::Lines, |r| Some(r.line)),
         float("tension_n", "N", "tension at the ship's end", |r| r.tension_n),
-        float("length_m", "m", "unstretched length outboard, the tail included", |r| r.length_m),
-        float("rendered_m", "m", "rope that the brake of the winch let go in the step", |r| {
+        float("unstretched_length_m", "m", "unstretched length outboard, tail included", |r| {
+            r.length_m
+        }),
+        float("rendered_m", "m", "line that the winch brake rendered in the step", |r| {
             r.rendered_m
         }),
         flag("parted", "whether it has parted", |r| r.parted),
-    ]
+    ];
+    Layout { name: "lines", rows: "one row per line that is made fast, and step", columns }
 }

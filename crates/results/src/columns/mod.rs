@@ -1,5 +1,6 @@
 //! The columns of the result tables: name, unit, meaning and value of each, stated once. The csv
-//! header, the parquet schema and its metadata, and Python's tables all come from here.
+//! header, the parquet schema and its metadata, Python's tables and the reference of `fenderline columns` all come from
+//! here.
 
 mod azimuths;
 mod bodies;
@@ -13,15 +14,71 @@ mod vessels;
 
 use fenderline_sim::Setup;
 
-pub(crate) use azimuths::{AzimuthRow, azimuths_columns};
-pub(crate) use bodies::{BodyRow, bodies_columns};
-pub(crate) use contacts::{ContactRow, ContactWorks, contacts_columns};
-pub(crate) use energy::{EnergyRow, energy_columns};
-pub(crate) use fenders::{FenderRow, fenders_columns};
-pub(crate) use lines::{LineRow, lines_columns};
-pub(crate) use thrusters::{ThrusterRow, thrusters_columns};
-pub(crate) use tugs::{TugRow, tugs_columns};
-pub(crate) use vessels::{VesselRow, vessels_columns};
+pub(crate) use azimuths::{AzimuthRow, azimuths_table};
+pub(crate) use bodies::{BodyRow, bodies_table};
+pub(crate) use contacts::{ContactRow, ContactWorks, contacts_table};
+pub(crate) use energy::{EnergyRow, energy_table};
+pub(crate) use fenders::{FenderRow, fenders_table};
+pub(crate) use lines::{LineRow, lines_table};
+pub(crate) use thrusters::{ThrusterRow, thrusters_table};
+pub(crate) use tugs::{TugRow, tugs_table};
+pub(crate) use vessels::{VesselRow, vessels_table};
+
+/// A table with rows of type `R`: its name and its columns.
+pub(crate) struct Layout<R> {
+    pub(crate) name: &'static str,
+    /// What a row stands for.
+    pub(crate) rows: &'static str,
+    /// In the order of the file.
+    pub(crate) columns: Vec<Column<R>>,
+}
+
+/// What a reader should know of a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TableReference {
+    /// Name of the table; its file is `NAME.csv` or `NAME.parquet`.
+    pub name: &'static str,
+    /// What a row stands for.
+    pub rows: &'static str,
+    /// The columns, in the order of the file.
+    pub columns: Vec<ColumnReference>,
+}
+
+/// What a reader should know of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ColumnReference {
+    /// Name; it ends with the unit where there is one.
+    pub name: &'static str,
+    /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
+    pub unit: &'static str,
+    /// What it means.
+    pub meaning: &'static str,
+}
+
+/// Every table that a run can write, with its columns: the same definitions that the files are written from.
+#[must_use]
+pub fn reference() -> Vec<TableReference> {
+    vec![
+        refer(bodies_table()),
+        refer(contacts_table()),
+        refer(fenders_table()),
+        refer(vessels_table()),
+        refer(thrusters_table()),
+        refer(azimuths_table()),
+        refer(tugs_table()),
+        refer(lines_table()),
+        refer(energy_table()),
+    ]
+}
+
+fn refer<R>(layout: Layout<R>) -> TableReference {
+    let Layout { name, rows, columns } = layout;
+    let columns = columns.iter().map(|column| {
+        let Column { name, unit, meaning, .. } = *column;
+        ColumnReference { name, unit, meaning }
+    });
+    TableReference { name, rows, columns: columns.collect() }
+}
 
 /// One column of a table with rows of type `R`.
 pub struct Column<R> {
@@ -169,4 +226,21 @@ const fn name<R>(
 
 const fn flag<R>(name: &'static str, meaning: &'static str, value: fn(&R) -> bool) -> Column<R> {
     Column { name, unit: "-", meaning, value: Value::Flag(value) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_column_has_one_name_a_unit_and_a_meaning() {
+        for table in reference() {
+            for (index, column) in table.columns.iter().enumerate() {
+                let ColumnReference { name, unit, meaning } = column;
+                assert!(!unit.is_empty() && !meaning.is_empty(), "{}: {name}", table.name);
+                let before = &table.columns[..index];
+                assert!(before.iter().all(|other| other.name != *name), "{}: {name}", table.name);
+            }
+        }
+    }
 }

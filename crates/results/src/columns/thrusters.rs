@@ -1,6 +1,6 @@
-//! The table of thrusters: one row a thruster, so that its columns are the same for any number of them.
+//! The table of thrusters: one row per thruster, so that the columns do not depend on the number of thrusters.
 
-use super::{Column, List, float, name};
+use super::{Column, Layout, List, float, name};
 
 /// One thruster of a vessel in one step.
 pub(crate) struct ThrusterRow {
@@ -12,15 +12,24 @@ pub(crate) struct ThrusterRow {
     pub(crate) power: f64,
 }
 
-/// The columns of `thrusters`, in their order.
-pub(crate) fn thrusters_columns() -> Vec<Column<ThrusterRow>> {
-    vec![
+/// The table `thrusters`.
+pub(crate) fn thrusters_table() -> Layout<ThrusterRow> {
+    let columns: Vec<Column<ThrusterRow>> = vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("vessel", "name of the vessel's body", List::Vessels, |r| Some(r.vessel)),
         name("thruster", "name of the thruster", List::Thrusters, |r| Some(r.thruster)),
-        float("order", "1", "thrust ordered, −1 (full to port) to 1 (full to starboard)", |r| {
-            r.order
-        }),
-        float("power", "1", "thrust in the step, in the same measure", |r| r.power),
-    ]
+        float(
+            "thrust_order",
+            "1",
+            "ordered thrust over full thrust, −1 (to port) to 1 (to starboard)",
+            |r| r.order,
+        ),
+        float(
+            "thrust",
+            "1",
+            "thrust in the step over full thrust, −1 (to port) to 1 (to starboard)",
+            |r| r.power,
+        ),
+    ];
+    Layout { name: "thrusters", rows: "one row per tunnel thruster and step", columns }
 }

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use fenderline_sim::TugAtWork;
 use fenderline_sim::tug::TugOrder;
 
-use super::{Column, List, flag, float, name};
+use super::{Column, Layout, List, flag, float, name};
 
 /// One tug in one step.
 pub(crate) struct TugRow {
@@ -36,20 +36,27 @@ impl TugRow {
     }
 }
 
-/// The columns of `tugs`, in their order.
-pub(crate) fn tugs_columns() -> Vec<Column<TugRow>> {
-    vec![
+/// The table `tugs`.
+pub(crate) fn tugs_table() -> Layout<TugRow> {
+    let columns: Vec<Column<TugRow>> = vec![
         float("t_s", "s", "start of the step", |r| r.t_s),
         name("tug", "name of the tug", List::Tugs, |r| Some(r.tug)),
-        float("ordered_n", "N", "force that she is ordered to give", |r| r.ordered_n),
-        float("force_n", "N", "force on the ship in the step", |r| r.force_n),
+        float("force_order_n", "N", "ordered force", |r| r.ordered_n),
+        float("force_n", "N", "force on the assisted ship in the step", |r| r.force_n),
         float(
-            "direction_rad",
+            "force_direction_rad",
             "rad",
-            "direction of the force from the ship's bow, positive to starboard",
+            "direction of the force from the assisted ship's bow, positive to starboard",
             |r| r.direction_rad,
         ),
-        flag("on_line", "whether she pulls on her line rather than pushes", |r| r.on_line),
-        flag("limited", "whether speed and angle leave her less than is ordered", |r| r.limited),
-    ]
+        flag("pulls_on_line", "whether the tug pulls on a line; otherwise she pushes", |r| {
+            r.on_line
+        }),
+        flag(
+            "force_limited",
+            "whether the tug cannot give the ordered force at this speed and angle",
+            |r| r.limited,
+        ),
+    ];
+    Layout { name: "tugs", rows: "one row per tug and step", columns }
 }

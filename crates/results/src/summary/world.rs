@@ -59,8 +59,8 @@ fn vessel_json(name: &str, totals: &VesselTotals) -> Value {
         "aground_s": totals.aground.s(),
     });
     if let Some(least) = totals.under_keel_m {
-        object["least_under_keel_m"] = json!(least.value);
-        object["least_under_keel_at_s"] = json!(least.at_s);
+        object["min_under_keel_clearance_m"] = json!(least.value);
+        object["min_under_keel_clearance_at_s"] = json!(least.at_s);
     }
     object
 }

@@ -1,22 +1,22 @@
-//! A damped oscillator, stepped exactly.
+//! A damped oscillator with an exact solution per step.
 
 /// Value and rate of one motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Heave (m) or angle (rad).
     pub value: f64,
-    /// Its rate (m/s, rad/s).
+    /// Rate of change (m/s, rad/s).
     pub rate: f64,
 }
 
-/// M ẍ + 2ζ√(MC) ẋ + C x = F.
+/// The oscillator M ẍ + 2ζ√(MC) ẋ + C x = F.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Oscillator {
     /// M: mass or inertia, added mass included (kg, kg·m²).
     pub inertia: f64,
-    /// C: restoring force or moment by unit (N/m, N·m/rad).
+    /// C: restoring coefficient (N/m, N·m/rad).
     pub restoring: f64,
-    /// ζ, damping over critical damping.
+    /// ζ: damping ratio.
     pub damping: f64,
 }
 
@@ -33,15 +33,16 @@ impl Oscillator {
         2.0 * core::f64::consts::PI / self.rate_radps()
     }
 
-    /// The motion after `step_s` seconds of a constant force: the closed form, for any step and damping.
+    /// The motion after `step_s` seconds under a constant force, in closed form for any step and damping ratio.
     #[must_use]
     pub fn after(&self, from: Motion, force: f64, step_s: f64) -> Motion {
-        let rest = force / self.restoring;
+        let equilibrium = force / self.restoring;
         let (omega, zeta) = (self.rate_radps(), self.damping);
-        let (x, v) = (from.value - rest, from.rate);
+        let (x, v) = (from.value - equilibrium, from.rate);
         let decay = zeta * omega;
         let fade = libm::exp(-decay * step_s);
-        // With s = ω√|1 − ζ²|: x e^{-ζωt}(c + ζω/s·q) + v q/s …, c and q the circular or hyperbolic pair.
+        // With s = ω√|1 − ζ²|: x(t) = e^{−ζωt}(x(c + ζω q/s) + v q/s), where c and q are cos and sin of st below
+        // critical damping, cosh and sinh above it.
         let square = 1.0 - zeta * zeta;
         let s = omega * libm::sqrt(square.abs());
         let t = s * step_s;
@@ -54,7 +55,7 @@ impl Oscillator {
         };
         let value = fade * (x * (c + decay * q_over_s) + v * q_over_s);
         let rate = fade * (v * (c - decay * q_over_s) - x * (s_q + decay * decay * q_over_s));
-        Motion { value: value + rest, rate }
+        Motion { value: value + equilibrium, rate }
     }
 }
 
@@ -62,7 +63,7 @@ impl Oscillator {
 mod tests {
     use super::*;
 
-    /// The same by ten thousand small steps of Runge-Kutta's midpoint rule; its error is (ωh)³ a step.
+    /// The motion by ten thousand small steps of the explicit midpoint rule, with an error of (ωh)³ per step.
     fn by_small_steps(o: &Oscillator, mut m: Motion, force: f64, seconds: f64) -> Motion {
         let h = seconds / 1e4;
         let acceleration = |m: Motion| {
@@ -80,21 +81,21 @@ mod tests {
     }
 
     #[test]
-    fn the_closed_form_is_the_solution_for_weak_critical_and_strong_damping() {
+    fn the_closed_form_agrees_with_integration_for_weak_critical_and_strong_damping() {
         for damping in [0.0, 0.15, 0.999_999_999, 1.0, 1.000_000_001, 2.5] {
             let o = Oscillator { inertia: 3.0, restoring: 0.7, damping };
             let from = Motion { value: 0.4, rate: -0.2 };
             for seconds in [0.0, 0.1, 3.0, 12.0] {
-                let (ours, theirs) =
+                let (exact, numerical) =
                     (o.after(from, 0.5, seconds), by_small_steps(&o, from, 0.5, seconds));
-                assert!((ours.value - theirs.value).abs() < 1e-6, "ζ {damping}, {seconds} s");
-                assert!((ours.rate - theirs.rate).abs() < 1e-6, "ζ {damping}, {seconds} s");
+                assert!((exact.value - numerical.value).abs() < 1e-6, "ζ {damping}, {seconds} s");
+                assert!((exact.rate - numerical.rate).abs() < 1e-6, "ζ {damping}, {seconds} s");
             }
         }
     }
 
     #[test]
-    fn two_steps_are_one_of_twice_the_length_and_rest_is_rest() {
+    fn two_steps_equal_one_of_twice_the_length_and_equilibrium_is_kept() {
         let o = Oscillator { inertia: 1e9, restoring: 3e8, damping: 0.15 };
         let from = Motion { value: 0.1, rate: 0.02 };
         let (two, one) = (o.after(o.after(from, 1e6, 2.0), 1e6, 2.0), o.after(from, 1e6, 4.0));

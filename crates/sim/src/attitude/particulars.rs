@@ -1,4 +1,4 @@
-//! From a ship's particulars to her three oscillators.
+//! Heave, roll and pitch oscillators from a ship's particulars.
 
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use std::fmt;
@@ -6,7 +6,7 @@ use std::fmt;
 use super::oscillator::Oscillator;
 use crate::hydro::vessels::{Figure, Source, Standing};
 
-/// A ship's heave, roll and pitch.
+/// The heave, roll and pitch oscillators of a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hydrostatics {
     /// Heave.
@@ -17,14 +17,14 @@ pub struct Hydrostatics {
     pub pitch: Oscillator,
 }
 
-/// A particular with which no ship floats upright.
+/// A particular with which a ship cannot float upright.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AttitudeError {
-    /// Which, with its unit.
+    /// The quantity, with its unit.
     pub quantity: &'static str,
     /// Its value.
     pub value: f64,
-    /// What it must be.
+    /// The condition it must satisfy.
     pub must: &'static str,
 }
 
@@ -36,7 +36,7 @@ impl fmt::Display for AttitudeError {
 
 impl std::error::Error for AttitudeError {}
 
-/// What heave, roll and pitch are made from.
+/// Particulars for heave, roll and pitch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HydrostaticParticulars {
     /// Displacement (kg).
@@ -55,24 +55,24 @@ pub struct HydrostaticParticulars {
     pub water_kgpm3: f64,
 }
 
-/// Added mass in heave over displacement: a ship with a beam of five draughts (*recalled*).
+/// Added mass in heave over displacement, for a ship with a beam of five draughts (*recalled*).
 const ADDED_HEAVE: f64 = 2.0;
-/// ζ of heave, roll and pitch: roll's and pitch's as usual for bare hulls with bilge keels (*recalled*), heave's ours.
+/// Damping ratios of heave, roll and pitch. Roll and pitch: usual values for hulls with bilge keels (*recalled*). Heave:
+/// assumed by this project.
 const DAMPING: [f64; 3] = [0.3, 0.15, 0.3];
-/// Roll's radius of gyration over beam, added inertia included. ITTC (7.5-02-07-02.1) takes 0.35 to 0.40 without it where
-/// nothing is known; HSVA's roll test of KVLCC2 gave 0.37 with it.
+/// Roll's radius of gyration over beam, added inertia included. ITTC (7.5-02-07-02.1) recommends 0.35 to 0.40
+/// without added inertia where nothing is known; HSVA's roll test of KVLCC2 gave 0.37 with it.
 const ROLL_GYRADIUS: f64 = 0.40;
 /// Pitch's radius of gyration over length, without added inertia.
 const PITCH_GYRADIUS: f64 = 0.25;
 
 impl Hydrostatics {
-    /// From main particulars: heave with A₃₃ = 2 m, roll with k = 0.40 B and GM, pitch with k = 0.25 L and
+    /// From the particulars: heave with A₃₃ = 2 m, roll with k = 0.40 B and GM, pitch with k = 0.25 L and
     /// the waterplane's longitudinal moment of inertia by 0.350 C² − 0.405 C + 0.146 over B L³ (C the
     /// waterplane coefficient; D'Arcangelo, *recalled*).
     ///
     /// # Errors
-    /// A ship that does not float upright: no mass, no size, GM not positive, a waterplane larger than
-    /// length by beam.
+    /// A particular that is not positive, GM among them, or a waterplane larger than length times beam.
     pub fn of(ship: &HydrostaticParticulars) -> Result<Hydrostatics, AttitudeError> {
         let positive = [
             ("displacement [kg]", ship.mass_kg),
@@ -123,7 +123,7 @@ impl Hydrostatics {
     }
 }
 
-/// How a ship's three oscillators were estimated, to be shown as such.
+/// The estimated periods and damping ratios with their source, for reports.
 #[must_use]
 pub fn oscillator_estimates(of: &Hydrostatics) -> Source {
     let figures =
@@ -161,27 +161,27 @@ mod tests {
     /// The closed forms of validation/independent/ship_formulas.py: heave 9.87 s; roll 36.9, 26.1 and 16.5 s at GM 1, 2 and 5 m, printed to
     /// a tenth.
     #[test]
-    fn the_container_ships_periods() {
+    fn periods_of_the_container_ship_agree_with_the_closed_forms() {
         for (gm_m, roll_s) in [(1.0, 36.9), (2.0, 26.1), (5.0, 16.5)] {
             let ship = Hydrostatics::of(&HydrostaticParticulars { gm_m, ..CONTAINER }).unwrap();
             assert!((ship.roll.period_s() - roll_s).abs() < 0.05, "{}", ship.roll.period_s());
             assert!((ship.heave.period_s() - 9.9).abs() < 0.1, "{}", ship.heave.period_s());
-            // No period of pitch is published; a long ship pitches about as fast as she heaves.
+            // No pitch period is published. Pitch and heave periods of a long ship are similar.
             assert!((0.7..1.3).contains(&(ship.pitch.period_s() / ship.heave.period_s())));
         }
     }
 
     #[test]
-    fn ships_that_do_not_float_upright_are_refused_by_name() {
-        let refused = |ship| Hydrostatics::of(&ship).unwrap_err().to_string();
-        let said = refused(HydrostaticParticulars { gm_m: -0.2, ..CONTAINER });
-        assert_eq!(said, "metacentric height GM [m] must be positive, but is -0.2");
+    fn ships_that_cannot_float_upright_are_rejected_by_name() {
+        let rejected = |ship| Hydrostatics::of(&ship).unwrap_err().to_string();
+        let message = rejected(HydrostaticParticulars { gm_m: -0.2, ..CONTAINER });
+        assert_eq!(message, "metacentric height GM [m] must be positive, but is -0.2");
         assert!(
-            refused(HydrostaticParticulars { mass_kg: f64::NAN, ..CONTAINER })
+            rejected(HydrostaticParticulars { mass_kg: f64::NAN, ..CONTAINER })
                 .contains("displacement")
         );
         assert!(
-            refused(HydrostaticParticulars { waterplane_m2: 2e4, ..CONTAINER })
+            rejected(HydrostaticParticulars { waterplane_m2: 2e4, ..CONTAINER })
                 .contains("waterplane")
         );
     }

@@ -1,4 +1,4 @@
-//! Banks: what a wall beside a ship under way does to her. Unvalidated.
+//! Bank effect: the force of a vertical bank on a ship under way. Not validated.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{Rotation, Vec2, vec2};
@@ -16,7 +16,7 @@ pub struct Bank {
 /// A ship beside a bank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShipAtBank {
-    /// Length (m).
+    /// Length of the ship (m).
     pub length_m: f64,
     /// Beam (m).
     pub beam_m: f64,
@@ -35,37 +35,37 @@ pub struct ShipAtBank {
 pub struct BankWater {
     /// Density (kg/m³).
     pub density_kgpm3: f64,
-    /// Depth (m); `None`: deep.
+    /// Depth (m); `None`: deep water.
     pub depth_m: Option<f64>,
 }
 
 impl Bank {
-    /// Between two points (m).
+    /// A bank between two points (m).
     ///
     /// # Errors
-    /// Points that are none, or less than a metre apart.
+    /// Points that are not finite, or less than a metre apart.
     pub fn new(from_m: Vec2, to_m: Vec2) -> Result<Bank, EnvironmentError> {
         for value in [from_m.x, from_m.y, to_m.x, to_m.y] {
-            within("place of a bank [m]", value, -1e8, 1e8)?;
+            within("position of a bank [m]", value, -1e8, 1e8)?;
         }
         within("length of a bank [m]", (to_m - from_m).length(), 1.0, 1e9)?;
         Ok(Bank { from_m, to_m })
     }
 
-    /// Its two ends (m).
+    /// The two ends of the bank (m).
     #[must_use]
     pub fn ends_m(&self) -> [Vec2; 2] {
         [self.from_m, self.to_m]
     }
 
-    /// Force and moment about midship [X, Y, N] in (N, N, N·m): suction towards the bank and, going ahead, a
-    /// moment that turns the bow away from it. UNVALIDATED.
+    /// Force and moment about midship [X, Y, N] in (N, N, N·m): suction towards the bank and, for a ship
+    /// going ahead, a moment that turns the bow away from it. NOT VALIDATED.
     ///
     /// Y = ½ρu²BT·(B/y)(0.0925 + 0.372(T/h)²), N = −½ρu²BTL·(B/y)(0.0025 + 0.0755(T/h)²) for a bank to
-    /// starboard: Norrbin's for a vertical wall (1974), recalled; no source could be read. y is here the
-    /// distance of midship from the bank's line, at least half a beam. Ours besides: u is the part of her speed
-    /// that goes along the bank, going astern N has the other sign, and both fade with the share of her length
-    /// that is abreast of the bank.
+    /// starboard: Norrbin (1974) for a vertical wall, recalled; the source could not be read. Here y is the distance of
+    /// midship from the line of the bank, at least half a beam. Additions by this project: u is the component of her speed
+    /// along the bank, N changes its sign astern, and both forces are proportional to the share of her length that is
+    /// abreast of the bank.
     #[must_use]
     pub fn force(&self, ship: &ShipAtBank, water: &BankWater) -> [f64; 3] {
         let length_m = (self.to_m - self.from_m).length();
@@ -76,10 +76,9 @@ impl Bank {
         let (at_m, half_m) = (along.dot(offset_m), 0.5 * ship.length_m * cos.abs());
         let abreast_m = lesser(at_m + half_m, length_m) - greater(at_m - half_m, 0.0);
         let share = greater(abreast_m / ship.length_m, 0.0);
-        // Positive where the bank's line is to starboard of her: x north, y east, so that the vector to the
-        // line is minus the offset across it.
+        // Positive if the bank is to starboard. The vector from the ship to the line is minus her offset from it.
         let across_m = -along.cross(offset_m);
-        // Through the line itself, where no ship is, the side changes without a jump.
+        // The side changes continuously across the line of the bank.
         let half_beam_m = 0.5 * ship.beam_m;
         let side = bounded(across_m * cos.signum() / half_beam_m, -1.0, 1.0);
         let distance_m = greater(across_m.abs(), half_beam_m);

@@ -1,4 +1,4 @@
-//! What can be wrong with an environment.
+//! Errors of an environment.
 
 use std::fmt;
 
@@ -12,18 +12,18 @@ pub enum EnvironmentError {
     OutOfRange(OutOfRange),
     /// The entries of a table's axis do not increase.
     NotIncreasing {
-        /// Which axis.
+        /// The axis.
         axis: &'static str,
         /// Index of the first entry that is not above the one before it.
         entry: usize,
     },
-    /// A table has not as many entries as it needs.
+    /// A table has the wrong number of entries.
     Length {
-        /// Which.
+        /// The table.
         table: &'static str,
-        /// As many it should have (at least, for an axis).
+        /// Number of entries needed; for an axis, the minimum.
         expected: usize,
-        /// As many it has.
+        /// Number of entries given.
         found: usize,
     },
 }

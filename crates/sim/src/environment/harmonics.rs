@@ -1,4 +1,4 @@
-//! A spectrum as a sum of harmonics with seeded phases.
+//! Realisation of a spectrum as a sum of harmonics with random phases.
 
 use core::f64::consts::TAU;
 
@@ -12,18 +12,18 @@ const SUB_INTERVALS: usize = 16;
 /// One harmonic, amplitude · cos(frequency · t + phase).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Harmonic {
-    /// Within the bin, at random; in the unit of the band.
+    /// In the unit of the band.
     pub(super) frequency: f64,
     pub(super) amplitude: f64,
     pub(super) phase_rad: f64,
 }
 
-/// How a spectrum is cut into harmonics.
+/// How a spectrum is divided into harmonics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Realisation {
     /// Number of harmonics, 1 to 10 000.
     pub harmonics: usize,
-    /// Chooses phases and frequencies; the same seed gives the same bits.
+    /// Seed of phases and frequencies. The same seed gives the same bits.
     pub seed: u64,
 }
 
@@ -33,9 +33,9 @@ impl Realisation {
         Ok(())
     }
 
-    /// The band from `low` to `high` cut into bins whose limits grow by one ratio; each bin becomes one
-    /// harmonic with the bin's energy, ½a² = ∫S df, so that no energy is lost, at a random frequency
-    /// within the bin, so that the sum does not repeat after 1/Δf.
+    /// Divides the band from `low` to `high` into bins with limits in geometric progression. Each bin becomes one harmonic
+    /// with the energy of the bin, ½a² = ∫S df, at a random frequency within the bin, so that the sum is not
+    /// periodic.
     pub(super) fn harmonics_of(
         &self,
         density: impl Fn(f64) -> f64,

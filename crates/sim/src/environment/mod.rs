@@ -1,17 +1,17 @@
-//! What surrounds a ship: wind, current, waves, water.
+//! The environment of a ship: wind, current, waves, tide and banks.
 //!
-//! Everything here is a pure function of time and place: nothing has a state, so that a run can be
-//! copied, restored and replayed to the bit. What is random is a sum of harmonics with phases from a
-//! seed. Set-ups are checked once; after that nothing can fail.
+//! Everything here is a pure function of time and position, without state, so a run can be copied, restored and
+//! replayed bit for bit. Random processes are sums of harmonics with phases from a seed. Inputs are checked once, when
+//! they are created; after that no function fails.
 //!
 //! Axes: positions and velocities earth-fixed, x north and y east; forces on a ship [X, Y, N] in her own
-//! axes about midship, x forward, y to starboard, N positive to starboard. Doc comments say how well a
-//! formula is known: *found*: read in a public source; *recalled*: to be checked; *derived*: ours.
+//! axes about midship, x forward, y to starboard, N positive to starboard. Doc comments say how well the source of a
+//! formula is known. *Found*: read in a public source. *Recalled*: from memory, to be checked. *Derived*: by this project.
 //!
 //! ```
 //! use fenderline_contact::vec2;
 //! use fenderline_sim::environment::wind::*;
-//! // Once: a gusty wind from the west and the windage of a loaded container ship.
+//! // Once: a wind with gusts from the west, and the wind areas of a loaded container ship.
 //! let profile = WindProfile::Power { exponent: 1.0 / 7.0 };
 //! let mean = MeanWind { speed_mps: 12.0, from_rad: 270.0_f64.to_radians(), profile };
 //! let gusts = Gusts::new(&mean, &GustSpectrum::Npd, Realisation { harmonics: 60, seed: 1 })?;
@@ -26,9 +26,9 @@
 //!     method: WindMethod::Blendermann(Blendermann::of_type("container ship, loaded").unwrap()),
 //! };
 //! ship.check()?;
-//! // Each step: what she feels, heading north at rest, and the force.
-//! let felt = RelativeWind::of(wind.velocity(10.0, 60.0), vec2(0.0, 0.0), 0.0);
-//! let [_, sway_n, _] = ship.force(&felt, 1.224);
+//! // In each step: the wind relative to the ship, which heads north at rest, and the force.
+//! let relative = RelativeWind::of(wind.velocity(10.0, 60.0), vec2(0.0, 0.0), 0.0);
+//! let [_, sway_n, _] = ship.force(&relative, 1.224);
 //! assert!(sway_n > 0.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -1,9 +1,9 @@
-//! Linear interpolation on an axis that increases.
+//! Linear interpolation on an increasing axis.
 
 use super::error::EnvironmentError;
 use crate::range::within;
 
-/// Checks an axis: as many entries as `least` or more, all finite, each above the one before.
+/// Checks an axis: at least `least` entries, all finite, in increasing order.
 pub(super) fn check_axis(
     axis: &'static str,
     entries: impl ExactSizeIterator<Item = f64>,
@@ -27,19 +27,18 @@ pub(super) fn check_axis(
     Ok(())
 }
 
-/// Where a value lies on an axis.
+/// The position of a value on an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
-    /// Index of the entry at or below.
+    /// Index of the entry at or below the value.
     pub(super) low: usize,
-    /// Index of the entry at or above.
+    /// Index of the entry at or above the value.
     pub(super) high: usize,
-    /// Weight of the upper one, 0 to 1.
+    /// Weight of the upper entry, 0 to 1.
     pub(super) share: f64,
 }
 
-/// The place of a value on an axis of `count` entries; before the first and beyond the last it is held
-/// at them.
+/// The position of a value on an axis of `count` entries. Values outside the axis are clamped to its ends.
 pub(super) fn place(count: usize, at: impl Fn(usize) -> f64, value: f64) -> Place {
     let last = count - 1;
     if value <= at(0) {

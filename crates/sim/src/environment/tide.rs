@@ -1,4 +1,4 @@
-//! The level of the water above datum over time.
+//! Tide: the water level above datum as a function of time.
 
 use fenderline_contact::number::{greater, lesser};
 
@@ -8,20 +8,19 @@ use super::error::EnvironmentError;
 use super::table::{check_axis, place};
 use crate::range::within;
 
-/// The level of the water above datum over time. Datum is what charted depths count down from and heights of
-/// what is ashore count up from.
+/// The water level above datum as a function of time. Charted depths are measured downwards from datum, heights ashore
+/// upwards.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tide {
-    /// Always the same (m).
+    /// Constant (m).
     Level(f64),
-    /// Points (t (s), level (m)), with straight lines between them; held before the first and beyond the
-    /// last.
+    /// Points (time (s), level (m)), linear between them and constant before the first and after the last.
     Curve(Vec<[f64; 2]>),
-    /// A mean level (m) and constituents about it.
+    /// A mean level and harmonic constituents.
     Harmonic {
         /// Mean level (m).
         mean_m: f64,
-        /// Summed in the order given.
+        /// Constituents, summed in this order.
         constituents: Vec<TideConstituent>,
     },
 }
@@ -31,14 +30,14 @@ pub enum Tide {
 pub struct TideConstituent {
     /// Amplitude (m).
     pub amplitude_m: f64,
-    /// Period (s); 44 714 s for M2 (12.4206012 h, as programs for tides list it).
+    /// Period (s); 44 714 s for M2 (12.4206012 h, as tide programs list it).
     pub period_s: f64,
     /// Phase lag at t = 0 (rad).
     pub lag_rad: f64,
 }
 
 impl Default for Tide {
-    /// The water stands at datum.
+    /// Water at datum.
     fn default() -> Tide {
         Tide::Level(0.0)
     }
@@ -48,7 +47,7 @@ impl Tide {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first that no water has, by its name.
+    /// The first number out of range.
     pub fn check(&self) -> Result<(), EnvironmentError> {
         match self {
             Tide::Level(level_m) => {
@@ -90,8 +89,8 @@ impl Tide {
         }
     }
 
-    /// The lowest and the highest level that it may come to from the start on (m); of a sum of constituents, if
-    /// ever all are at their ends together.
+    /// Bounds of the level from the start of the run (m). For harmonic constituents the bounds assume that all reach their
+    /// extremes at the same time.
     #[must_use]
     pub fn range_m(&self) -> [f64; 2] {
         match self {

@@ -1,13 +1,12 @@
-//! Forces from other programs: a trait for whoever gives them, and what happens when they are late, dead
-//! or wrong.
+//! Forces from other programs: the trait [`ForceProvider`], and how a late, terminated or faulty provider is handled.
 //!
-//! A provider is asked once a step. An answer in time acts through the step; without one the last answer
-//! is held for a while, then dropped, and each of these is told as an event. A wrench that is not finite
-//! or beyond all reason counts as no answer.
+//! A provider is queried once per step. A reply in time acts during the step. Without one, the last wrench is held for a
+//! set time and then dropped; each change is reported as an event. A wrench that is not finite or too large is treated
+//! as a missing reply.
 
 use fenderline_contact::{BodyState, Wrench};
 
-/// What a provider is asked: the state of its body at the start of a step.
+/// A query to a provider: the state of its body at the start of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceRequest {
     /// Time (s).
@@ -18,61 +17,61 @@ pub struct ForceRequest {
     pub state: BodyState,
 }
 
-/// What a provider says.
+/// The reply of a provider.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ForceReply {
     /// Force and moment about the centre of gravity, earth-fixed, for this step.
     Wrench(Wrench),
-    /// Nothing yet.
+    /// No reply yet.
     Late,
-    /// It will not answer any more, and why.
+    /// The provider has terminated, with the reason.
     Dead(String),
 }
 
-/// Somebody who gives the force on a body, step by step.
+/// A source of the force on a body, queried in each step.
 ///
 /// ```
 /// use fenderline_contact::{Wrench, vec2};
 /// use fenderline_sim::external::{ForceReply, ForceProvider, ForceRequest};
 ///
-/// /// A current that drags with the square of the speed.
+/// /// A drag proportional to the square of the speed.
 /// struct Drag;
 ///
 /// impl ForceProvider for Drag {
-///     fn ask(&mut self, question: &ForceRequest) -> ForceReply {
-///         let v = question.state.velocity_mps;
+///     fn reply(&mut self, request: &ForceRequest) -> ForceReply {
+///         let v = request.state.velocity_mps;
 ///         ForceReply::Wrench(Wrench { force_n: v * (-2e5 * v.length()), moment_nm: 0.0 })
 ///     }
 /// }
 /// let mut state = fenderline_contact::BodyState::default();
 /// state.velocity_mps = vec2(2.0, 0.0);
-/// let answer = Drag.ask(&ForceRequest { t_s: 0.0, step_s: 0.1, state });
-/// assert_eq!(answer, ForceReply::Wrench(Wrench { force_n: vec2(-8e5, 0.0), moment_nm: 0.0 }));
+/// let reply = Drag.reply(&ForceRequest { t_s: 0.0, step_s: 0.1, state });
+/// assert_eq!(reply, ForceReply::Wrench(Wrench { force_n: vec2(-8e5, 0.0), moment_nm: 0.0 }));
 /// ```
 pub trait ForceProvider {
-    /// The wrench for the step that begins now. Must come back within the time that the host can spare.
-    fn ask(&mut self, question: &ForceRequest) -> ForceReply;
+    /// Returns the wrench for the coming step. It must return within the time that the host can wait.
+    fn reply(&mut self, request: &ForceRequest) -> ForceReply;
 }
 
-/// What happened to a provider in a step.
+/// An event of a provider in a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ProviderEvent {
-    /// It did not answer in time: its last wrench is held.
+    /// No reply in time: the last wrench is held.
     Held,
-    /// It was silent for too long: its wrench is dropped.
+    /// No reply for too long: the wrench is dropped.
     Dropped,
-    /// It answers again.
+    /// The provider replies again.
     Resumed,
-    /// Its wrench is not finite or beyond 1e15 N or N·m: not used.
+    /// The wrench was not finite, or above 1e15 N or N·m, and was not used.
     Refused,
-    /// It has ended, and why: its wrench is held, then dropped.
+    /// The provider has terminated, with the reason: its wrench is held, then dropped.
     Died(String),
 }
 
-/// The largest force or moment that is taken (N, N·m): that which the contact engine takes of a load.
+/// The largest force or moment that is accepted (N, N·m), which is the contact engine's limit for loads.
 const LARGEST_LOAD: f64 = 1e15;
 
-/// The wrench of one provider, from step to step.
+/// The wrench of one provider, held between replies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldWrench {
     hold_s: f64,
@@ -90,7 +89,7 @@ enum Stage {
 }
 
 impl HeldWrench {
-    /// No wrench yet. A provider that falls silent is held for `hold_s` seconds.
+    /// A zero wrench. Without replies, the last wrench is held for `hold_s` seconds.
     #[must_use]
     pub fn new(hold_s: f64) -> HeldWrench {
         HeldWrench {
@@ -102,16 +101,16 @@ impl HeldWrench {
         }
     }
 
-    /// Asks, and gives the wrench that acts in this step; what happened is added to `events`.
-    pub fn ask(
+    /// Queries the provider and returns the wrench for this step. Events are appended to `events`.
+    pub fn wrench(
         &mut self,
         provider: &mut dyn ForceProvider,
-        question: &ForceRequest,
+        request: &ForceRequest,
         events: &mut Vec<ProviderEvent>,
     ) -> Wrench {
-        let answer = if self.dead { ForceReply::Late } else { provider.ask(question) };
-        match answer {
-            ForceReply::Wrench(wrench) if can_act(&wrench) => {
+        let reply = if self.dead { ForceReply::Late } else { provider.reply(request) };
+        match reply {
+            ForceReply::Wrench(wrench) if is_usable(&wrench) => {
                 if self.stage != Stage::Fresh {
                     events.push(ProviderEvent::Resumed);
                 }
@@ -119,20 +118,20 @@ impl HeldWrench {
             }
             ForceReply::Wrench(_) => {
                 events.push(ProviderEvent::Refused);
-                self.without(question.step_s, events);
+                self.no_reply(request.step_s, events);
             }
-            ForceReply::Late => self.without(question.step_s, events),
+            ForceReply::Late => self.no_reply(request.step_s, events),
             ForceReply::Dead(why) => {
                 self.dead = true;
                 events.push(ProviderEvent::Died(why));
-                self.without(question.step_s, events);
+                self.no_reply(request.step_s, events);
             }
         }
         self.last
     }
 
-    /// A step without a wrench that can be used.
-    fn without(&mut self, step_s: f64, events: &mut Vec<ProviderEvent>) {
+    /// A step without a usable wrench.
+    fn no_reply(&mut self, step_s: f64, events: &mut Vec<ProviderEvent>) {
         self.silent_s += step_s;
         if self.stage == Stage::Fresh {
             self.stage = Stage::Held;
@@ -146,7 +145,8 @@ impl HeldWrench {
     }
 }
 
-fn can_act(wrench: &Wrench) -> bool {
+/// True if the wrench is finite and within the limit.
+fn is_usable(wrench: &Wrench) -> bool {
     [wrench.force_n.x, wrench.force_n.y, wrench.moment_nm]
         .iter()
         .all(|value| value.abs() <= LARGEST_LOAD)
@@ -157,17 +157,17 @@ mod tests {
     use super::*;
     use fenderline_contact::vec2;
 
-    /// Plays answers in turn.
+    /// Gives prepared replies in turn.
     struct Script(Vec<ForceReply>);
 
     impl ForceProvider for Script {
-        fn ask(&mut self, _: &ForceRequest) -> ForceReply {
+        fn reply(&mut self, _: &ForceRequest) -> ForceReply {
             self.0.remove(0)
         }
     }
 
     #[test]
-    fn the_last_wrench_is_held_then_dropped_and_taken_up_again() {
+    fn the_last_wrench_is_held_then_dropped_and_resumed() {
         let push = |n: f64| ForceReply::Wrench(Wrench { force_n: vec2(n, 0.0), moment_nm: 0.0 });
         let nan = ForceReply::Wrench(Wrench { force_n: vec2(f64::NAN, 0.0), moment_nm: 0.0 });
         let mut script = Script(vec![
@@ -178,12 +178,12 @@ mod tests {
             push(2.0),
             ForceReply::Dead("it ended".to_owned()),
         ]);
-        let question = ForceRequest { t_s: 0.0, step_s: 0.5, state: BodyState::default() };
-        let mut provided = HeldWrench::new(1.0);
+        let request = ForceRequest { t_s: 0.0, step_s: 0.5, state: BodyState::default() };
+        let mut held = HeldWrench::new(1.0);
         let mut seen = Vec::new();
         for _ in 0..9 {
             let mut events = Vec::new();
-            let wrench = provided.ask(&mut script, &question, &mut events);
+            let wrench = held.wrench(&mut script, &request, &mut events);
             seen.push((wrench.force_n.x, events));
         }
         use ProviderEvent::{Died, Dropped, Held, Refused, Resumed};

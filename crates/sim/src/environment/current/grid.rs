@@ -6,25 +6,23 @@ use super::check_velocity;
 use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, place};
 
-/// Velocities at the crossings of a grid, at one or several times: linear in time, bilinear in space.
-///
-/// Beyond the edges of the grid and before the first and after the last time the value at the edge is
-/// held: a ship that leaves the grid meets the current of its border.
+/// Velocities at the nodes of a grid, at one or more times. Interpolation is bilinear in space and linear in time; outside
+/// the grid and its times the value at the edge is used.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurrentGrid {
     times_s: Vec<f64>,
     north_m: Vec<f64>,
     east_m: Vec<f64>,
-    /// East fastest, then north, then time.
+    /// The index of east varies fastest, then north, then time.
     velocities_mps: Vec<Vec2>,
 }
 
 impl CurrentGrid {
-    /// From its three axes and the velocities, east fastest, then north, then time.
+    /// A grid from its three axes and the velocities, with the index of east varying fastest, then north, then time.
     ///
     /// # Errors
-    /// An axis that is empty or does not increase, a number of velocities that is not the product of the
-    /// three, a current above 15 m/s.
+    /// An axis that is empty or does not increase, a number of velocities other than the product of the lengths of the axes,
+    /// or a current above 15 m/s.
     pub fn new(
         times_s: Vec<f64>,
         north_m: Vec<f64>,
@@ -43,7 +41,7 @@ impl CurrentGrid {
         Ok(CurrentGrid { times_s, north_m, east_m, velocities_mps })
     }
 
-    /// Velocity at a place and a time (m/s).
+    /// Velocity at a position and a time (m/s).
     #[must_use]
     pub fn at(&self, position_m: Vec2, t_s: f64) -> Vec2 {
         let time = place(self.times_s.len(), |i| self.times_s[i], t_s);

@@ -1,7 +1,7 @@
-//! Current: the same everywhere, by depth, or on a grid in space and time.
+//! Current: uniform, by depth, or on a grid in space and time.
 //!
-//! Velocities are those that the water moves with, north and east (m/s). A ship's forces come from her
-//! velocity relative to [`Current::velocity`].
+//! Velocities are those of the water, north and east (m/s). The forces on a ship depend on her velocity relative to
+//! [`Current::velocity`].
 
 mod grid;
 mod profile;
@@ -16,26 +16,26 @@ pub use profile::CurrentProfile;
 /// A current.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Current {
-    /// The same everywhere and always (m/s).
+    /// Uniform and steady (m/s).
     Uniform(Vec2),
-    /// The same at every place, another one at every depth.
+    /// Uniform in the horizontal, varying with depth.
     Layered(CurrentProfile),
-    /// By place and time, the same at every depth.
+    /// Varying with position and time, uniform over depth.
     Grid(CurrentGrid),
 }
 
 impl Current {
-    /// A current that is the same everywhere.
+    /// A uniform current.
     ///
     /// # Errors
-    /// One above 15 m/s; the strongest tidal stream is about 11 m/s (Saltstraumen; recalled).
+    /// A current above 15 m/s; the strongest tidal stream is about 11 m/s (Saltstraumen; recalled).
     pub fn uniform(velocity_mps: Vec2) -> Result<Current, EnvironmentError> {
         check_velocity(velocity_mps)?;
         Ok(Current::Uniform(velocity_mps))
     }
 
-    /// Velocity that a hull of a draught meets at a place and a time (m/s): by depth, the mean over the
-    /// draught.
+    /// Velocity of the current on a hull of a given draught, at a position and a time (m/s). A current by depth is averaged
+    /// over the draught.
     #[must_use]
     pub fn velocity(&self, position_m: Vec2, t_s: f64, draught_m: f64) -> Vec2 {
         match self {

@@ -7,10 +7,10 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, place};
 use crate::range::within;
 
-/// Velocity by depth: straight lines between points, held above the first and below the last.
+/// Velocity by depth: linear between points, constant above the first and below the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurrentProfile {
-    /// Depth below the surface (m) and velocity (m/s), downwards.
+    /// Depth below the surface (m) and velocity (m/s), by increasing depth.
     points: Vec<(f64, Vec2)>,
 }
 
@@ -18,7 +18,7 @@ impl CurrentProfile {
     /// From points (depth (m), velocity north and east (m/s)).
     ///
     /// # Errors
-    /// No point, depths that do not increase from 0 or below, a current above 15 m/s.
+    /// No point, a negative depth, depths that do not increase, or a current above 15 m/s.
     pub fn new(points: Vec<(f64, Vec2)>) -> Result<CurrentProfile, EnvironmentError> {
         check_axis("depths of the current [m]", points.iter().map(|p| p.0), 1)?;
         for (depth_m, velocity_mps) in &points {
@@ -36,8 +36,8 @@ impl CurrentProfile {
         low + (high - low) * at.share
     }
 
-    /// Mean velocity from the surface to a draught (m/s), exact for the straight lines; without a draught
-    /// that at the surface.
+    /// Mean velocity from the surface to a draught (m/s), the exact integral of the profile. For a draught of zero it is the
+    /// velocity at the surface.
     #[must_use]
     pub fn mean_over(&self, draught_m: f64) -> Vec2 {
         if draught_m.is_nan() || draught_m <= 0.0 {

@@ -7,20 +7,20 @@ use super::spectrum::GustSpectrum;
 use crate::environment::error::EnvironmentError;
 use crate::environment::harmonics::{Harmonic, Realisation};
 
-/// The band of a gust record (Hz): from one gust an hour to one in two seconds; no ship follows faster ones.
+/// Frequency band of the gusts (Hz): from one per hour to one in two seconds. Ships do not respond to faster ones.
 const BAND_HZ: [f64; 2] = [1.0 / 3600.0, 0.5];
 
-/// The part of the wind's speed that changes; a pure function of time.
+/// The fluctuation of the wind speed about its mean, a pure function of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gusts {
     harmonics: Vec<Harmonic>,
 }
 
 impl Gusts {
-    /// Gusts about a mean wind by a spectrum, in the band from 1/3600 to 0.5 Hz. No wind has no gusts.
+    /// Gusts about a mean wind from a spectrum, in the band from 1/3600 to 0.5 Hz. A mean wind of zero has no gusts.
     ///
     /// # Errors
-    /// A wind, a spectrum or a number of harmonics that is none.
+    /// A number of the wind, the spectrum or the realisation is out of range.
     pub fn new(
         mean: &MeanWind,
         spectrum: &GustSpectrum,
@@ -36,7 +36,7 @@ impl Gusts {
         Ok(Gusts { harmonics: realisation.harmonics_of(density, BAND_HZ[0], BAND_HZ[1]) })
     }
 
-    /// Speed above the mean at a time (m/s).
+    /// Difference from the mean speed at a time (m/s).
     #[must_use]
     pub fn speed_mps(&self, t_s: f64) -> f64 {
         let speeds = self

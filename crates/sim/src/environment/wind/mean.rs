@@ -1,4 +1,4 @@
-//! The mean wind and its growth with height.
+//! The mean wind, its profile over height, and the wind as a function of time.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Vec2, vec2};
@@ -8,21 +8,21 @@ use super::series::WindSeries;
 use crate::environment::error::EnvironmentError;
 use crate::range::{OutOfRange, within};
 
-/// Height that wind speeds are stated at (m).
+/// Reference height of wind speeds (m).
 pub(super) const REFERENCE_HEIGHT_M: f64 = 10.0;
 
-/// A steady wind at 10 m and its profile.
+/// A steady wind: speed and direction at 10 m height, and a profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeanWind {
     /// Mean speed 10 m above the water (m/s).
     pub speed_mps: f64,
-    /// Where it comes from, clockwise from north (rad).
+    /// Direction from which it comes, clockwise from north (rad).
     pub from_rad: f64,
-    /// How it grows with height.
+    /// Profile over height.
     pub profile: WindProfile,
 }
 
-/// Growth of the mean wind with height.
+/// Profile of the mean wind over height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WindProfile {
     /// The same at every height.
@@ -44,8 +44,8 @@ impl MeanWind {
     /// Checks every number.
     ///
     /// # Errors
-    /// A wind above 120 m/s or an impossible profile. The strongest gust that was ever measured is about
-    /// 113 m/s (recalled).
+    /// A wind speed above 120 m/s, or a profile parameter out of range. The strongest gust on record is about 113 m/s
+    /// (recalled).
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("wind speed [m/s]", self.speed_mps, 0.0, 120.0)?;
         within("wind direction [rad]", self.from_rad, -100.0, 100.0)?;
@@ -61,8 +61,7 @@ impl MeanWind {
         Ok(())
     }
 
-    /// Mean speed at a height (m/s). The laws do not hold close to the surface: below 1 m the speed is
-    /// that at 1 m.
+    /// Mean speed at a height (m/s). The profiles are not valid close to the surface: below 1 m the speed is that at 1 m.
     #[must_use]
     pub fn speed_at(&self, height_m: f64) -> f64 {
         let z_m = greater(height_m, 1.0);
@@ -82,12 +81,12 @@ fn towards(from_rad: f64) -> Vec2 {
     vec2(-libm::cos(from_rad), -libm::sin(from_rad))
 }
 
-/// A wind: a mean with or without gusts, or a series in time.
+/// A wind: a steady mean with or without gusts, or a time series.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wind(Course);
+pub struct Wind(Kind);
 
 #[derive(Clone, Debug, PartialEq)]
-enum Course {
+enum Kind {
     Mean(MeanWind, Option<Gusts>),
     Series(WindSeries),
 }
@@ -96,52 +95,52 @@ impl Wind {
     /// A steady wind.
     ///
     /// # Errors
-    /// As [`MeanWind::check`].
+    /// See [`MeanWind::check`].
     pub fn steady(mean: MeanWind) -> Result<Wind, EnvironmentError> {
         mean.check()?;
-        Ok(Wind(Course::Mean(mean, None)))
+        Ok(Wind(Kind::Mean(mean, None)))
     }
 
-    /// A wind with gusts about its mean. The gusts keep the direction and are the same all over the ship.
+    /// A wind with gusts. Gusts change the speed but not the direction, and are the same over the whole ship.
     ///
     /// # Errors
-    /// As [`MeanWind::check`].
+    /// See [`MeanWind::check`].
     pub fn with_gusts(mean: MeanWind, gusts: Gusts) -> Result<Wind, EnvironmentError> {
         mean.check()?;
-        Ok(Wind(Course::Mean(mean, Some(gusts))))
+        Ok(Wind(Kind::Mean(mean, Some(gusts))))
     }
 
-    /// A wind by a series in time, the same at every height.
+    /// A wind from a time series, the same at every height.
     #[must_use]
     pub fn series(series: WindSeries) -> Wind {
-        Wind(Course::Series(series))
+        Wind(Kind::Series(series))
     }
 
-    /// Speed 10 m above the water, without gusts (m/s), and direction that it comes from, clockwise from
-    /// north (rad), at a time.
+    /// Speed without gusts 10 m above the water (m/s), and direction from which it comes, clockwise from north (rad), at a
+    /// time.
     #[must_use]
     pub fn mean_at(&self, t_s: f64) -> (f64, f64) {
         match &self.0 {
-            Course::Mean(mean, _) => (mean.speed_mps, mean.from_rad),
-            Course::Series(series) => series.at(t_s),
+            Kind::Mean(mean, _) => (mean.speed_mps, mean.from_rad),
+            Kind::Series(series) => series.at(t_s),
         }
     }
 
-    /// Does its mean change in time?
+    /// True if the wind is a time series.
     #[must_use]
     pub fn is_series(&self) -> bool {
-        matches!(self.0, Course::Series(_))
+        matches!(self.0, Kind::Series(_))
     }
 
     /// Velocity of the air at a height above the water and a time, north and east (m/s).
     #[must_use]
     pub fn velocity(&self, height_m: f64, t_s: f64) -> Vec2 {
         match &self.0 {
-            Course::Mean(mean, gusts) => {
+            Kind::Mean(mean, gusts) => {
                 let gust_mps = gusts.as_ref().map_or(0.0, |gusts| gusts.speed_mps(t_s));
                 towards(mean.from_rad) * (mean.speed_at(height_m) + gust_mps)
             }
-            Course::Series(series) => {
+            Kind::Series(series) => {
                 let (speed_mps, from_rad) = series.at(t_s);
                 towards(from_rad) * speed_mps
             }

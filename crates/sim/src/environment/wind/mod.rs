@@ -1,10 +1,11 @@
-//! Wind: mean, profile and gusts, and what it does to a ship.
+//! Wind: mean wind, profile, gusts, and the force on a ship.
 //!
-//! [`Wind::velocity`] gives the air's velocity at a height and a time; [`RelativeWind::of`] what a ship
-//! feels of it; [`ShipWindage::force`] the force.
+//! [`Wind::velocity`] gives the velocity of the air at a height and a time, [`RelativeWind::of`] the wind relative to a
+//! ship, and [`ShipWindage::force`] the force. To add a wind method, see `wind/method/mod.rs`; to add a gust spectrum,
+//! `spectrum.rs`.
 //!
-//! The angle γ is that of the wind's origin from the bow, positive where it comes over the *port* side,
-//! so that γ > 0 pushes to starboard, Y > 0 (the convention of Fossen's toolbox, found).
+//! The wind angle γ is the direction from which the wind comes, measured from the bow, positive over the *port* side:
+//! for γ > 0 the force is to starboard, Y > 0 (the convention of Fossen's toolbox, found).
 
 mod gust;
 mod mean;

@@ -1,4 +1,4 @@
-//! The wind as a moving ship feels it.
+//! The wind relative to a moving ship.
 
 use fenderline_contact::{Rotation, Vec2};
 
@@ -7,12 +7,12 @@ use fenderline_contact::{Rotation, Vec2};
 pub struct RelativeWind {
     /// Speed (m/s).
     pub speed_mps: f64,
-    /// γ, where it comes from, from the bow, −π to π, positive over the port side (rad).
+    /// Wind angle γ: direction from which it comes, measured from the bow, −π to π, positive over the port side (rad).
     pub angle_rad: f64,
 }
 
 impl RelativeWind {
-    /// From the air's and the ship's velocity over ground, north and east (m/s), and her heading (rad).
+    /// From the velocities of air and ship over the ground, north and east (m/s), and her heading (rad).
     #[must_use]
     pub fn of(wind_mps: Vec2, ship_mps: Vec2, heading_rad: f64) -> RelativeWind {
         let air = Rotation::from_angle(heading_rad).apply_inverse(wind_mps - ship_mps);

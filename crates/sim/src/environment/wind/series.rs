@@ -1,4 +1,4 @@
-//! A wind that was measured, or told beforehand.
+//! Wind as a time series, measured or forecast.
 
 use core::f64::consts::TAU;
 
@@ -6,20 +6,19 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, place};
 use crate::range::within;
 
-/// Speed and direction 10 m above the water at points in time, with straight lines between them; held before
-/// the first and after the last. From one point to the next the wind turns the shorter way round.
+/// Speed and direction 10 m above the water at given times, linear between them and constant before the first and after
+/// the last. Between two points the direction changes the shorter way round.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindSeries {
-    /// Time (s), speed (m/s), direction that it comes from, without jumps by a full turn (rad).
+    /// Time (s), speed (m/s), direction from which it comes (rad), unwrapped.
     points: Vec<[f64; 3]>,
 }
 
 impl WindSeries {
-    /// From points: time (s), speed (m/s), direction that it comes from, clockwise from north (rad).
+    /// From points: time (s), speed (m/s), direction from which it comes, clockwise from north (rad).
     ///
     /// # Errors
-    /// No point, times that do not increase, a wind that is none ([`super::MeanWind::check`] has the same
-    /// bounds).
+    /// No point, times that do not increase, or a wind out of the range of [`super::MeanWind::check`].
     pub fn new(points: Vec<[f64; 3]>) -> Result<WindSeries, EnvironmentError> {
         check_axis("times of the wind [s]", points.iter().map(|p| p[0]), 1)?;
         let mut points = points;
@@ -35,7 +34,7 @@ impl WindSeries {
         Ok(WindSeries { points })
     }
 
-    /// Speed (m/s) and direction that it comes from (rad) at a time.
+    /// Speed (m/s) and direction from which it comes (rad) at a time.
     #[must_use]
     pub fn at(&self, t_s: f64) -> (f64, f64) {
         let at = place(self.points.len(), |i| self.points[i][0], t_s);

@@ -20,8 +20,8 @@ pub enum GustSpectrum {
     },
     /// Ochi & Shin 1988, over the sea: f S/u*² = 583f*, 420f*^0.70/(1+f*^0.35)^11.5 or
     /// 838f*/(1+f*^0.35)^11.5, up to f* = 0.003, 0.1 and beyond; u*² = C₁₀U². Source: found (the same) for
-    /// the three branches, which meet at their ends; f* = 10 m·f/U in a second public code (the library leaves the
-    /// 10 m out), which has the branches' ends there.
+    /// the three branches, which are continuous; f* = 10 m·f/U from a second public code (the library omits the
+    /// 10 m), with which the branch limits agree.
     OchiShin {
         /// C₁₀, 0.0005 to 0.05; [`surface_drag`].
         surface_drag: f64,
@@ -30,8 +30,8 @@ pub enum GustSpectrum {
     /// mean. Source: found (two public codes).
     Npd,
     /// API RP 2A: (σ²/f_p)/(1 + 1.5 f/f_p)^{5/3}, f_p = C·U/10 m, σ = 0.15 U (10/20)^{−0.125}. Source: found
-    /// for σ and f_p; the found code has 1 + 1.5 (f/f_p)^{5/3} below the line, with which the variance is
-    /// not σ². With the form used here, which is recalled, it is.
+    /// for σ and f_p; the found code has 1 + 1.5 (f/f_p)^{5/3} in the denominator, for which the variance
+    /// is not σ². With the form used here, which is recalled, it is.
     Api {
         /// C, 0.01 to 0.1; 0.025 is customary.
         peak: f64,
@@ -49,7 +49,7 @@ impl GustSpectrum {
     /// Checks the parameter.
     ///
     /// # Errors
-    /// A drag coefficient or a C that no surface has.
+    /// The parameter is out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         match *self {
             GustSpectrum::Davenport { surface_drag }

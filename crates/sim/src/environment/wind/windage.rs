@@ -1,4 +1,4 @@
-//! A ship in the wind: force from coefficients.
+//! Wind force on a ship, from the coefficients of a method.
 
 use core::f64::consts::{PI, TAU};
 
@@ -6,7 +6,7 @@ use super::method::WindMethod;
 use super::relative::RelativeWind;
 use crate::range::{OutOfRange, within};
 
-/// Wind areas of a ship and the method that turns them into forces.
+/// Wind areas of a ship, and the method for her wind coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShipWindage {
     /// Length overall (m).
@@ -21,7 +21,7 @@ pub struct ShipWindage {
     pub centroid_forward_m: f64,
     /// Centroid of the lateral area above the waterline (m).
     pub centroid_height_m: f64,
-    /// How the coefficients are found.
+    /// Method for the coefficients.
     pub method: WindMethod,
 }
 
@@ -30,7 +30,7 @@ pub struct ShipWindage {
 pub struct WindCoefficients {
     /// CX; negative in a head wind.
     pub surge: f64,
-    /// CY; positive with the wind over the port side.
+    /// CY; positive for wind from the port side.
     pub sway: f64,
     /// CN about midship.
     pub yaw: f64,
@@ -40,8 +40,8 @@ impl ShipWindage {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first that no ship has, by its name; a coefficient that none has, where a regression is taken far
-    /// beyond the ships that it was made from.
+    /// The first number out of range. It may be a coefficient, if a regression is used far outside the ships from which
+    /// it was derived.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length overall [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
@@ -55,41 +55,36 @@ impl ShipWindage {
         for ten in 0..=18 {
             let c = self.coefficients(f64::from(ten) * PI / 18.0);
             within(
-                "coefficient of the wind's force ahead by these particulars",
+                "coefficient of the longitudinal wind force for these particulars",
                 c.surge,
                 -3.0,
                 3.0,
             )?;
             within(
-                "coefficient of the wind's force across by these particulars",
+                "coefficient of the lateral wind force for these particulars",
                 c.sway,
                 -3.0,
                 3.0,
             )?;
-            within(
-                "coefficient of the wind's turning moment by these particulars",
-                c.yaw,
-                -1.0,
-                1.0,
-            )?;
+            within("coefficient of the wind's yaw moment for these particulars", c.yaw, -1.0, 1.0)?;
         }
         Ok(())
     }
 
-    /// Coefficients at an angle γ (rad). They are computed for |γ| from 0 to π and mirrored, so that port
-    /// and starboard agree at every angle, 180° among them.
+    /// Coefficients at an angle γ (rad). They are computed for |γ| from 0 to π and mirrored, so that port and starboard
+    /// agree at every angle, 180° included.
     #[must_use]
     pub fn coefficients(&self, angle_rad: f64) -> WindCoefficients {
         let wrapped_rad = libm::remainder(angle_rad, TAU);
-        let one_side = self.method.coefficients(self, wrapped_rad.abs());
-        // Straight from ahead or astern there is no side to push to.
+        let from_port = self.method.coefficients(self, wrapped_rad.abs());
+        // A wind from straight ahead or astern has no side force.
         let side =
             if wrapped_rad == 0.0 || wrapped_rad.abs() >= PI { 0.0 } else { wrapped_rad.signum() };
-        WindCoefficients { sway: side * one_side.sway, yaw: side * one_side.yaw, ..one_side }
+        WindCoefficients { sway: side * from_port.sway, yaw: side * from_port.yaw, ..from_port }
     }
 
-    /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³) (1.224 at
-    /// 15 °C). The relative wind is that 10 m above the water, which the methods are stated for (recalled).
+    /// Force and moment about midship, [X, Y, N] in (N, N, N·m), in air of a density (kg/m³), 1.224 at
+    /// 15 °C. The relative wind is that 10 m above the water, for which the methods are stated (recalled).
     #[must_use]
     pub fn force(&self, relative: &RelativeWind, air_density_kgpm3: f64) -> [f64; 3] {
         let c = self.coefficients(relative.angle_rad);
@@ -101,8 +96,8 @@ impl ShipWindage {
         ]
     }
 
-    /// Heeling moment about the waterline that goes with a side force, positive to starboard (N·m): the
-    /// force at the centroid of the lateral area, times κ by Blendermann (K = κ·s_H·Y).
+    /// Heeling moment about the waterline for a side force, positive to starboard (N·m): K = κ·s_H·Y, with s_H the height of
+    /// the centroid of the lateral area. κ is a parameter of Blendermann's method, and 1 for the others.
     #[must_use]
     pub fn roll_moment_nm(&self, sway_n: f64) -> f64 {
         self.method.roll_factor() * self.centroid_height_m * sway_n

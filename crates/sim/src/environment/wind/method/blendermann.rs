@@ -1,4 +1,4 @@
-//! Blendermann's four parameters.
+//! Wind coefficients by Blendermann (1994): four parameters by type of ship.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -9,8 +9,8 @@ use crate::range::{OutOfRange, within};
 ///
 /// With CDl = CDlAF·A_F/A_L and den = 1 − ½δ(1 − CDl/CDt) sin²2γ: CX = −CDlAF·cosγ/den (on A_F),
 /// CY = CDt·sinγ/den, CN = (s_L/L − 0.18(γ − π/2))·CY. Source: found (Fossen's toolbox, which prints the
-/// formulas and the table of types). That code takes γ − π/2 of a negative γ too, which breaks port
-/// against starboard; here it is |γ| and the result is mirrored.
+/// formulas and the table of types). That code uses γ − π/2 also for negative γ, which
+/// makes port and starboard differ; here |γ| is used and the result is mirrored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blendermann {
     /// Parameters of the type of ship.
@@ -22,11 +22,11 @@ pub struct Blendermann {
 pub struct BlendermannType {
     /// Name of the type.
     pub name: &'static str,
-    /// CDt, drag across.
+    /// CDt, transverse drag coefficient.
     pub across: f64,
-    /// CDlAF, drag along in winds from forward of the beam, on the frontal area.
+    /// CDlAF, longitudinal drag coefficient on the frontal area, for wind from forward of the beam.
     pub along_from_ahead: f64,
-    /// CDlAF in winds from abaft the beam.
+    /// CDlAF for wind from abaft the beam.
     pub along_from_astern: f64,
     /// δ, cross-force parameter.
     pub cross_force: f64,
@@ -68,7 +68,7 @@ pub static BLENDERMANN_TYPES: [BlendermannType; 17] = [
 ];
 
 impl Blendermann {
-    /// The parameters of a type of [`BLENDERMANN_TYPES`]; `None` for a name that is not there.
+    /// The parameters of a type in [`BLENDERMANN_TYPES`]; `None` if there is no such type.
     #[must_use]
     pub fn of_type(name: &str) -> Option<Blendermann> {
         let kind = BLENDERMANN_TYPES.iter().find(|kind| kind.name == name)?;
@@ -77,16 +77,16 @@ impl Blendermann {
 
     pub(super) fn check(&self) -> Result<(), OutOfRange> {
         let k = &self.kind;
-        within("wind drag across CDt", k.across, 0.1, 3.0)?;
-        within("wind drag along CDl from ahead", k.along_from_ahead, 0.0, 3.0)?;
-        within("wind drag along CDl from astern", k.along_from_astern, 0.0, 3.0)?;
+        within("transverse wind drag CDt", k.across, 0.1, 3.0)?;
+        within("longitudinal wind drag CDl from ahead", k.along_from_ahead, 0.0, 3.0)?;
+        within("longitudinal wind drag CDl from astern", k.along_from_astern, 0.0, 3.0)?;
         within("cross-force parameter δ", k.cross_force, 0.0, 1.0)?;
         within("rolling-moment factor κ", k.roll_factor, 0.0, 10.0)?;
         Ok(())
     }
 
-    /// At an angle from 0 to π. The step from one CDlAF to the other at 90° is not felt: cos γ and
-    /// sin 2γ vanish there.
+    /// Coefficients at an angle from 0 to π. CDlAF changes at 90°, but the coefficients are continuous there, as cos γ and
+    /// sin 2γ are zero.
     pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
         let k = &self.kind;
         let along = if angle_rad <= FRAC_PI_2 { k.along_from_ahead } else { k.along_from_astern };

@@ -1,4 +1,4 @@
-//! Fujiwara's Fourier series.
+//! Wind coefficients by Fujiwara et al. (1998): Fourier series in the wind angle.
 
 use crate::environment::wind::{ShipWindage, WindCoefficients};
 use crate::range::{OutOfRange, within};
@@ -21,7 +21,7 @@ pub struct Fujiwara {
 }
 
 impl Fujiwara {
-    /// What stands on deck is a part of the lateral area and stands between the ends of the ship.
+    /// The area on deck is at most the lateral area, and its centroid is within the length of the ship.
     pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
         within("lateral area on deck [m²]", self.on_deck_m2, 1e-4, ship.lateral_m2)?;
         let half_m = 0.5 * ship.length_m;
@@ -30,7 +30,7 @@ impl Fujiwara {
         Ok(())
     }
 
-    /// At an angle from 0 to π.
+    /// Coefficients at an angle from 0 to π.
     #[rustfmt::skip]
     pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
         let (l, b) = (ship.length_m, ship.beam_m);

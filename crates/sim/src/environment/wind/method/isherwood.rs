@@ -1,4 +1,4 @@
-//! Isherwood's regression.
+//! Wind coefficients by Isherwood (1972): regression over merchant ships.
 
 use fenderline_contact::number::bounded;
 
@@ -10,7 +10,7 @@ use crate::range::{OutOfRange, within};
 /// CX = −(A₀ + A₁·2A_L/L² + A₂·2A_F/B² + A₃·L/B + A₄·S/L + A₅·C/L + A₆·M),
 /// CY = B₀ + B₁·2A_L/L² + B₂·2A_F/B² + B₃·L/B + B₄·S/L + B₅·C/L + B₆·A_SS/A_L,
 /// CN = C₀ + C₁·2A_L/L² + C₂·2A_F/B² + C₃·L/B + C₄·S/L + C₅·C/L, C the centroid's distance from the bow.
-/// Tables every 10°, straight lines between. Source: found (Fossen's toolbox prints the tables; the paper
+/// Tables every 10°, with linear interpolation. Source: found (Fossen's toolbox prints the tables; the paper
 /// was not read).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isherwood {
@@ -18,13 +18,12 @@ pub struct Isherwood {
     pub perimeter_m: f64,
     /// A_SS, lateral projected area of the superstructure (m²).
     pub superstructure_m2: f64,
-    /// M, groups of masts or king posts seen from the side.
+    /// M, number of groups of masts or king posts in the side view.
     pub mast_groups: f64,
 }
 
 impl Isherwood {
-    /// The outline of the side view is no shorter than the ship, and the superstructure a part of the
-    /// lateral area.
+    /// The perimeter of the side view is at least the length of the ship, and the superstructure at most the lateral area.
     pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
         let perimeter = "perimeter of the lateral projection [m]";
         within(perimeter, self.perimeter_m, ship.length_m, 10.0 * ship.length_m)?;
@@ -34,7 +33,7 @@ impl Isherwood {
         Ok(())
     }
 
-    /// At an angle from 0 to π.
+    /// Coefficients at an angle from 0 to π.
     pub(super) fn coefficients(&self, ship: &ShipWindage, angle_rad: f64) -> WindCoefficients {
         let (l, b) = (ship.length_m, ship.beam_m);
         let from_bow_m = 0.5 * l - ship.centroid_forward_m;

@@ -1,5 +1,13 @@
-//! The methods that give a ship's wind coefficients. To add one: its file here, its case in [`WindMethod`], its keys in
-//! the scenario's key table and their assembly (`docs/design/adding.md`).
+//! Methods for the wind coefficients of a ship.
+//!
+//! To add a wind method (see also `docs/design/adding.md`):
+//!
+//! 1. A file in this folder: a struct with the method's own parameters, `check` for their ranges, `coefficients` for a
+//!    wind angle from 0 to π, and a unit test at the end. `blendermann.rs` is an example.
+//! 2. Here: `mod`, `pub use` and a variant of [`WindMethod`]; the compiler then points to the matches below.
+//! 3. `crates/scenario/src/keys/windage.rs`: the word for `method`, its keys and their documentation, from which the key
+//!    reference is generated.
+//! 4. `crates/scenario/src/assemble/windage.rs`: from the keys to the struct of step 1.
 
 mod blendermann;
 mod fujiwara;
@@ -12,19 +20,19 @@ pub use isherwood::Isherwood;
 use super::windage::{ShipWindage, WindCoefficients};
 use crate::range::OutOfRange;
 
-/// How wind coefficients are found.
+/// A method for the wind coefficients of a ship.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WindMethod {
     /// Isherwood 1972: regression over merchant ships.
     Isherwood(Isherwood),
-    /// Blendermann 1994: four parameters of a type of ship.
+    /// Blendermann 1994: four parameters by type of ship.
     Blendermann(Blendermann),
-    /// Fujiwara et al. 1998: regression of a Fourier series in the angle.
+    /// Fujiwara et al. 1998: regression of a Fourier series in the wind angle.
     Fujiwara(Fujiwara),
 }
 
 impl WindMethod {
-    /// Its name, and how well it is known, for a reader of a report.
+    /// Its name, and how well its source is known, for reports.
     #[must_use]
     pub fn standing(&self) -> (&'static str, &'static str) {
         match self {
@@ -37,16 +45,16 @@ impl WindMethod {
             ),
             WindMethod::Fujiwara(_) => (
                 "Fujiwara et al. 1998",
-                "coefficients read in a public code; the paper was not read, and no printed number was found to \
-                 hold them against",
+                "coefficients read in a public code; the paper was not read, and no published value was found to \
+                 validate them",
             ),
         }
     }
 
-    /// Checks the method's own particulars.
+    /// Checks the method's own parameters.
     ///
     /// # Errors
-    /// The first that no ship has, by its name.
+    /// The first number out of range.
     pub(super) fn check(&self, ship: &ShipWindage) -> Result<(), OutOfRange> {
         match self {
             WindMethod::Isherwood(method) => method.check(ship),
@@ -64,7 +72,7 @@ impl WindMethod {
         }
     }
 
-    /// κ of the heeling moment K = κ·s_H·Y; 1 where the method has none.
+    /// κ of the heeling moment K = κ·s_H·Y; 1 if the method has no such parameter.
     pub(super) fn roll_factor(&self) -> f64 {
         match self {
             WindMethod::Blendermann(method) => method.kind.roll_factor,

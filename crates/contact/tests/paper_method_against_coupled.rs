@@ -3,33 +3,25 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
-mod support;
+mod small_host;
 
 use fenderline_contact::{
     BodyState, CoSimHost, HostIntegration, HostSettings, HostWorkspace, Material, vec2,
 };
-use fenderline_sim::{
-    BodySetup, Integrator, Load, Method, NamedMaterial, PairSetup, Setup, Simulation,
+use small_host::{
+    BodySetup, Host, Integrator, Load, Method, PairSetup, Scene, fixed, floating, rectangle,
+    spring, two,
 };
-use support::{fixed, floating, rectangle, spring, two};
-
-fn run(setup: Setup) -> Simulation {
-    let mut simulation = Simulation::new(setup).expect("a good set-up");
-    while !simulation.is_done() {
-        simulation.step().expect("a good step");
-    }
-    simulation
-}
 
 /// As the paper does it: forward Euler, each pair limited by itself.
-fn by_the_paper(mut setup: Setup) -> Setup {
-    setup.method = Method::Paper;
-    setup.integrator = Integrator::Euler;
-    setup
+fn by_the_paper(mut scene: Scene) -> Scene {
+    scene.method = Method::Paper;
+    scene.integrator = Integrator::Euler;
+    scene
 }
 
 /// A ship of 100,000 t, 200 m × 32 m, beside `count` fenders 4 m wide, `gap_m` off.
-fn ship_beside_fenders(count: usize, gap_m: f64, material: Material, step_s: f64) -> Setup {
+fn ship_beside_fenders(count: usize, gap_m: f64, material: Material, step_s: f64) -> Scene {
     let mut bodies: Vec<BodySetup> = vec![floating("ship", rectangle(200.0, 32.0), 1e8, 50.0)];
     for k in 0..count {
         let mut fender = fixed(&format!("fender {k:02}"), rectangle(4.0, 4.0));
@@ -37,52 +29,43 @@ fn ship_beside_fenders(count: usize, gap_m: f64, material: Material, step_s: f64
         fender.position_m = vec2(along_m, 18.0 + gap_m);
         bodies.push(fender);
     }
-    Setup {
+    Scene {
         step_s,
         duration_s: 900.0,
         integrator: Integrator::SemiImplicit,
         method: Method::Coupled,
         bodies,
-        materials: vec![NamedMaterial { name: "rubber".into(), material }],
+        materials: vec![material],
         pairs: (1..=count).map(|k| PairSetup { bodies: [0, k], material: 0 }).collect(),
-        all_other_pairs: None,
         fenders: vec![],
-        berthing: None,
         loads: vec![],
-        world: fenderline_sim::WorldSetup::default(),
     }
 }
 
 /// The tug of 1,000 t, 10 m wide, bow against a wall `gap_m` off.
-fn tug_at_a_wall(gap_m: f64, speed_mps: f64, material: Material, step_s: f64) -> Setup {
+fn tug_at_a_wall(gap_m: f64, speed_mps: f64, material: Material, step_s: f64) -> Scene {
     let mut tug = floating("tug", rectangle(32.0, 10.0), 1e6, 8.0);
     tug.velocity.surge_mps = speed_mps;
     let mut wall = fixed("wall", rectangle(20.0, 100.0));
     wall.position_m = vec2(26.0 + gap_m, 0.0);
-    let mut setup = two(tug, wall, material, Integrator::SemiImplicit, step_s, 120.0);
-    setup.method = Method::Coupled;
-    setup
+    let mut scene = two(tug, wall, material, Integrator::SemiImplicit, step_s, 120.0);
+    scene.method = Method::Coupled;
+    scene
 }
 
-fn pushed(mut setup: Setup, north_n: f64, east_n: f64) -> Setup {
-    setup.loads.push(Load {
-        body: 0,
-        force_n: vec2(north_n, east_n),
-        moment_nm: 0.0,
-        from_s: 0.0,
-        until_s: f64::INFINITY,
-    });
-    setup
+fn pushed(mut scene: Scene, north_n: f64, east_n: f64) -> Scene {
+    scene.loads.push(Load { body: 0, force_n: vec2(north_n, east_n) });
+    scene
 }
 
 #[test]
 fn leaning_on_one_fender_for_a_quarter_of_an_hour() {
-    let setup = pushed(ship_beside_fenders(1, 0.0, spring(500e3, 0.1), 0.1), 0.0, 500e3);
-    let depth_m = run(setup.clone()).states()[0].position_m.y;
+    let scene = pushed(ship_beside_fenders(1, 0.0, spring(500e3, 0.1), 0.1), 0.0, 500e3);
+    let depth_m = Host::run(scene.clone()).states[0].position_m.y;
     assert!((depth_m / 0.25 - 1.0).abs() < 0.005, "{depth_m} m, F/(k·width) is 0.25 m");
     // The limiter knows no load: 0.94 m as found with this program, and she still goes in.
-    let paper = run(by_the_paper(setup));
-    let state = paper.states()[0];
+    let paper = Host::run(by_the_paper(scene));
+    let state = paper.states[0];
     assert!((state.position_m.y / 0.94 - 1.0).abs() < 0.1, "{state:?}");
     assert!(state.velocity_mps.y > 1e-5, "{state:?}");
 }
@@ -121,16 +104,16 @@ fn leaning_without_a_limiter_swings_for_ever_and_more_and_more() {
 #[test]
 fn eight_stiff_fenders() {
     let gaps_m = (0..30).map(|k| 0.5 + 0.001 * f64::from(k));
-    let rebounds = |by: fn(Setup) -> Setup| -> Vec<f64> {
+    let rebounds = |by: fn(Scene) -> Scene| -> Vec<f64> {
         let one = |gap_m| {
-            let mut setup = ship_beside_fenders(8, gap_m, spring(50e6, 0.1), 0.1);
-            setup.duration_s = 30.0;
-            setup.bodies[0].velocity.sway_mps = 0.3;
-            -run(by(setup)).states()[0].velocity_mps.y / 0.3
+            let mut scene = ship_beside_fenders(8, gap_m, spring(50e6, 0.1), 0.1);
+            scene.duration_s = 30.0;
+            scene.bodies[0].velocity.sway_mps = 0.3;
+            -Host::run(by(scene)).states[0].velocity_mps.y / 0.3
         };
         gaps_m.clone().map(one).collect()
     };
-    for rebound in rebounds(|setup| setup) {
+    for rebound in rebounds(|scene| scene) {
         assert!((rebound / 0.1 - 1.0).abs() < 0.03, "{rebound} v₀");
     }
     // Each pair allows γv₀ by itself, and they add up, the more the later in a step they turn her.
@@ -140,21 +123,21 @@ fn eight_stiff_fenders() {
 
 #[test]
 fn ten_stiff_fenders_at_a_second_a_step() {
-    let mut setup = ship_beside_fenders(10, 0.5, spring(50e6, 0.1), 1.0);
-    setup.duration_s = 60.0;
-    setup.bodies[0].velocity.sway_mps = 0.3;
-    let rebound = -run(setup.clone()).states()[0].velocity_mps.y / 0.3;
+    let mut scene = ship_beside_fenders(10, 0.5, spring(50e6, 0.1), 1.0);
+    scene.duration_s = 60.0;
+    scene.bodies[0].velocity.sway_mps = 0.3;
+    let rebound = -Host::run(scene.clone()).states[0].velocity_mps.y / 0.3;
     assert!((rebound / 0.1 - 1.0).abs() < 0.03, "{rebound} v₀");
-    let rebound = -run(by_the_paper(setup)).states()[0].velocity_mps.y / 0.3;
+    let rebound = -Host::run(by_the_paper(scene)).states[0].velocity_mps.y / 0.3;
     assert!(rebound > 1.0, "faster than she came: {rebound} v₀");
 }
 
 #[test]
 fn a_tug_pushing_on_a_wall_for_two_minutes() {
-    let setup = pushed(tug_at_a_wall(0.0, 0.0, spring(400e3, 0.1), 0.1), 500e3, 0.0);
-    let depth_m = run(setup.clone()).states()[0].position_m.x;
+    let scene = pushed(tug_at_a_wall(0.0, 0.0, spring(400e3, 0.1), 0.1), 500e3, 0.0);
+    let depth_m = Host::run(scene.clone()).states[0].position_m.x;
     assert!((depth_m / 0.125 - 1.0).abs() < 0.005, "{depth_m} m, F/(k·width) is 0.125 m");
-    let depth_m = run(by_the_paper(setup)).states()[0].position_m.x;
+    let depth_m = Host::run(by_the_paper(scene)).states[0].position_m.x;
     assert!(depth_m > 1.0, "metres of creep: {depth_m} m");
 }
 
@@ -167,41 +150,40 @@ fn forward_euler_without_a_limiter() {
     assert!((v_mps / -3.03 - 1.0).abs() < 0.04, "{v_mps} m/s");
     // γ = 1: only what would leave faster than it came is cut.
     for step_s in [0.05, 0.1, 0.2] {
-        let mut setup = tug_at_a_wall(2.0, 2.06, spring(650e3, 1.0), step_s);
-        setup.integrator = Integrator::Euler;
-        let left_mps = -run(setup).states()[0].velocity_mps.x;
+        let mut scene = tug_at_a_wall(2.0, 2.06, spring(650e3, 1.0), step_s);
+        scene.integrator = Integrator::Euler;
+        let left_mps = -Host::run(scene).states[0].velocity_mps.x;
         assert!(left_mps <= 2.06 + 1e-9, "Δt {step_s}: {left_mps} m/s");
-        let left_mps = left_as_a_following_host(step_s);
-        assert!(left_mps <= 2.06 + 1e-9, "as a following host, Δt {step_s}: {left_mps} m/s");
+        let left_mps = leaving_speed_as_cosim_host(step_s);
+        assert!(left_mps <= 2.06 + 1e-9, "as a co-simulation host, Δt {step_s}: {left_mps} m/s");
     }
     // A host that adds the mean force to longer steps of its own is not where the engine was: such a
     // one must follow.
-    let left_mps = left_as_a_following_host(0.5);
-    assert!(left_mps <= 2.06 + 1e-9, "as a following host, Δt 0.5: {left_mps} m/s");
+    let left_mps = leaving_speed_as_cosim_host(0.5);
+    assert!(left_mps <= 2.06 + 1e-9, "as a co-simulation host, Δt 0.5: {left_mps} m/s");
 }
 
 #[test]
 fn two_seconds_a_step() {
     // v/ω of a half sine, ω = √(5 MN/m / 1e6 kg).
-    let setup = tug_at_a_wall(2.0, 2.06, spring(500e3, 0.1), 2.0);
-    let depth_m = run(setup.clone()).pair_summaries()[0].peak_depth_m;
+    let scene = tug_at_a_wall(2.0, 2.06, spring(500e3, 0.1), 2.0);
+    let depth_m = Host::run(scene.clone()).pairs[0].1.depth_m;
     assert!((depth_m / 0.9213 - 1.0).abs() < 0.005, "{depth_m} m");
-    let depth_m = run(by_the_paper(setup)).pair_summaries()[0].peak_depth_m;
+    let depth_m = Host::run(by_the_paper(scene)).pairs[0].1.depth_m;
     // It first sees the wall after two steps, four metres beyond it.
     assert!(depth_m > 3.0, "metres: {depth_m} m");
 }
 
-/// The speed at which the tug leaves a co-simulation master with forward Euler that tells nothing.
-fn left_as_a_following_host(step_s: f64) -> f64 {
-    let setup = tug_at_a_wall(2.0, 2.06, spring(650e3, 1.0), step_s);
-    let simulation = Simulation::new(setup).unwrap();
-    let model = simulation.model();
+/// The speed at which the tug leaves, moved with forward Euler by a co-simulation host that reports no loads.
+fn leaving_speed_as_cosim_host(step_s: f64) -> f64 {
+    let scene = tug_at_a_wall(2.0, 2.06, spring(650e3, 1.0), step_s);
+    let model = scene.model();
     let settings = HostSettings { delay_steps: 0, integration: HostIntegration::ForwardEuler };
-    let mut host = CoSimHost::new(model, settings);
-    let mut work = HostWorkspace::new(model);
-    let mut states: Vec<BodyState> = simulation.states().to_vec();
-    for _ in 0..simulation.steps_total() {
-        let force_n = host.step(model, &mut work, &states, None, step_s).unwrap()[0].force_n;
+    let mut host = CoSimHost::new(&model, settings);
+    let mut work = HostWorkspace::new(&model);
+    let mut states: Vec<BodyState> = scene.initial_states();
+    for _ in 0..Host::new(scene).steps_total() {
+        let force_n = host.step(&model, &mut work, &states, None, step_s).unwrap()[0].force_n;
         let velocity_mps = states[0].velocity_mps;
         states[0].position_m += velocity_mps * step_s;
         states[0].velocity_mps += force_n * (step_s / 1e6);

@@ -3,11 +3,11 @@
 
 #![allow(clippy::disallowed_methods, reason = "what is expected, not what is computed")]
 
-mod support;
+mod small_host;
 
 use fenderline_contact::BodyState;
-use fenderline_sim::{Method, Setup, Simulation};
-use support::scenes::{oblique_berthing, oblique_tug_impact, tug_impact, tug_push};
+use small_host::scenes::{oblique_berthing, oblique_tug_impact, tug_impact, tug_push};
+use small_host::{Host, Method, Scene};
 
 /// The converged solution's Δt (s), as issue 3 asks.
 const CONVERGED_S: f64 = 1e-3;
@@ -26,35 +26,34 @@ struct Outcome {
     fastest: Vec<(f64, f64)>,
 }
 
-fn outcome(setup: Setup) -> Outcome {
-    let mut simulation = Simulation::new(setup).expect("a good set-up");
-    let mut fastest = vec![(0.0_f64, 0.0_f64); simulation.states().len()];
-    while !simulation.is_done() {
-        let record = simulation.step().expect("a good step");
-        for (most, state) in fastest.iter_mut().zip(record.states.iter()) {
+fn outcome(scene: Scene) -> Outcome {
+    let mut host = Host::new(scene);
+    let mut fastest = vec![(0.0_f64, 0.0_f64); host.states.len()];
+    while !host.is_done() {
+        host.step();
+        for (most, state) in fastest.iter_mut().zip(&host.states) {
             most.0 = most.0.max(state.velocity_mps.length());
             most.1 = most.1.max(state.yaw_rate_radps.abs());
         }
     }
-    for (most, body) in fastest.iter_mut().zip(&simulation.setup().bodies) {
+    for (most, body) in fastest.iter_mut().zip(&host.scene.bodies) {
         let Some(mass) = body.mass else { continue };
         let gyradius_m = (mass.yaw_inertia_kgm2 / mass.mass_kg).sqrt();
         most.1 = most.1.max(most.0 / gyradius_m);
     }
-    // A pair with fenders is told of fender by fender: the summary of such a pair adds up peaks that
-    // come at different times of a long step.
-    let fenders = simulation.setup().fenders.len();
-    let quay = |bodies: [usize; 2]| fenders > 0 && bodies[0] == 0;
-    let pairs = simulation.pair_summaries().iter().filter(|p| !quay(p.bodies));
+    // The quay's contacts are compared fender by fender: the sum over its pair adds up peaks that come
+    // at different times of a long step.
+    let has_fenders = !host.scene.fenders.is_empty();
+    let is_quay = |bodies: [usize; 2]| has_fenders && bodies[0] == 0;
+    let pairs = host.pairs.iter().filter(|(bodies, _)| !is_quay(*bodies));
     let mut peaks: Vec<_> = pairs
-        .map(|p| (format!("pair {:?}", p.bodies), p.peak_normal_force_n, p.peak_depth_m))
+        .map(|(bodies, peaks)| (format!("pair {bodies:?}"), peaks.force_n, peaks.depth_m))
         .collect();
+    let fenders = host.fenders.iter();
     peaks.extend(
-        simulation
-            .fender_summaries()
-            .map(|f| (format!("fender {}", f.fender), f.peak_reaction_n, f.peak_deflection_m)),
+        fenders.map(|(fender, peaks)| (format!("fender {fender}"), peaks.force_n, peaks.depth_m)),
     );
-    Outcome { peaks, after: simulation.states().to_vec(), fastest }
+    Outcome { peaks, after: host.states.clone(), fastest }
 }
 
 /// Below this share of the largest in the run a final velocity is next to zero.
@@ -95,7 +94,7 @@ fn assert_close(what: &str, ours: &Outcome, converged: &Outcome) {
     }
 }
 
-fn assert_any_step(what: &str, scene: impl Fn(f64) -> Setup, steps_s: &[f64]) {
+fn assert_any_step(what: &str, scene: impl Fn(f64) -> Scene, steps_s: &[f64]) {
     let converged = outcome(scene(CONVERGED_S));
     for &step_s in steps_s {
         assert_close(&format!("{what}, Δt {step_s}"), &outcome(scene(step_s)), &converged);
@@ -134,23 +133,23 @@ fn the_impulse_of_a_pair_is_the_change_of_momentum_at_any_time_step() {
         [(Method::Coupled, 0.0), (Method::Coupled, 1e5), (Method::Paper, 0.0), (Method::Paper, 1e5)]
     {
         for step_s in [0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 2.0] {
-            let mut setup = tug_impact(2.06, 0.0, step_s);
-            setup.method = method;
-            setup.materials[0].material.damping_nspm2 = damping_nspm2;
-            let ship = setup.bodies[0].mass.expect("a ship that floats");
+            let mut scene = tug_impact(2.06, 0.0, step_s);
+            scene.method = method;
+            scene.materials[0].damping_nspm2 = damping_nspm2;
+            let ship = scene.bodies[0].mass.expect("a ship that floats");
             let mass_kg = ship.mass_kg
                 + match method {
                     Method::Coupled => ship.added_sway_kg,
                     // It knows one mass for all directions.
                     Method::Paper => ship.added_surge_kg,
                 };
-            let mut simulation = Simulation::new(setup).expect("a good set-up");
-            while !simulation.is_done() {
-                simulation.step().expect("a good step");
+            let mut host = Host::new(scene);
+            while !host.is_done() {
+                host.step();
             }
-            let [pair] = simulation.pair_summaries() else { panic!("one pair") };
+            let [(_, pair)] = *host.pairs else { panic!("one pair") };
             // Head-on: the ship, at rest before, has it all.
-            let right_ns = mass_kg * simulation.states()[0].velocity_mps.length();
+            let right_ns = mass_kg * host.states[0].velocity_mps.length();
             let off = pair.impulse_ns / right_ns - 1.0;
             let case = format!("{method:?}, {damping_nspm2} N·s/m², Δt {step_s}");
             assert!(off.abs() < 1e-9, "{case}: {} of {right_ns} N·s", pair.impulse_ns);

@@ -1,0 +1,44 @@
+//! `fenderline columns`: the columns of the result files.
+
+use core::fmt::Write as _;
+
+use fenderline_results::{TableReference, reference};
+use serde_json::{Map, Value, json};
+
+use crate::cli::ColumnsArgs;
+use crate::failure::Failure;
+use crate::terminal::{say, say_json};
+
+/// Prints every column with unit and meaning, as Markdown or JSON.
+///
+/// # Errors
+/// Standard output that cannot be written.
+pub(crate) fn columns(args: &ColumnsArgs) -> Result<(), Failure> {
+    let tables = reference();
+    if args.json { say_json(&format!("{:#}\n", as_json(&tables))) } else { say(&markdown(&tables)) }
+}
+
+fn markdown(tables: &[TableReference]) -> String {
+    let mut text = String::new();
+    for table in tables {
+        let _ = writeln!(
+            text,
+            "## `{}`: {}\n\n| column | unit | meaning |\n|---|---|---|",
+            table.name, table.rows
+        );
+        for column in &table.columns {
+            let _ = writeln!(text, "| `{}` | {} | {} |", column.name, column.unit, column.meaning);
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// For each table a list of name, unit and meaning of its columns.
+fn as_json(tables: &[TableReference]) -> Value {
+    let table = |table: &TableReference| {
+        let columns = table.columns.iter().map(|c| json!([c.name, c.unit, c.meaning]));
+        (table.name.to_owned(), columns.collect())
+    };
+    Value::Object(tables.iter().map(table).collect::<Map<_, _>>())
+}
