@@ -1,10 +1,9 @@
 //! `fenderline check` and `fenderline schema`.
 
-use clap::ValueEnum;
 use fenderline_scenario::printable_number;
 use fenderline_sim::Simulation;
 
-use crate::cli::CheckArgs;
+use crate::cli::{CheckArgs, SchemaOf};
 use crate::failure::Failure;
 use crate::load::load;
 use crate::run::error;
@@ -35,17 +34,6 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         say(&estimates(&setup.bodies[vessel.body].name, &vessel.origin))?;
     }
     Ok(())
-}
-
-/// A kind of file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum SchemaOf {
-    /// Scenarios
-    Scenario,
-    /// Fender data
-    Fenders,
-    /// Vessel data
-    Vessels,
 }
 
 /// Prints the JSON Schema of a kind of file.

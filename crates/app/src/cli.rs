@@ -1,5 +1,6 @@
 //! The command line.
 
+use core::str::FromStr;
 use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 
@@ -7,8 +8,6 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use fenderline_nautical::{ChartOrigin, GeoPoint};
 use fenderline_scenario::{Override, ScenarioError};
 
-use crate::check::SchemaOf;
-use crate::manoeuvre::{ManoeuvreName, WaterDepth};
 use crate::output::Format;
 
 /// Ship, fender, quay and tug contact: run, check and validate scenarios.
@@ -280,6 +279,62 @@ pub(crate) struct SchemaArgs {
     /// Of which files
     #[arg(value_enum, value_name = "FILES", default_value_t = SchemaOf::Scenario)]
     pub(crate) of: SchemaOf,
+}
+
+/// A kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SchemaOf {
+    /// Scenarios
+    Scenario,
+    /// Fender data
+    Fenders,
+    /// Vessel data
+    Vessels,
+}
+
+/// A manoeuvre, or all that the vessel can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ManoeuvreName {
+    /// Turning circle to either side
+    Turning,
+    /// Zig-zag 10°/10° and 20°/20°, first to either side
+    Zigzag,
+    /// From full ahead to standstill by the propeller astern
+    CrashStop,
+    /// Sideways under a steady force at midship, engine stopped
+    Crabbing,
+    /// Pull on a bollard, ahead and astern
+    BollardPull,
+    /// Every manoeuvre that the vessel can do
+    All,
+}
+
+/// A depth of water as it is ordered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum WaterDepth {
+    /// In metres.
+    Metres(f64),
+    /// In the vessel's draughts.
+    Draughts(f64),
+}
+
+impl FromStr for WaterDepth {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<WaterDepth, String> {
+        let text = text.trim();
+        let (number, in_draughts) = match text.strip_suffix('T') {
+            Some(number) => (number, true),
+            None => (text.strip_suffix('m').unwrap_or(text), false),
+        };
+        let value: f64 = number.trim().parse().map_err(|_| {
+            "a number of metres or of draughts, such as 31.2 or \"1.5 T\"".to_owned()
+        })?;
+        if !(value > 0.0 && value.is_finite()) {
+            return Err("must be positive".to_owned());
+        }
+        Ok(if in_draughts { WaterDepth::Draughts(value) } else { WaterDepth::Metres(value) })
+    }
 }
 
 /// Latitude and longitude in degrees.

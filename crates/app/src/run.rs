@@ -22,7 +22,7 @@ use crate::output::{Folder, OutputError, SUMMARY, Tables, publish};
 use crate::progress::Progress;
 use crate::provider::Providers;
 use crate::terminal::{say, tell};
-use crate::validate::errors_of;
+use fenderline_validate::errors_of;
 
 /// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
 ///

@@ -15,8 +15,8 @@ use serde_json::{Value, json};
 use crate::cli::VesselsArgs;
 use crate::failure::Failure;
 use crate::terminal::{say, say_json};
-use crate::validate::errors_of;
 use fenderline_report::plot::{fixed, plain};
+use fenderline_validate::errors_of;
 
 /// Lists the vessels, or tells one of them.
 ///

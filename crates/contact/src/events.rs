@@ -2,37 +2,35 @@
 
 use alloc::vec::Vec;
 
-use crate::fender::{FenderId, RankedFender};
-use crate::inherit::{Inherited, continues};
+use crate::fender::RankedFender;
+use crate::inherited::Inherited;
+use crate::material::FenderId;
 use crate::memory::{PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
 use crate::number::lesser;
-use crate::overlap::Patch;
+use crate::overlap::{Patch, Place, continues};
 use crate::report::{Event, EventKind};
 use crate::touch::Touch;
-use crate::workspace::Workspace;
 
 /// Events for the old patches of a pair that no new one continues, or more than one does.
 pub(crate) fn tell_ends_and_splits(
     model: &Model,
-    work: &mut Workspace,
-    (own, places): (&[PatchMemory], &[PlaceMemory]),
-    from: usize,
-    to: usize,
+    events: &mut Vec<Event>,
+    patches: &[Patch],
+    places: &[Place],
+    own: &[PatchMemory],
+    old_places: &[PlaceMemory],
 ) {
-    if own.len() <= 1 && to - from == 1 {
+    if own.len() <= 1 && patches.len() == 1 {
         return; // one patch that goes on
     }
     for m in own {
-        let place = place_of(m, places);
-        let heirs = work.found.patches[from..to]
-            .iter()
-            .filter(|p| continues(place, p, &work.found.places))
-            .count();
+        let place = place_of(m, old_places);
+        let heirs = patches.iter().filter(|p| continues(place, p, places)).count();
         match heirs {
-            0 => note(model, &mut work.events, m.a, m.b, EventKind::ContactEnded),
+            0 => note(model, events, m.a, m.b, EventKind::ContactEnded),
             1 => {}
-            _ => note(model, &mut work.events, m.a, m.b, EventKind::PatchSplit),
+            _ => note(model, events, m.a, m.b, EventKind::PatchSplit),
         }
     }
 }

@@ -14,8 +14,9 @@
 //! would turn into work out of nothing.
 
 use crate::angle::tilt_rad;
-use crate::fender::{Fender, FenderLaw, RankedFender};
+use crate::fender::{Fender, RankedFender};
 use crate::number::{greater, lesser};
+use crate::reaction::FenderLaw;
 use crate::vec2::{Pose, Vec2, vec2};
 
 /// Corners nearer than this to a side of the fender's zone lie on it (m): crossings are computed

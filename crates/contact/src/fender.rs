@@ -1,74 +1,59 @@
-//! Fenders: faces on a body with a law of their own.
+//! Fenders: faces on a body, each with a reaction law.
 
 use alloc::string::String;
 use alloc::vec::Vec;
 
 use crate::error::ModelError;
 use crate::geometry::convex::ConvexPolygon;
-use crate::model::{BodyId, Material, MaterialId};
-use crate::number::{bounded, greater};
+use crate::material::{BodyId, FenderId, Material, MaterialId};
+use crate::number::greater;
+use crate::reaction::{FenderLaw, check_points, held};
 use crate::unloading::Unloading;
 use crate::vec2::{Rotation, Vec2, vec2};
 
-/// Index of a fender, in the order in which fenders were added.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct FenderId(pub u32);
-
 /// A fender on a quay, on a tug's bow or along a ship's belting.
 ///
-/// It touches the outlines of the bodies that its own body makes a pair with; that pair's material is
-/// the solid structure behind it. Friction, restitution and damping are its own material's.
+/// A fender touches the outlines of all bodies that form a [`crate::Pair`] with its own body. The pair's
+/// material is the solid structure behind the fender; friction, restitution and damping are those of the
+/// fender's own material.
 ///
-/// Its force is the gradient of the energy that it stores (see [`FenderLaw`]), so that a frictionless
-/// closed loop does no work, whatever its path: it points along the face's axis where a corner presses
-/// on the face, and square to the hull where a flat side covers the whole face. With an [`Unloading`] law it is the
-/// gradient of the energy that the fender can give back, and a closed loop costs what the law says.
+/// The force is the gradient of the stored energy (see [`FenderLaw`]), so a frictionless closed loop does no
+/// work on any path. It points along the face's axis where a corner presses on the face, and is
+/// perpendicular to the hull where a flat side covers the whole face. With an [`Unloading`] law it is the
+/// gradient of the energy that the fender can return, and a closed loop dissipates what that law gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fender {
     /// Name, used in errors.
     pub name: String,
-    /// Fixes the order of all sums among the fenders of one body; unique on that body.
+    /// Determines the order of sums among the fenders of one body; unique on that body.
     pub key: u64,
-    /// The body that carries it.
+    /// The body on which it is mounted.
     pub body: BodyId,
-    /// Middle of the line where it is mounted, in the body's frame (m).
+    /// Middle of its mounting line, in the body's frame (m).
     pub position_m: Vec2,
     /// Direction in which it faces, in the body's frame: 0 forward, positive to starboard (rad).
     pub facing_rad: f64,
     /// Width of the face (m).
     pub width_m: f64,
-    /// From the mounting to the face, uncompressed (m).
+    /// Distance from the mounting to the face, uncompressed (m).
     pub projection_m: f64,
     /// Reaction from deflection.
     pub law: FenderLaw,
-    /// How its reaction falls when the hull retreats, by the coupled method. Its material's restitution does nothing
-    /// then. `None`: by restitution alone.
+    /// How the reaction falls when the hull moves away, by the coupled method; it replaces the material's
+    /// restitution. `None`: restitution alone.
     pub unloading: Option<Unloading>,
     /// Friction, restitution, damping and, for [`FenderLaw::Area`], stiffness.
     pub material: MaterialId,
-    /// The deflection that it is made for (m): beyond it an event is told; compression times are
-    /// counted from it.
+    /// Rated deflection (m). Beyond it [`crate::EventKind::FenderRatingExceeded`] is reported; compression
+    /// times are those to this deflection.
     pub rated_deflection_m: f64,
-    /// Where it stiffens to a stop; `None` for a law that stiffens by itself.
+    /// The stop at the end of its travel; `None` for a curve that includes it.
     pub stop: Option<Stop>,
     /// Corrections of its reaction.
     pub factors: ReactionFactors,
 }
 
-/// Reaction R from deflection δ.
-#[derive(Clone, Debug, PartialEq)]
-pub enum FenderLaw {
-    /// The paper's: N = k S with the material's k, an elastic foundation. Stored: ½ k ∫ d² ds, with d(s)
-    /// the depth of the hull behind the face; δ is the largest d.
-    Area,
-    /// Points (δ (m), R (N)), from (0, 0) on, with straight lines between them. Beyond the last point the
-    /// last line goes on where it rises; where it falls the reaction stays.
-    /// δ is the mean of d(s) over the width of the face, which is the deflection of the fender's axis
-    /// where a flat side covers the face. Stored: ∫ R dδ.
-    Curve(Vec<[f64; 2]>),
-}
-
-/// The end of a fender's travel: from `from_m` on a further spring acts.
+/// The end of a fender's travel: beyond `from_m` a further spring acts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stop {
     /// Deflection at which it begins (m).
@@ -77,58 +62,23 @@ pub struct Stop {
     pub stiffness_npm: f64,
 }
 
-/// Corrections of a fender's reaction, all multiplied. Those by speed and angle are taken when a contact
-/// begins and kept until it ends, as a berthing has *one* speed and *one* angle; a factor that changed
-/// under load would make or destroy stored energy.
+/// Corrections of a fender's reaction; they are multiplied. The factors by speed and angle are evaluated when
+/// a contact begins and kept until it ends: a berthing has one speed and one angle, and a factor that
+/// changed under load would create or destroy stored energy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReactionFactors {
-    /// Temperature, manufacturing tolerance and whatever else does not change in a run.
+    /// Temperature, manufacturing tolerance and other factors that are constant in a run.
     pub constant: f64,
-    /// Points (compression time (s), factor) with the time rising; straight lines between them, the
-    /// ends held. The time is δ_rated/(0.74 V) for the speed of approach V. Empty: 1.
+    /// Points (compression time (s), factor) in order of time, with straight lines between them and
+    /// constant beyond both ends. The time is δ_rated/(0.74 V) at the approach speed V. Empty: 1.
     pub by_compression_time: Vec<[f64; 2]>,
-    /// Points (angle between face and hull (rad), factor), the same way. Empty: 1.
+    /// Points (angle between face and hull (rad), factor), likewise. Empty: 1.
     pub by_angle: Vec<[f64; 2]>,
 }
 
 impl Default for ReactionFactors {
     fn default() -> ReactionFactors {
         ReactionFactors { constant: 1.0, by_compression_time: Vec::new(), by_angle: Vec::new() }
-    }
-}
-
-impl FenderLaw {
-    /// R = k δ.
-    #[must_use]
-    pub fn linear(stiffness_npm: f64) -> FenderLaw {
-        FenderLaw::Curve(alloc::vec![[0.0, 0.0], [1.0, stiffness_npm]])
-    }
-
-    /// R at a deflection, without factors and stop (N); 0 for [`FenderLaw::Area`], whose force is not
-    /// one of δ alone.
-    #[must_use]
-    pub fn reaction_n(&self, deflection_m: f64) -> f64 {
-        match self {
-            FenderLaw::Area => 0.0,
-            FenderLaw::Curve(points) => on_line(points, deflection_m),
-        }
-    }
-
-    /// ∫ R dδ up to a deflection, without factors and stop (J).
-    #[must_use]
-    pub fn energy_j(&self, deflection_m: f64) -> f64 {
-        let FenderLaw::Curve(points) = self else { return 0.0 };
-        integral(points, deflection_m)
-    }
-
-    /// The steepest rise of R up to a deflection (N/m).
-    pub(crate) fn steepest_npm(&self, up_to_m: f64) -> f64 {
-        let FenderLaw::Curve(points) = self else { return 0.0 };
-        points
-            .windows(2)
-            .take_while(|two| two[0][0] <= up_to_m)
-            .map(|two| (two[1][1] - two[0][1]) / (two[1][0] - two[0][0]))
-            .fold(0.0, greater)
     }
 }
 
@@ -141,14 +91,12 @@ impl ReactionFactors {
 
     /// The factor of a contact that begins at a speed (m/s) and an angle (rad).
     pub(crate) fn at(&self, speed_mps: f64, angle_rad: f64, rated_deflection_m: f64) -> f64 {
-        // Velocity factors are tabulated by the time at 0.74 of the speed of first touch, as a public calculator for cone
-        // fenders has it.
+        // Velocity factors are tabulated by the compression time at 0.74 of the speed at first touch; 0.74 is from a
+        // public calculator for cone fenders.
         let time_s = rated_deflection_m / (0.74 * greater(speed_mps, 1e-9));
         self.constant * held(&self.by_compression_time, time_s) * self.of_angle(angle_rad)
     }
-}
 
-impl ReactionFactors {
     fn largest(&self) -> f64 {
         let of = |points: &[[f64; 2]]| match points {
             [] => 1.0,
@@ -158,40 +106,7 @@ impl ReactionFactors {
     }
 }
 
-/// The integral of [`on_line`] from the first point on.
-pub(crate) fn integral(points: &[[f64; 2]], x: f64) -> f64 {
-    let mut sum = 0.0;
-    for two in points.windows(2) {
-        let [[from, low], [to, high]] = [two[0], two[1]];
-        if x <= to {
-            return sum + 0.5 * (low + on_line(points, x)) * (x - from);
-        }
-        sum += 0.5 * (low + high) * (to - from);
-    }
-    let [end, last] = points[points.len() - 1];
-    sum + 0.5 * (last + on_line(points, x)) * (x - end)
-}
-
-/// Straight lines between points; the last one goes on where it rises.
-pub(crate) fn on_line(points: &[[f64; 2]], x: f64) -> f64 {
-    let index = points[1..points.len() - 1].iter().take_while(|p| p[0] < x).count();
-    let [[x0, y0], [x1, y1]] = [points[index], points[index + 1]];
-    if x > x1 && y1 < y0 {
-        return y1;
-    }
-    y0 + (y1 - y0) * ((x - x0) / (x1 - x0))
-}
-
-/// Straight lines between points; the ends held; 1 where there are none.
-fn held(points: &[[f64; 2]], x: f64) -> f64 {
-    match points {
-        [] => 1.0,
-        [only] => only[1],
-        [first, .., last] => on_line(points, bounded(x, first[0], last[0])),
-    }
-}
-
-/// What the inner stages need of a fender.
+/// The data of a fender that the inner stages use.
 #[derive(Clone, Debug)]
 pub(crate) struct RankedFender {
     pub(crate) id: FenderId,
@@ -199,30 +114,31 @@ pub(crate) struct RankedFender {
     pub(crate) host: u32,
     pub(crate) key: u64,
     pub(crate) material: MaterialId,
-    /// Where columns of the hull may be: from the face inwards, to twice the projection.
+    /// The region in which the hull compresses it: from the face inwards, to twice the projection.
     pub(crate) zone: ConvexPolygon,
     /// Middle of the face, and the direction from it to the mounting, in the body's frame.
     pub(crate) face_m: Vec2,
     pub(crate) inward: Vec2,
     pub(crate) width_m: f64,
-    /// The largest that its factors can be together.
+    /// Upper bound of the product of its factors.
     pub(crate) largest_factor: f64,
     pub(crate) bounds: FenderBounds,
-    /// Has it an unloading law?
+    /// Whether it has an unloading law.
     pub(crate) unloads: bool,
 }
 
-/// Bounds on what a fender does to any hull, which tell in most steps that it needs no sub-steps.
+/// Bounds on a fender's forces on any hull. In most steps they show that it needs no sub-steps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FenderBounds {
-    /// The steepest rise of its reaction, with the largest of its factors, but for the stop (N/m).
+    /// The steepest slope of its reaction curve with the largest factors, without the stop (N/m).
     pub(crate) spring_npm: f64,
     /// Deflection at which the stop begins; infinite where there is none (m).
     pub(crate) stop_from_m: f64,
-    /// Of its damper (N·s/m).
+    /// Of the damper (N·s/m).
     pub(crate) damping_nspm: f64,
     pub(crate) projection_m: f64,
-    /// From its host's centre of gravity to the middle of its face, and from there to the corners of its zone (m).
+    /// Distance from its body's centre of gravity to the middle of its face, and from there to the farthest
+    /// corner of its zone (m).
     pub(crate) arm_m: f64,
     pub(crate) spread_m: f64,
 }
@@ -273,13 +189,13 @@ impl RankedFender {
         }
     }
 
-    /// The farthest that its face reaches from the body's centre of gravity (m).
+    /// Largest distance of its zone's corners from the body's centre of gravity (m).
     pub(crate) fn reach_m(&self) -> f64 {
         self.zone.vertices().iter().fold(0.0, |reach, v| greater(reach, v.length()))
     }
 }
 
-/// Checks what does not depend on the rest of the model.
+/// Checks the values that do not depend on the rest of the model.
 pub(crate) fn check(fender: &Fender) -> Result<(), ModelError> {
     let bad = |field, value, must| {
         Err(ModelError::OutOfRange { owner: fender.name.clone(), field, value, must })
@@ -317,67 +233,21 @@ pub(crate) fn check(fender: &Fender) -> Result<(), ModelError> {
             let first = points.first().map_or(f64::NAN, |p| p[0]);
             return bad("curve", first, "two points or more, the first (0, 0)");
         }
-        check_points(fender, "deflection of the curve", points, 0.0..=1e15)?;
+        check_points(&fender.name, "deflection of the curve", points, 0.0..=1e15)?;
     }
     let factors = &fender.factors;
     if !(1e-3..=1e3).contains(&factors.constant) {
         return bad("factor", factors.constant, "between 1e-3 and 1e3");
     }
-    fender.unloading.as_ref().map_or(Ok(()), |unloading| unloading.check(fender))?;
-    check_points(fender, "compression time", &factors.by_compression_time, 1e-3..=1e3)?;
-    check_points(fender, "angle of a factor", &factors.by_angle, 1e-3..=1e3)
-}
-
-/// Abscissae that rise and ordinates within bounds.
-pub(crate) fn check_points(
-    fender: &Fender,
-    field: &'static str,
-    points: &[[f64; 2]],
-    bounds: core::ops::RangeInclusive<f64>,
-) -> Result<(), ModelError> {
-    let owner = || fender.name.clone();
-    for &[x, y] in points {
-        if !(0.0..=1e9).contains(&x) {
-            let must = "between 0 and 1e9";
-            return Err(ModelError::OutOfRange { owner: owner(), field, value: x, must });
-        }
-        if !bounds.contains(&y) {
-            let must = "within its bounds: reactions 0 to 1e15, factors 1e-3 to 1e3";
-            return Err(ModelError::OutOfRange { owner: owner(), field, value: y, must });
-        }
-    }
-    match points.windows(2).find(|two| two[1][0] <= two[0][0]) {
-        None => Ok(()),
-        Some(two) => {
-            let (value, must) = (two[1][0], "larger than the one before it");
-            Err(ModelError::OutOfRange { owner: owner(), field, value, must })
-        }
-    }
+    fender.unloading.as_ref().map_or(Ok(()), |law| law.check(&fender.name, &fender.law))?;
+    check_points(&fender.name, "compression time", &factors.by_compression_time, 1e-3..=1e3)?;
+    check_points(&fender.name, "angle of a factor", &factors.by_angle, 1e-3..=1e3)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use alloc::vec;
-
-    #[test]
-    fn reaction_and_energy_follow_the_points_and_the_last_line_goes_on() {
-        let law = FenderLaw::Curve(vec![[0.0, 0.0], [1.0, 10.0], [2.0, 8.0], [3.0, 12.0]]);
-        for (deflection_m, reaction_n, energy_j) in [
-            (0.0, 0.0, 0.0),
-            (0.5, 5.0, 1.25),
-            (1.5, 9.0, 9.75),
-            (3.0, 12.0, 24.0),
-            (4.0, 16.0, 38.0),
-        ] {
-            assert_eq!(law.reaction_n(deflection_m), reaction_n);
-            assert_eq!(law.energy_j(deflection_m), energy_j);
-        }
-        assert_eq!(law.steepest_npm(0.5), 10.0);
-        assert_eq!(FenderLaw::linear(7.0).reaction_n(3.0), 21.0);
-        let buckled = FenderLaw::Curve(vec![[0.0, 0.0], [1.0, 10.0], [2.0, 8.0]]);
-        assert_eq!((buckled.reaction_n(3.0), buckled.energy_j(3.0)), (8.0, 22.0));
-    }
 
     #[test]
     fn factors_are_taken_at_the_compression_time_and_held_beyond_their_ends() {

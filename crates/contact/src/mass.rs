@@ -113,12 +113,6 @@ impl InverseMatrix {
         self.rr
     }
 
-    /// All of it, to tell one from another.
-    pub(crate) fn to_bits(self) -> [u64; 6] {
-        let InverseMatrix { xx, xy, yy, xr, yr, rr } = self;
-        [xx, xy, yy, xr, yr, rr].map(f64::to_bits)
-    }
-
     /// The largest inverse mass in any direction, without rotation (1/kg).
     pub(crate) fn lightest(&self) -> f64 {
         // The larger eigenvalue of the translational block.

@@ -2,9 +2,10 @@
 
 use alloc::vec::Vec;
 
-use crate::admit::{Came, came};
+use crate::bodies::{Displaced, PoseChange, classify};
 use crate::geometry::clip::Hint;
-use crate::model::{BodyId, Model};
+use crate::material::BodyId;
+use crate::model::Model;
 use crate::overlap::{Patch, Place};
 use crate::state::BodyState;
 use crate::unloading::PLAYS;
@@ -210,6 +211,8 @@ pub(crate) struct Past<'m> {
     pub(crate) places: &'m [PlaceMemory],
     pub(crate) hints: &'m [HintMemory],
     pub(crate) last_step_s: f64,
+    /// Bodies that the host displaced since then.
+    pub(crate) displaced: &'m Displaced,
 }
 
 impl<'m> Past<'m> {
@@ -228,9 +231,9 @@ impl<'m> Past<'m> {
 
 impl Memory {
     /// All of it.
-    pub(crate) fn past(&self) -> Past<'_> {
+    pub(crate) fn past<'m>(&'m self, displaced: &'m Displaced) -> Past<'m> {
         let Memory { patches, places, hints, last_step_s, .. } = self;
-        Past { patches, places, hints, last_step_s: *last_step_s }
+        Past { patches, places, hints, last_step_s: *last_step_s, displaced }
     }
 
     /// Memory of bodies that have never touched.
@@ -291,18 +294,18 @@ impl Memory {
         }
     }
 
-    /// How a body came to where it is shown.
+    /// Classifies a body's input pose by its last state and what the host said of it.
     #[inline(always)]
-    pub(crate) fn came(
+    pub(crate) fn pose_change(
         &self,
         rank: usize,
         last: &BodyState,
         now: &BodyState,
         radius_m: f64,
-    ) -> Came {
+    ) -> PoseChange {
         if !self.placed.is_empty() && self.placed.binary_search(&(rank as u32)).is_ok() {
-            return Came::Jumped;
+            return PoseChange::Teleported;
         }
-        came((last, self.last_step_s), now, radius_m)
+        classify(last, now, self.last_step_s, radius_m)
     }
 }

@@ -5,39 +5,15 @@ use alloc::vec::Vec;
 use alloc::{format, vec};
 
 use crate::error::ModelError;
-use crate::fender::{self, Fender, FenderId, FenderLaw, RankedFender};
+use crate::fender::{self, Fender, RankedFender};
 use crate::hash::Fnv1a;
 use crate::mass::InverseMatrix;
+use crate::material::{BodyId, FenderId, Material, MaterialId};
 use crate::number::greater;
 use crate::outline::Outline;
-use crate::pairing::{Bounds, RankedPair};
+use crate::pair::{Bounds, RankedPair};
 use crate::ranked::Ranked;
-
-/// Index of a body, in the order in which bodies were added.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct BodyId(pub u32);
-
-/// Index of a material, in the order in which materials were added.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct MaterialId(pub u32);
-
-/// Contact parameters of a pair of bodies (Table 1 of the paper).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material {
-    /// k, area stiffness (N/m²): the modulus of an elastic (Winkler) foundation.
-    pub stiffness_npm2: f64,
-    /// c, area damping (N·s/m²) (the paper's Table 1 prints kN·s/m).
-    pub damping_nspm2: f64,
-    /// k_s, shear stiffness (N/m).
-    pub shear_stiffness_npm: f64,
-    /// μ_s, coefficient of static friction.
-    pub friction_static: f64,
-    /// μ_k, coefficient of dynamic friction, at most μ_s.
-    pub friction_dynamic: f64,
-    /// γ, coefficient of restitution, 0 to 1. With 0 nothing comes back: by the coupled method a ship stays as deep as
-    /// she came, whatever load holds her there.
-    pub restitution: f64,
-}
+use crate::reaction::FenderLaw;
 
 /// How a body answers a force, as the limiter of eq. 9–26 sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,4 +1,4 @@
-//! A step of no length: a host that is paused goes on asking.
+//! A step of 0 s, of a host that is paused.
 
 use crate::admit::{admit, admit_loads};
 use crate::error::StepError;
@@ -8,11 +8,11 @@ use crate::report::{ContactImpulse, ContactWork, Displacement, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
 
-/// Takes a step of no length, in which nothing goes on: `memory` need not change. The wrenches and contacts are
-/// those of the last step, without impulse, work, motion and events; the states after it are those that are shown.
+/// Takes a step of 0 s. The memory does not change. Wrenches and contacts stay those of the last step; impulses, work,
+/// displacements and events are zero or empty; the states at the end are the input states.
 ///
 /// # Errors
-/// As of any step.
+/// As any step.
 pub(crate) fn pause(
     model: &Model,
     memory: &Memory,
@@ -24,24 +24,22 @@ pub(crate) fn pause(
     if let Some(loads) = loads {
         admit_loads(model, states, loads)?;
     }
+    let Workspace { results, dynamics, .. } = work;
     let count = model.bodies().len();
-    if work.results_of != Some(model.layout) {
-        work.contacts.clear();
-        work.peaks.clear();
-        work.wrenches.clear();
-        work.wrenches.resize(count, Wrench::default());
-        work.results_of = Some(model.layout);
+    if results.layout != Some(model.layout) {
+        results.clear_forces(count);
+        results.layout = Some(model.layout);
     }
-    for contact in &mut work.contacts {
+    for contact in &mut results.contacts {
         contact.work = ContactWork::default();
         contact.impulse = ContactImpulse::default();
     }
-    work.events.clear();
-    work.motions.clear();
-    work.motions.resize(count, Displacement::default());
-    work.states_after.clear();
-    work.states_after.extend_from_slice(states);
-    // What is known of bodies that stand goes by what the last step left of them.
-    work.advanced = None;
+    results.events.clear();
+    results.displacements.clear();
+    results.displacements.resize(count, Displacement::default());
+    results.states_after.clear();
+    results.states_after.extend_from_slice(states);
+    // States at the end are results of settled bodies too: the next step computes all bodies anew.
+    dynamics.invalidate();
     Ok(())
 }

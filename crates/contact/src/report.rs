@@ -1,7 +1,6 @@
 //! Results of a step: contacts, wrenches, displacements and events.
 
-use crate::fender::FenderId;
-use crate::model::BodyId;
+use crate::material::{BodyId, FenderId};
 use crate::vec2::Vec2;
 
 /// State of the shear spring (eq. 5–8).

@@ -1,9 +1,10 @@
-//! The kinematics of one patch: normal, arms, velocities and shear, in earth-fixed axes.
+//! The kinematics of one patch (§3.1 of the paper): normal, levers, velocities and shear, in earth-fixed axes.
 
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
+use crate::material::BodyId;
 use crate::memory::PatchMemory;
-use crate::model::{BodyId, Material, Model};
+use crate::model::Model;
 use crate::overlap::{self, Overlap, Patch};
 use crate::report::{Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction};
 use crate::state::{BodyState, Velocity};
@@ -16,7 +17,7 @@ pub(crate) struct Touch {
     pub(crate) normal_in_a: Vec2,
     /// n, A's outward normal, earth-fixed.
     pub(crate) normal: Vec2,
-    /// Where the force acts, in A's frame (m): C, or a point of the line of a fender's force.
+    /// Where the force acts, in A's frame [m]: C, or a point of the line of a fender's force.
     pub(crate) point_in_a_m: Vec2,
     /// About each body's centre of gravity.
     pub(crate) levers_a: Levers,
@@ -26,10 +27,9 @@ pub(crate) struct Touch {
     /// Spring and stop, before factors (N).
     pub(crate) spring_n: f64,
     pub(crate) stop_n: f64,
-    /// What a fender stores, before factors (J); an area spring between two hulls stores no energy that
-    /// its depth alone would tell.
+    /// Energy stored in a fender, before factors (J); 0 between two outlines, whose law has no potential.
     pub(crate) stored_j: f64,
-    /// What S grows by with the distance that the two close along n (m).
+    /// dS by the distance that the bodies close along n (m).
     pub(crate) chord_m: f64,
     /// Angle between a fender's face and the hull (rad).
     pub(crate) tilt_rad: f64,
@@ -55,20 +55,20 @@ impl Levers {
     }
 }
 
-/// Which bodies of a contact move: those that float, and what is fixed and moves nevertheless.
+/// Which bodies of a contact move: floating ones, and fixed ones with a velocity, such as lock gates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Movers {
-    /// Only A: B is fixed and rests.
+    /// Only A: B is fixed and at rest.
     A,
     /// Only B.
     B,
-    /// Both, as far as is known.
+    /// Both, or unknown.
     #[default]
     Both,
 }
 
 impl Movers {
-    /// The other of the two rests.
+    /// From whether A and B move. At least one of them does.
     #[inline(always)]
     pub(crate) fn of([a_moves, b_moves]: [bool; 2]) -> Movers {
         match (a_moves, b_moves) {
@@ -78,8 +78,8 @@ impl Movers {
         }
     }
 
-    /// V_n and V_t of two bodies along n and t, about whose centres of gravity these have these levers (m/s). Of
-    /// a body that rests nothing is asked.
+    /// V_n and V_t of two bodies (eq. 10) (m/s), from n and the levers of n and t about each centre of gravity. The
+    /// velocity of a body at rest is not read.
     #[inline(always)]
     pub(crate) fn speeds(
         self,
@@ -112,46 +112,44 @@ impl Movers {
     }
 }
 
-/// What there is when the contacts of a (sub-)step are looked at.
+/// What the contacts of a (sub-)step are computed from. Lists are by rank.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'w> {
     pub(crate) model: &'w Model,
-    pub(crate) found: &'w Overlap,
-    /// By rank.
+    pub(crate) overlap: &'w Overlap,
     pub(crate) poses: &'w [Pose],
+    /// States at the start of the (sub-)step.
+    pub(crate) states: &'w [BodyState],
 }
 
-/// Kinematics of a patch between bodies with these states by rank, of which these move; `face` is the fender of it,
-/// where there is one.
-// Always inlined: what it returns stays in registers.
+/// Kinematics of a patch. `face` is its fender, if it has one, and `old` its memory.
 #[inline(always)]
 pub(crate) fn touch(
     scene: &Scene<'_>,
-    buffers: &mut ClipBuffers,
+    clip: &mut ClipBuffers,
     patch: &Patch,
     face: Option<&RankedFender>,
-    material: &Material,
     old: Option<&PatchMemory>,
-    (movers, states): (Movers, &[BodyState]),
+    movers: Movers,
 ) -> Touch {
     let pressed = match face {
-        None => by_area(scene, buffers, patch, material, old),
-        Some(face) => by_face(scene, patch, face),
+        None => press_outline(scene, clip, patch, old),
+        Some(face) => press_fender(scene, patch, face),
     };
     let Touch { normal_in_a, point_in_a_m, .. } = pressed;
     let normal = scene.poses[patch.candidate.a as usize].rotation.apply(normal_in_a);
-    // In A's frame, where nobody has to turn the arms.
+    // In A's frame, where the arms are given.
     let levers_a = Levers::new(point_in_a_m, normal_in_a);
     let levers_b = Levers::new(point_in_a_m - patch.b_in_a.position_m, normal_in_a);
-    let velocity_of = |rank: u32| states[rank as usize].velocity();
+    let velocity_of = |rank: u32| scene.states[rank as usize].velocity();
     let (v_normal_mps, v_tangential_mps) = movers.speeds(
         || velocity_of(patch.candidate.a),
         || velocity_of(patch.candidate.b),
         (normal, levers_a, levers_b),
     );
     let shear_m = old.map_or(0.0, |m| {
-        // How far the material points that were at C have moved apart, in A's frame, where nothing
-        // is lost far from the origin.
+        // How far the material points that were at C have moved apart (eq. 4). In A's frame, where no digits are lost far
+        // from the origin.
         let apart = m.point_in_a_m - patch.b_in_a.apply(m.point_in_b_m);
         m.shear_m + apart.dot(normal_in_a.quarter_turn())
     });
@@ -160,15 +158,15 @@ pub(crate) fn touch(
 
 /// Outline against outline: kS along the chord's normal, at the centroid (docs/contact_model.md, sections 1 and 2).
 #[inline(always)]
-fn by_area(
+fn press_outline(
     scene: &Scene<'_>,
-    buffers: &mut ClipBuffers,
+    clip: &mut ClipBuffers,
     patch: &Patch,
-    material: &Material,
     old: Option<&PatchMemory>,
 ) -> Touch {
-    let Scene { model, found, .. } = *scene;
-    let (normal_in_a, depth_m) = overlap::normal_in_a(model, found, buffers, patch, old);
+    let Scene { model, overlap, .. } = *scene;
+    let material = &model.materials()[patch.candidate.material.0 as usize];
+    let (normal_in_a, depth_m) = overlap::normal_in_a(model, overlap, clip, patch, old);
     Touch {
         normal_in_a,
         point_in_a_m: patch.centroid_m,
@@ -180,9 +178,9 @@ fn by_area(
 
 /// An outline against a fender: by the fender's law.
 #[inline(never)]
-fn by_face(scene: &Scene<'_>, patch: &Patch, face: &RankedFender) -> Touch {
-    let press = overlap::press(scene.model, scene.found, patch, face);
-    // The hull pushes towards the fender: that is A's outward normal where the hull is A's.
+fn press_fender(scene: &Scene<'_>, patch: &Patch, face: &RankedFender) -> Touch {
+    let press = overlap::press(scene.model, scene.overlap, patch, face);
+    // The hull pushes towards the fender: that is A's outward normal if the hull is A's.
     let hull_is_a = face.host != patch.candidate.a;
     Touch {
         normal_in_a: if hull_is_a { press.push } else { -press.push },
@@ -205,7 +203,7 @@ pub(crate) fn arms_m(scene: &Scene<'_>, patch: &Patch, point_in_a_m: Vec2) -> [V
 }
 
 impl Touch {
-    /// With this normal, where bodies have these arms.
+    /// With this normal and these arms of A and B.
     #[cfg(test)]
     pub(crate) fn at(normal: Vec2, [arm_a_m, arm_b_m]: [Vec2; 2]) -> Touch {
         Touch {
@@ -216,14 +214,14 @@ impl Touch {
         }
     }
 
-    /// The report of this patch of these bodies, A and B, without its forces, with the body that was added first as
-    /// body 1: a change of order turns n and t round and nothing else.
+    /// The report of this patch of bodies A and B, without forces. Body 1 is the one that was added first: if that is B, n
+    /// and t are reversed.
     #[inline]
     pub(crate) fn contact(
         &self,
         scene: &Scene<'_>,
-        (patch, [id_a, id_b]): (&Patch, [BodyId; 2]),
-        face: Option<&RankedFender>,
+        patch: &Patch,
+        [id_a, id_b]: [BodyId; 2],
         [arm_a_m, arm_b_m]: [Vec2; 2],
     ) -> Contact {
         let a = patch.candidate.a as usize;
@@ -231,7 +229,7 @@ impl Touch {
         Contact {
             body_1: id_a.min(id_b),
             body_2: id_a.max(id_b),
-            fender: face.map(|face| face.id),
+            fender: patch.candidate.fender(scene.model).map(|face| face.id),
             patch: patch.number,
             area_m2: patch.area_m2,
             depth_m: self.depth_m,

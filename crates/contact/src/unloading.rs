@@ -1,75 +1,76 @@
-//! How rubber gives back less than it took: the unloading law of a fender.
+//! The unloading law of a fender: rubber returns less energy than it absorbs.
 //!
-//! A fender's loading curve is the gradient of an energy U of the hull's place (`face.rs`). The force comes down to an
-//! unloading curve, the gradient of another energy U_u, nowhere steeper: ∇U_u = (R_u/R) ∇U. In between
+//! A fender's loading force is the gradient of an energy U of the hull's position (`face.rs`). On unloading the force
+//! falls to a lower curve, the gradient of another energy U_u that is nowhere steeper: ∇U_u = (R_u/R) ∇U. In between
 //!
 //! F = ∇U_u + z ∇D,  D = U − U_u ≥ 0,  0 ≤ z ≤ 1,
 //!
-//! where z follows D alone: z = Σ q_i z_i over a few *plays*, each with a memory, the top T_i of its play:
+//! where z depends on D alone: z = Σ q_i z_i over a few *play operators*, each with one state, its top T_i:
 //!
-//! z_i = (D − (1 − w_i) T_i)/(w_i T_i), and T_i is moved by D so that 0 ≤ z_i ≤ 1.
+//! z_i = (D − (1 − w_i) T_i)/(w_i T_i), where D moves T_i so that 0 ≤ z_i ≤ 1.
 //!
-//! While a hull presses on, D = T_i and z is 1; on a retreat z falls to 0 as D loses the share w_i of the top; when it
-//! presses again z rises the same way. What follows from this form:
+//! During loading D = T_i and z = 1. On unloading z falls to 0 while D loses the share w_i of T_i; on reloading z
+//! rises the same way. From this form it follows:
 //!
-//! - With T_i held the force is the gradient of the energy that the fender can still give back,
-//!   V = U_u + Σ q_i (D − (1 − w_i)T_i)²/(2 w_i T_i): path and face's tilt do not matter, as for an elastic fender.
-//! - Along a path dW = dV + heat, and there is heat only where a top is pushed up: q_i (1 − w_i/2) dT_i ≥ 0. So it is
-//!   passive, for any path. Within the plays, and where a top is pulled down, nothing is lost.
-//! - Nothing in it has a time: results do not depend on the speed or on Δt.
-//! - It has no scale but the load itself: a loop from nothing to any deflection and back returns
-//!   U_u + c D of the U that it took, c = Σ q_i w_i/2. With R_u = r R that is the same share of U for any deflection and
-//!   any law, and r = (η − c)/(1 − c) makes it η.
-//! - A ship that is pressed on by a steady load rests where she stops: any place between the two curves holds the load,
-//!   and as the plays are springs there, she does not creep.
+//! - With T_i constant the force is the gradient of the energy that the fender can still return,
+//!   V = U_u + Σ q_i (D − (1 − w_i)T_i)²/(2 w_i T_i). As for an elastic fender, the path and the tilt of the face do
+//!   not matter.
+//! - Along any path dW = dV + heat, and there is heat only where a top rises: q_i (1 − w_i/2) dT_i ≥ 0. So the law is
+//!   passive. Within the plays, and where a top falls, nothing is dissipated.
+//! - The law does not contain time: results depend neither on the speed nor on Δt.
+//! - It has no scale but the load itself: a loop from zero to any deflection and back returns U_u + c D of the absorbed
+//!   U, c = Σ q_i w_i/2. With R_u = r R that is the same share of U for any deflection and any reaction law, and
+//!   r = (η − c)/(1 − c) makes that share η.
+//! - A ship under a steady load rests where she stops: any deflection between the two curves carries the load, and she
+//!   does not creep, because the plays are springs there.
 //!
-//! Plays side by side are Prandtl's and Ishlinskii's model of hysteresis. Several widths make the turn round,
-//! and let small swings die out that a single play would keep for ever. Widths and shares are ours.
+//! Parallel plays are the Prandtl-Ishlinskii model of hysteresis. Several widths round the turn between the curves,
+//! and let small oscillations decay that a single play would sustain. Widths and shares are our choice.
 
 use alloc::string::String;
 use alloc::vec::Vec;
 
 use crate::error::ModelError;
-use crate::fender::{Fender, FenderLaw, check_points, integral, on_line};
 use crate::number::{greater, lesser};
-use crate::touch::Touch;
+use crate::reaction::{FenderLaw, check_points, integral, on_line};
 
-/// How a fender's reaction falls when the hull retreats. Used by the coupled method; the paper's has restitution.
+/// How a fender's reaction falls when the hull moves away. The coupled method uses it; the paper's method has
+/// restitution instead.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unloading {
-    /// The share of the energy taken that a loop from no deflection to any other and back returns, for any law:
-    /// between [`Unloading::MIN_RETURNED_SHARE`] and 1. An impact on one such fender leaves with its square root of the
-    /// speed.
+    /// Returned share of the absorbed energy, for a loop from zero to any deflection and back, with any law:
+    /// between [`Unloading::MIN_RETURNED_SHARE`] and 1. A body that hits one such fender leaves with the square root
+    /// of this share of its speed.
     ReturnedEnergy(f64),
-    /// Points (δ (m), R (N)) of the curve that the reaction comes down to, from (0, 0) on, with straight lines between
-    /// them, for a [`FenderLaw::Curve`]; nowhere above it. Beyond the last point, and in the stop, the reaction comes
-    /// down to the same share of the loading curve as there.
+    /// Points (δ (m), R (N)) of the lower curve from (0, 0) on, with straight lines between them, for a
+    /// [`FenderLaw::Curve`] and nowhere above it. Beyond the last point, and in the stop, the reaction falls to the
+    /// same share of the loading curve as at the last point.
     Curve(Vec<[f64; 2]>),
 }
 
-/// Number of plays.
+/// Number of play operators.
 pub(crate) const PLAYS: usize = 3;
 
-/// Width of each play over its top, in D.
+/// w_i: width of each play in D, over its top.
 const WIDTHS: [f64; PLAYS] = [1.0 / 10.0, 1.0 / 80.0, 1.0 / 640.0];
 
-/// Shares of the plays in z: as the widths, so that each adds as much stiffness.
+/// q_i: shares of the plays in z. They are proportional to the widths, so that each play adds the same stiffness.
 const SHARES: [f64; PLAYS] = [
     WIDTHS[0] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
     WIDTHS[1] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
     WIDTHS[2] / (WIDTHS[0] + WIDTHS[1] + WIDTHS[2]),
 ];
 
-/// c: share of D that plays give back.
-const GIVEN_BACK: f64 =
+/// c: share of D that the plays return.
+const RETURNED_BY_PLAYS: f64 =
     0.5 * (SHARES[0] * WIDTHS[0] + SHARES[1] * WIDTHS[1] + SHARES[2] * WIDTHS[2]);
 
 impl Unloading {
-    /// Less than this cannot be returned, as the force needs a little way to come down.
+    /// The smallest returned share: the force needs some distance to fall.
     pub const MIN_RETURNED_SHARE: f64 = 0.05;
 
-    /// The share of ∫ R dδ up to a deflection that a loop to it and back returns, without the stop. For
-    /// [`Unloading::ReturnedEnergy`] it is the same for all.
+    /// The share of ∫ R dδ that a loop to a deflection and back returns, without the stop. For
+    /// [`Unloading::ReturnedEnergy`] it does not depend on the deflection.
     #[must_use]
     pub fn returned_share(&self, law: &FenderLaw, deflection_m: f64) -> f64 {
         match self {
@@ -78,7 +79,7 @@ impl Unloading {
                 let taken_j = law.energy_j(deflection_m);
                 let (lower_j, _) = lower_of_curve(points, law, deflection_m);
                 if taken_j > 0.0 {
-                    (lower_j + GIVEN_BACK * (taken_j - lower_j)) / taken_j
+                    (lower_j + RETURNED_BY_PLAYS * (taken_j - lower_j)) / taken_j
                 } else {
                     1.0
                 }
@@ -86,8 +87,7 @@ impl Unloading {
         }
     }
 
-    /// The reaction that a retreat comes down to where loading has `loading_n`, at a deflection; without factors
-    /// and stop (N).
+    /// The lower reaction at a deflection whose loading reaction is `loading_n`, without factors and stop (N).
     #[must_use]
     pub fn reaction_n(&self, law: &FenderLaw, deflection_m: f64, loading_n: f64) -> f64 {
         match self {
@@ -96,8 +96,8 @@ impl Unloading {
         }
     }
 
-    /// The first place where an unloading curve is above a loading curve, to rounding: a point of either, as both are
-    /// straight in between.
+    /// The first point (δ, R) where an unloading curve lies above a loading curve by more than rounding. It is a
+    /// vertex of one of them, because both are straight in between.
     #[must_use]
     pub fn first_point_above(unloading: &[[f64; 2]], loading: &[[f64; 2]]) -> Option<[f64; 2]> {
         let end_m = unloading.last().map_or(0.0, |p| p[0]);
@@ -107,9 +107,9 @@ impl Unloading {
             .find(|&[at_m, lower_n]| lower_n > on_line(loading, at_m) * (1.0 + 1e-9) + 1e-9)
     }
 
-    /// Checks what does not depend on the rest of the model.
-    pub(crate) fn check(&self, fender: &Fender) -> Result<(), ModelError> {
-        let owner = || -> String { fender.name.clone() };
+    /// Checks the values; `name` is the fender's, for errors, and `law` its loading law.
+    pub(crate) fn check(&self, name: &str, law: &FenderLaw) -> Result<(), ModelError> {
+        let owner = || String::from(name);
         match self {
             Unloading::ReturnedEnergy(share) => {
                 let range = Unloading::MIN_RETURNED_SHARE..=1.0;
@@ -122,7 +122,7 @@ impl Unloading {
             }
             Unloading::Curve(points) => {
                 let field = "deflection of the unloading curve";
-                let FenderLaw::Curve(loading) = &fender.law else {
+                let FenderLaw::Curve(loading) = law else {
                     let must = "of a fender with a reaction curve";
                     return Err(ModelError::OutOfRange { owner: owner(), field, value: 0.0, must });
                 };
@@ -131,7 +131,7 @@ impl Unloading {
                     let must = "two points or more, the first (0, 0)";
                     return Err(ModelError::OutOfRange { owner: owner(), field, value, must });
                 }
-                check_points(fender, field, points, 0.0..=1e15)?;
+                check_points(name, field, points, 0.0..=1e15)?;
                 match Unloading::first_point_above(points, loading) {
                     None => Ok(()),
                     Some([_, value]) => {
@@ -144,7 +144,7 @@ impl Unloading {
         }
     }
 
-    /// What tells one law from another.
+    /// The numbers that distinguish this law from others, for fingerprints.
     pub(crate) fn words(&self) -> impl Iterator<Item = f64> + '_ {
         let (share, points): (f64, &[[f64; 2]]) = match self {
             Unloading::ReturnedEnergy(share) => (*share, &[]),
@@ -154,9 +154,9 @@ impl Unloading {
     }
 }
 
-/// r of R_u = r R where a whole loop returns this share.
+/// r of R_u = r R where a loop returns this share.
 fn lower_share(returned: f64) -> f64 {
-    greater((returned - GIVEN_BACK) / (1.0 - GIVEN_BACK), 0.0)
+    greater((returned - RETURNED_BY_PLAYS) / (1.0 - RETURNED_BY_PLAYS), 0.0)
 }
 
 /// ∫ R_u dδ and R_u at a deflection (J, N).
@@ -177,45 +177,57 @@ fn share_beyond(law: &FenderLaw, [end_m, end_n]: [f64; 2]) -> f64 {
     if loading_n > 0.0 { lesser(end_n / loading_n, 1.0) } else { 1.0 }
 }
 
-/// What became of a touch on a fender that has an unloading law.
+/// Loading force and energy of a contact at its deflection, before factors.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Loading {
+    pub(crate) deflection_m: f64,
+    /// Of the reaction curve (N).
+    pub(crate) spring_n: f64,
+    /// Of the stop (N).
+    pub(crate) stop_n: f64,
+    /// U, of both (J).
+    pub(crate) stored_j: f64,
+}
+
+/// Force and energy of a contact by the unloading law of its fender, before factors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Unloaded {
-    /// Force over that of loading.
+    /// Force over the loading force.
     pub(crate) share: f64,
-    /// V, before factors (J).
+    /// V (J).
     pub(crate) recoverable_j: f64,
-    /// Heat since the tops were as they were given, before factors (J).
+    /// Energy dissipated since the given tops (J).
     pub(crate) lost_j: f64,
-    /// T of each play, before factors (J).
+    /// T of each play (J).
     pub(crate) tops_j: [f64; PLAYS],
 }
 
-/// A touch by the unloading law of its fender, from the tops that its contact remembers; `None` for a new contact,
-/// of which nobody knows how it came there: it has lost nothing yet.
+/// Applies the unloading law to a contact, from the tops that it remembers. `None` for a new contact, whose loading is
+/// unknown: it has dissipated nothing yet.
 pub(crate) fn unload(
     unloading: &Unloading,
     law: &FenderLaw,
-    touch: &Touch,
+    loading: &Loading,
     tops_j: Option<&[f64; PLAYS]>,
 ) -> Unloaded {
-    let whole_n = touch.spring_n + touch.stop_n;
+    let whole_n = loading.spring_n + loading.stop_n;
     let (lower_n, lower_j) = match unloading {
         Unloading::ReturnedEnergy(returned) => {
             let share = lower_share(*returned);
-            (share * whole_n, share * touch.stored_j)
+            (share * whole_n, share * loading.stored_j)
         }
         Unloading::Curve(points) => {
-            let deflection_m = touch.depth_m;
+            let deflection_m = loading.deflection_m;
             let (energy_j, reaction_n) = lower_of_curve(points, law, deflection_m);
             let loading_n = law.reaction_n(deflection_m);
-            // The force's line is that of loading, which a tilt makes longer than R.
+            // The share of the reaction, not the reaction itself: a tilted face has a larger force than R.
             let of_spring = if loading_n > 0.0 { reaction_n / loading_n } else { 1.0 };
             let of_stop = share_beyond(law, points[points.len() - 1]);
-            let stop_j = greater(touch.stored_j - law.energy_j(deflection_m), 0.0);
-            (of_spring * touch.spring_n + of_stop * touch.stop_n, energy_j + of_stop * stop_j)
+            let stop_j = greater(loading.stored_j - law.energy_j(deflection_m), 0.0);
+            (of_spring * loading.spring_n + of_stop * loading.stop_n, energy_j + of_stop * stop_j)
         }
     };
-    let between_j = greater(touch.stored_j - lower_j, 0.0);
+    let between_j = greater(loading.stored_j - lower_j, 0.0);
     let plays = Plays::moved(between_j, tops_j);
     let share =
         if whole_n > 0.0 { (lower_n + plays.z * (whole_n - lower_n)) / whole_n } else { 1.0 };
@@ -227,7 +239,7 @@ pub(crate) fn unload(
     }
 }
 
-/// The plays after D came to a value.
+/// The play operators at a value of D.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Plays {
     z: f64,
@@ -246,7 +258,7 @@ impl Plays {
             if between_j > before_j {
                 plays.lost_j += weight * (1.0 - 0.5 * width) * (between_j - before_j);
             }
-            // 0 to 1; 1 where there is nothing yet.
+            // Between 0 and 1; 1 before any loading.
             let z = if top_j > 0.0 { 1.0 - (top_j - between_j) / (width * top_j) } else { 1.0 };
             let z = greater(z, 0.0);
             plays.z += weight * z;
@@ -263,21 +275,21 @@ mod tests {
     use super::*;
     use alloc::vec;
 
-    /// A curve that buckles, as a cone's.
+    /// A curve that buckles, as that of a cone fender.
     fn cone() -> FenderLaw {
         FenderLaw::Curve(vec![[0.0, 0.0], [0.3, 9e5], [0.5, 8e5], [0.7, 1e6]])
     }
 
-    fn at(law: &FenderLaw, deflection_m: f64) -> Touch {
-        Touch {
-            depth_m: deflection_m,
+    fn at(law: &FenderLaw, deflection_m: f64) -> Loading {
+        Loading {
+            deflection_m,
             spring_n: law.reaction_n(deflection_m),
             stored_j: law.energy_j(deflection_m),
-            ..Touch::default()
+            ..Loading::default()
         }
     }
 
-    /// Work taken and given, heat, and the last state, along a path of deflections.
+    /// Work absorbed and returned, heat, and the last state, along a path of deflections.
     fn along(unloading: &Unloading, law: &FenderLaw, path: &[f64]) -> (f64, f64, f64, Unloaded) {
         let mut last: Option<(f64, f64, Unloaded)> = None;
         let (mut taken_j, mut given_j, mut lost_j) = (0.0, 0.0, 0.0);
@@ -303,7 +315,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_returns_its_share_from_any_deflection_and_by_any_law() {
+    fn a_loop_returns_its_share_from_any_deflection_with_any_law() {
         for law in [cone(), FenderLaw::linear(2e6)] {
             for share in [0.05, 0.3, 0.55, 0.8, 1.0] {
                 for top_m in [1e-4, 0.05, 0.3, 0.62, 1.1] {
@@ -320,7 +332,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_returns_what_lies_under_an_unloading_curve_and_a_little_of_the_loss() {
+    fn a_loop_returns_the_area_under_the_unloading_curve_and_the_share_of_the_plays() {
         let points = vec![[0.0, 0.0], [0.1, 0.0], [0.4, 4e5], [0.7, 1e6]];
         let (law, unloading) = (cone(), Unloading::Curve(points.clone()));
         assert_eq!(
@@ -335,13 +347,13 @@ mod tests {
             let share = unloading.returned_share(&law, top_m);
             assert!((given_j / taken_j - share).abs() < 1e-4, "{top_m}: {given_j} of {taken_j}");
         }
-        // Where the curves meet at the end of a measured loop they stay together.
+        // Curves that meet at the end of a measured loop coincide beyond it.
         let far = unloading.reaction_n(&law, 0.9, law.reaction_n(0.9));
         assert_eq!(far, law.reaction_n(0.9));
     }
 
     #[test]
-    fn an_unloading_curve_above_the_loading_curve_is_found_between_its_own_points_too() {
+    fn an_unloading_curve_above_the_loading_curve_is_found_between_its_points() {
         let loading = [[0.0, 0.0], [0.3, 9.0], [0.5, 4.0], [0.7, 10.0]];
         assert_eq!(
             Unloading::first_point_above(&[[0.0, 0.0], [0.7, 10.0]], &loading),
@@ -354,9 +366,9 @@ mod tests {
         assert_eq!(Unloading::first_point_above(&[[0.0, 0.0], [0.7, 5.0]], &loading), None);
     }
 
-    /// Random walks: never more given than the heat leaves, and every closed loop costs.
+    /// Random walks: work is recoverable energy plus heat, and heat never decreases.
     #[test]
-    fn whatever_the_path_heat_only_grows_and_the_books_balance() {
+    fn on_any_path_heat_only_grows_and_energy_balances() {
         let law = cone();
         let mut seed = 7_u64;
         let mut random = || {
@@ -393,9 +405,9 @@ mod tests {
         }
     }
 
-    /// A steady load with gusts: between the curves the same swing comes to the same place, again and again.
+    /// A steady load with gusts: between the curves the same oscillation reaches the same force each time.
     #[test]
-    fn swings_between_the_curves_do_not_ratchet() {
+    fn oscillations_between_the_curves_do_not_ratchet() {
         let (law, unloading) = (cone(), Unloading::ReturnedEnergy(0.55));
         let (.., settled) = along(&unloading, &law, &[0.0, 0.2, 0.19]);
         let mut tops = settled.tops_j;

@@ -19,9 +19,11 @@
 mod accuracy;
 mod columns;
 mod events;
+mod medium;
 mod memory;
 mod outcome;
 mod provider_notices;
+mod run_events;
 mod summary;
 mod tables;
 mod touched;
@@ -32,11 +34,13 @@ mod world_totals;
 pub use accuracy::{ACCURACY, EstimateError, accuracy, accuracy_json, source_json};
 pub use columns::{Column, ColumnReference, List, Names, TableReference, Value, reference};
 pub use events::{event_key, world_event_key};
+pub use medium::{Medium, Table};
 pub use memory::{InMemory, KeptColumn, KeptTable, KeptValues, NotFinite, TableInMemory};
 pub use outcome::{Interrupted, Outcome, WrittenFile};
 pub use provider_notices::{ProviderNotice, ProviderNotices, provider_event_key};
-pub use summary::{Events, SummaryNotFinite, integrator_text, is_plain, method_text, summary};
-pub use tables::{Medium, Table, Tables};
+pub use run_events::{Events, is_plain};
+pub use summary::{SummaryNotFinite, integrator_text, method_text, summary};
+pub use tables::Tables;
 pub use touched::{TouchedFender, add_parts, touched};
 pub use verdict::{Verdict, most_used, utilisation, worst_first};
 pub use world_totals::{

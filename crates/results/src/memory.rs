@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::columns::{Column, List, Names, Value};
-use crate::tables::{Medium, Table};
+use crate::medium::{Medium, Table};
 
 /// Keeps tables in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

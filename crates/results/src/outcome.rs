@@ -6,7 +6,7 @@ use fenderline_sim::{Energy, FenderSummary, PairSummary, Setup, Simulation};
 
 use crate::accuracy::EstimateError;
 use crate::provider_notices::ProviderNotices;
-use crate::summary::Events;
+use crate::run_events::Events;
 use crate::world_totals::WorldTotals;
 
 /// Where a run was interrupted.

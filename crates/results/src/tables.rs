@@ -3,83 +3,12 @@
 use fenderline_sim::{Energy, FenderSetup, Setup, StepRecord};
 
 use crate::columns::{
-    BodyRow, Column, ContactRow, ContactWorks, EnergyRow, FenderRow, Layout, Names, bodies_table,
-    contacts_table, energy_table, fenders_table,
+    BodyRow, ContactRow, ContactWorks, EnergyRow, FenderRow, Names, bodies_table, contacts_table,
+    energy_table, fenders_table,
 };
+use crate::medium::{Counted, Medium};
 use crate::touched::touched;
 use crate::world_tables::WorldTables;
-
-/// Where tables are kept.
-pub trait Medium {
-    /// What can go wrong there.
-    type Error;
-    /// A table when it is done.
-    type Done;
-    /// A table that is being filled.
-    type Table<R>: Table<R, Error = Self::Error, Done = Self::Done>;
-
-    /// Starts a table.
-    ///
-    /// # Errors
-    /// The medium's own.
-    fn start<R>(
-        &self,
-        name: &'static str,
-        columns: Vec<Column<R>>,
-        names: &Names,
-    ) -> Result<Self::Table<R>, Self::Error>;
-}
-
-/// A table that is being filled with rows of type `R`.
-pub trait Table<R> {
-    /// What can go wrong.
-    type Error;
-    /// The table when it is done.
-    type Done;
-
-    /// Adds a row.
-    ///
-    /// # Errors
-    /// The medium's own, or a value that is not finite.
-    fn push(&mut self, row: &R) -> Result<(), Self::Error>;
-
-    /// No more rows come.
-    ///
-    /// # Errors
-    /// The medium's own.
-    fn finish(self) -> Result<Self::Done, Self::Error>;
-}
-
-/// A table with its name and the number of its rows.
-pub(crate) struct Counted<M: Medium, R> {
-    name: &'static str,
-    table: M::Table<R>,
-    rows: u64,
-}
-
-impl<M: Medium, R> Counted<M, R> {
-    pub(crate) fn start(
-        medium: &M,
-        names: &Names,
-        layout: Layout<R>,
-    ) -> Result<Counted<M, R>, M::Error> {
-        let Layout { name, columns, .. } = layout;
-        Ok(Counted { name, table: medium.start(name, columns, names)?, rows: 0 })
-    }
-
-    pub(crate) fn push(&mut self, row: &R) -> Result<(), M::Error> {
-        self.rows += 1;
-        self.table.push(row)
-    }
-
-    pub(crate) fn rows(&self) -> (&'static str, u64) {
-        (self.name, self.rows)
-    }
-
-    pub(crate) fn finish(self) -> Result<M::Done, M::Error> {
-        self.table.finish()
-    }
-}
 
 /// All tables of a run; those of fenders, vessels, tugs and lines only where the set-up has any.
 pub struct Tables<M: Medium> {

@@ -6,7 +6,7 @@ use crate::columns::{
     AzimuthRow, Layout, LineRow, Names, ThrusterRow, TugRow, VesselRow, azimuths_table,
     lines_table, thrusters_table, tugs_table, vessels_table,
 };
-use crate::tables::{Counted, Medium};
+use crate::medium::{Counted, Medium};
 
 /// These tables of a run.
 pub(crate) struct WorldTables<M: Medium> {

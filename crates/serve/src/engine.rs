@@ -22,7 +22,8 @@ use super::instruments;
 use super::opening::{Asked, Outcome, Work};
 use super::pacer::Pacer;
 use super::permit::{self, Needs};
-use super::recorder::{ENDING, Recorder};
+use super::recorder::Recorder;
+use super::saved::ENDING;
 
 /// Events that a frame carries for those who missed some.
 const EVENTS: usize = 64;
@@ -519,8 +520,10 @@ impl Engine {
         self.is_free()?;
         let path = self.gallery.path(&file);
         let path = path.ok_or_else(|| Refusal::new("there is no such scenario in the gallery"))?;
-        let (hub, path, sessions) = (Arc::clone(&self.hub), path.to_owned(), self.sessions.clone());
-        self.work = Some(Work::open(hub, asked, file, path, sessions).map_err(Refusal::new)?);
+        let (path, sessions) = (path.to_owned(), self.sessions.clone());
+        self.work = Some(
+            Work::open(self.send_outcome(), asked, file, path, sessions).map_err(Refusal::new)?,
+        );
         Ok(())
     }
 
@@ -533,8 +536,16 @@ impl Engine {
             return Err(Refusal::new("the session is no longer recorded"));
         }
         let copy = self.recorder.copy(name, self.session.end_line()).map_err(Refusal::new)?;
-        self.work = Some(Work::save(Arc::clone(&self.hub), asked, copy).map_err(Refusal::new)?);
+        self.work = Some(Work::save(self.send_outcome(), asked, copy).map_err(Refusal::new)?);
         Ok(())
+    }
+
+    /// Hands what comes of work on another thread to this one.
+    fn send_outcome(&self) -> impl FnOnce(Outcome) + Send + 'static {
+        let hub = Arc::clone(&self.hub);
+        move |outcome| {
+            hub.tell_engine(Told::Done(outcome));
+        }
     }
 
     fn is_free(&self) -> Result<(), Refusal> {

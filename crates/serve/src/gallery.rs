@@ -7,8 +7,7 @@ use fenderline_live::message::GalleryEntry;
 use fenderline_live::{Outline, Session, Source};
 use fenderline_scenario::read_text;
 
-use super::recorder::ENDING;
-use super::saved::{self, Played, Watch};
+use super::saved::{self, ENDING, Played, Watch};
 
 /// What is read from the files of a gallery at most, and how many files of a folder are looked at for that.
 const MOST: usize = 200;

@@ -8,14 +8,12 @@ use fenderline_live::message::{EventNow, Role};
 use fenderline_live::{Refusal, Request};
 use tokio::sync::{mpsc, watch};
 
-use super::Notify;
 use super::claims::ClientId;
 use super::crowd::Peer;
-use super::log::Log;
+use super::log::{Log, Notify};
 use super::opening::Outcome;
 use super::seats::{Seat, Seats};
 use super::tokens::Tokens;
-use super::wire::Said;
 
 /// Commands that wait for the simulation's thread at most, of all clients together.
 const MOST_WAITING: usize = 256;
@@ -25,6 +23,9 @@ const MOST_STEERING: usize = 32;
 
 /// A text that many clients are sent.
 pub(crate) type Text = Arc<str>;
+
+/// The sentences of the last second for chart programs.
+pub(crate) type Said = Option<Arc<[String]>>;
 
 /// A frame, and the last events with their numbers: who missed frames still gets them.
 #[derive(Clone, Debug)]

@@ -49,11 +49,9 @@ use self::engine::Engine;
 use self::gallery::Gallery;
 use self::http::Site;
 use self::hub::{Hub, Told};
+pub use self::log::Notify;
 use self::page::Page;
 use self::saved::{Played, Unplayed, Way};
-
-/// Writes one line for the person who runs the server.
-pub type Notify = fn(&str);
 
 /// What to serve, and to whom.
 #[derive(Clone, Debug)]

@@ -4,12 +4,14 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use super::rate::Bucket;
-use crate::Notify;
 
 /// Lines a second, and at once.
 const LINES: (f64, f64) = (2.0, 20.0);
 
-/// A log that thins itself out.
+/// Writes one line for the person who runs the server.
+pub type Notify = fn(&str);
+
+/// A log that leaves out lines when there are too many.
 #[derive(Debug)]
 pub(crate) struct Log {
     thinned: Mutex<Thinned>,

@@ -13,7 +13,6 @@ use fenderline_live::message::{GalleryEntry, OpeningNow};
 
 use super::claims::ClientId;
 use super::gallery::{self, Opened};
-use super::hub::{Hub, Told};
 use super::recorder::{Copy, Recorder};
 use super::saved::Way;
 
@@ -64,7 +63,7 @@ impl Work {
     /// # Errors
     /// The system gives no thread.
     pub(crate) fn open(
-        hub: Arc<Hub>,
+        send: impl FnOnce(Outcome) + Send + 'static,
         asked: Asked,
         file: String,
         path: PathBuf,
@@ -96,14 +95,18 @@ impl Work {
             })
         };
         let done = move |opened| Outcome::Opened(Box::new(opened));
-        Work::start(hub, asked, Some(file), progress, move || done(open()))
+        Work::start(send, asked, Some(file), progress, move || done(open()))
     }
 
     /// Saves a copy of a recording.
     ///
     /// # Errors
     /// The system gives no thread.
-    pub(crate) fn save(hub: Arc<Hub>, asked: Asked, copy: Copy) -> io::Result<Work> {
+    pub(crate) fn save(
+        send: impl FnOnce(Outcome) + Send + 'static,
+        asked: Asked,
+        copy: Copy,
+    ) -> io::Result<Work> {
         let save = move || {
             let saved = copy.make();
             Outcome::Saved(saved.map(|path| {
@@ -111,11 +114,11 @@ impl Work {
                 (path, entry)
             }))
         };
-        Work::start(hub, asked, None, Arc::default(), save)
+        Work::start(send, asked, None, Arc::default(), save)
     }
 
     fn start(
-        hub: Arc<Hub>,
+        send: impl FnOnce(Outcome) + Send + 'static,
         asked: Asked,
         file: Option<String>,
         progress: Arc<Progress>,
@@ -123,7 +126,7 @@ impl Work {
     ) -> io::Result<Work> {
         let thread = std::thread::Builder::new().name("opening".into()).spawn(move || {
             let outcome = catch_unwind(AssertUnwindSafe(work));
-            hub.tell_engine(Told::Done(outcome.unwrap_or(Outcome::Lost)));
+            send(outcome.unwrap_or(Outcome::Lost));
         })?;
         Ok(Work { asked, file, progress, thread })
     }

@@ -9,7 +9,7 @@ use std::time::SystemTime;
 use fenderline_scenario::{FileFault, read_bytes};
 use maud::{DOCTYPE, html};
 
-use crate::Notify;
+use super::log::Notify;
 
 /// The folder beside the sources that this program was built from.
 const WEB: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web");

@@ -8,9 +8,7 @@ use fenderline_live::{LARGEST_RECORDING_BYTES, copy_kept};
 use fenderline_scenario::open_regular;
 
 use super::gallery::Opened;
-
-/// The end of a recording's file name.
-pub(crate) const ENDING: &str = ".session.jsonl";
+use super::saved::ENDING;
 
 /// An open recording. Every line is given to the operating system at once: killing the program loses none.
 #[derive(Debug)]

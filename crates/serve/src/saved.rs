@@ -11,6 +11,9 @@ use fenderline_live::{
 };
 use fenderline_scenario::open_regular;
 
+/// The end of a recording's file name.
+pub(crate) const ENDING: &str = ".session.jsonl";
+
 /// Steps that are played between two looks at who waits.
 const SLICE: u64 = 200;
 /// How recordings are read (bytes).

@@ -10,14 +10,11 @@ use tokio::sync::watch;
 use tokio::time::timeout;
 
 use super::crowd::{Crowd, Peer};
-use super::hub::Hub;
+use super::hub::{Hub, Said};
 
 /// Chart programs at a time, the one that has been there for longest goes beyond it; and how long one may take nothing.
 const MOST: usize = 32;
 const SLOW: Duration = Duration::from_secs(10);
-
-/// The sentences of the last second.
-pub(crate) type Said = Option<Arc<[String]>>;
 
 /// Serves who connects; a connection that takes nothing is closed.
 pub(crate) async fn tcp(listener: TcpListener, hub: Arc<Hub>) {

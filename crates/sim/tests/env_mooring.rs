@@ -292,7 +292,7 @@ fn lines_that_cannot_be_are_refused_by_name() {
          pretension instead"
     );
     let error = refused(polyester(), InboardEnd::Bitts, InitialLength::FromPretension(2e6));
-    assert_eq!(error, "line `aft spring` cannot be fitted with a tension of 2000000 N");
+    assert_eq!(error, "line `aft spring` cannot have a pretension of 2000000 N");
     let error = refused(polyester(), InboardEnd::Bitts, InitialLength::Outboard(f64::NAN));
     assert!(error.starts_with("line `aft spring`: length of the line [m]"), "{error}");
     let winch = InboardEnd::Winch(Winch::of_design(MBL_N, 10.0));

@@ -3,24 +3,8 @@
 use clap::ValueEnum;
 use fenderline_sim::hydro::vessels::Vessel;
 
+use crate::cli::ManoeuvreName;
 use crate::failure::Failure;
-
-/// A manoeuvre, or all that the vessel can do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ManoeuvreName {
-    /// Turning circle to either side
-    Turning,
-    /// Zig-zag 10°/10° and 20°/20°, first to either side
-    Zigzag,
-    /// From full ahead to standstill by the propeller astern
-    CrashStop,
-    /// Sideways under a steady force at midship, engine stopped
-    Crabbing,
-    /// Pull on a bollard, ahead and astern
-    BollardPull,
-    /// Every manoeuvre that the vessel can do
-    All,
-}
 
 /// Every single manoeuvre, in the order in which they are printed.
 const EACH: [ManoeuvreName; 5] = [

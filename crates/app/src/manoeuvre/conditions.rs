@@ -4,9 +4,8 @@ use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::hydro::Water;
 use fenderline_sim::hydro::vessels::Vessel;
 
-use super::catalogue::ManoeuvreName;
 use super::depth::Shallow;
-use crate::cli::ManoeuvreArgs;
+use crate::cli::{ManoeuvreArgs, ManoeuvreName};
 use crate::failure::Failure;
 
 /// Froude number beyond which no displacement ship goes, and no coefficient here was measured.

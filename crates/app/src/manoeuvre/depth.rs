@@ -1,45 +1,16 @@
 //! Water that is not deep, and what is to be said of it.
 
-use core::str::FromStr;
-
 use fenderline_sim::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_sim::hydro::shallow::{PUBLISHED_RATIO, SHALLOWEST_RATIO};
 use fenderline_sim::hydro::vessels::Vessel;
 
 use super::section::Section;
+use crate::cli::WaterDepth;
 use crate::failure::Failure;
 use fenderline_report::plot::{fixed, plain};
 
 /// Froude number of depth from which the waves that a ship makes change what the corrections know of; recalled.
 const SLOW_FROUDE: f64 = 0.6;
-
-/// A depth of water as it is ordered.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum WaterDepth {
-    /// In metres.
-    Metres(f64),
-    /// In the vessel's draughts.
-    Draughts(f64),
-}
-
-impl FromStr for WaterDepth {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<WaterDepth, String> {
-        let text = text.trim();
-        let (number, in_draughts) = match text.strip_suffix('T') {
-            Some(number) => (number, true),
-            None => (text.strip_suffix('m').unwrap_or(text), false),
-        };
-        let value: f64 = number.trim().parse().map_err(|_| {
-            "a number of metres or of draughts, such as 31.2 or \"1.5 T\"".to_owned()
-        })?;
-        if !(value > 0.0 && value.is_finite()) {
-            return Err("must be positive".to_owned());
-        }
-        Ok(if in_draughts { WaterDepth::Draughts(value) } else { WaterDepth::Metres(value) })
-    }
-}
 
 /// A depth of water that a vessel floats in.
 #[derive(Clone, Copy, Debug, PartialEq)]

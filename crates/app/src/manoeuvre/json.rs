@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 
 use super::conditions::{Conditions, Sea};
 use super::section::{Row, Section};
-use crate::validate::errors_of;
 use fenderline_results::{accuracy_json, source_json};
+use fenderline_validate::errors_of;
 
 /// The whole, with a line's end.
 pub(super) fn text(

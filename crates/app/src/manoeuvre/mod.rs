@@ -20,14 +20,12 @@ use std::path::Path;
 use fenderline_sim::hydro::Model3;
 use fenderline_sim::hydro::vessels::Vessel;
 
-use crate::cli::ManoeuvreArgs;
+use crate::cli::{ManoeuvreArgs, ManoeuvreName};
 use crate::failure::Failure;
 use crate::terminal::{say, say_json};
 use crate::vessels::{found, library};
 
-pub(crate) use catalogue::ManoeuvreName;
 use conditions::{Conditions, Sea};
-pub(crate) use depth::WaterDepth;
 use section::Section;
 
 /// Carries out the manoeuvres that `args` asks for and prints their measures.

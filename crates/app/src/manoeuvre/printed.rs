@@ -5,9 +5,9 @@ use core::fmt::Write as _;
 use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::hydro::vessels::Vessel;
 
-use super::catalogue::ManoeuvreName;
 use super::conditions::{Conditions, Sea};
 use super::section::{Row, Section, Unit};
+use crate::cli::ManoeuvreName;
 use crate::vessels::accuracy_text;
 use fenderline_report::plot::{fixed, plain, significant};
 

@@ -8,11 +8,11 @@ use fenderline_sim::hydro::manoeuvres::{
 };
 use fenderline_sim::hydro::vessels::Vessel;
 
-use super::catalogue::ManoeuvreName;
 use super::conditions::{Conditions, Sea};
 use super::crabbing::crabbing_section;
 use super::imo;
 use super::section::{Row, Section, Track, Unit};
+use crate::cli::ManoeuvreName;
 use crate::failure::Failure;
 
 /// A step's length over the time in which the ship sails her own: 0.08 s for KVLCC2. Half of it moves no

@@ -1,124 +1,129 @@
-//! The solve at once, where nothing is at a limit: most of the sub-steps of most contacts.
+//! The direct solve: all forces at once, for an island with one floating body and no force at a bound. Most sub-steps of
+//! most islands are of this kind.
 //!
 //! With N_i = f_i, and T_i the implicit shear spring's force while it sticks, which is a line in V_t⁺,
 //!
 //! T_i = T_i(V_t⁺ = 0) − c_i V_t,i⁺,  c_i = ϑ² k_s h,
 //!
-//! the velocities v⁺ of an island's one floating body follow from a system of three equations, whatever the number
-//! of its contacts, here with walls that stand still:
+//! the body's velocity v⁺ follows from a system of three equations, whatever the number of contacts. With fixed bodies at
+//! rest it is
 //!
 //! (1 + h M⁻¹ Σ c_i j_t j_tᵀ) v⁺ = v_free + h M⁻¹ Σ (−f_i j_n + T_i(0) j_t).
 //!
-//! It is the sweeps' answer where none of the bounds on N and T is reached with it, which is then asked of
-//! each contact; else the sweeps have to find which are.
+//! This is the sweeps' answer if it reaches none of the bounds on N and T. That is tested for each contact; if one fails,
+//! the sweeps have to find which bounds are reached.
 
-use crate::coupled::tie::{Grip, Side, Tie};
+use crate::coupled::constraint::{Constraint, Jacobian, Side, Speeds};
 use crate::mass::InverseMatrix;
 use crate::state::Velocity;
 use crate::touch::Movers;
 use crate::vec2::{Vec2, vec2};
 
-/// New velocities of `bodies` and forces in `ties`, from velocities without contact. False where a bound would be
-/// passed or more than one body floats: `bodies` are unchanged then, not so the forces.
-// Apart: it needs all registers.
+/// Computes the new velocity in `bodies` and the forces in `constraints`, from velocities without contact. Returns false
+/// if a bound would be passed or more than one body floats: `bodies` are unchanged then, the forces undefined.
+// Not inlined: it needs all registers.
 #[inline(never)]
 pub(crate) fn solve(
     bodies: &mut [Velocity],
     inverses: &[InverseMatrix],
-    ties: &mut [Tie],
+    constraints: &mut [Constraint],
     h: f64,
 ) -> bool {
-    let Some(body) = ties.first().and_then(Tie::only_floating) else { return false };
-    let of_force = inverses[body as usize].times(h);
+    let Some(body) = constraints.first().and_then(Constraint::only_floating) else { return false };
+    let response = inverses[body as usize].times(h);
     let mut push = Push::default();
     let mut stiffness = Stiffness::default();
     let mut walls_rest = true;
-    for tie in &*ties {
-        if tie.only_floating() != Some(body) {
+    for constraint in &*constraints {
+        if constraint.only_floating() != Some(body) {
             return false;
         }
-        // Twice the same, so that no sign is asked for.
-        match tie.floating_side() {
-            Side::A => take(tie, Side::A, &mut push, &mut stiffness),
-            Side::B => take(tie, Side::B, &mut push, &mut stiffness),
+        // Written out for both sides, so that the side is a constant.
+        match constraint.floating_side() {
+            Side::A => add(constraint, Side::A, &mut push, &mut stiffness),
+            Side::B => add(constraint, Side::B, &mut push, &mut stiffness),
         }
-        walls_rest &= tie.movers != Movers::Both;
+        walls_rest &= constraint.movers != Movers::Both;
     }
     if !walls_rest {
-        take_walls(bodies, ties, &mut push);
+        add_moving_fixed(bodies, constraints, &mut push);
     }
     let velocity = &mut bodies[body as usize];
     let (free_mps, free_radps) = *velocity;
-    let (dv, dr) = push.response(&of_force);
-    let found = stiffness.hold(&of_force, (free_mps + dv, free_radps + dr));
-    for tie in ties {
-        let of_wall_mps = if walls_rest { (0.0, 0.0) } else { tie.after_mps };
-        let sticks = match tie.floating_side() {
-            Side::A => stick(tie, Side::A, found, of_wall_mps, (&mut push, h)),
-            Side::B => stick(tie, Side::B, found, of_wall_mps, (&mut push, h)),
+    let (dv, dr) = push.response(&response);
+    let found = stiffness.solve(&response, (free_mps + dv, free_radps + dr));
+    for constraint in constraints {
+        let of_fixed = if walls_rest { Speeds::default() } else { constraint.after };
+        let sticks = match constraint.floating_side() {
+            Side::A => stick(constraint, Side::A, found, of_fixed, &mut push, h),
+            Side::B => stick(constraint, Side::B, found, of_fixed, &mut push, h),
         };
         if !sticks {
             return false;
         }
     }
-    // By the forces themselves: no momentum is lost but by rounding, however stiff the springs.
-    let (dv, dr) = push.response(&of_force);
+    // From the sum of the forces: so momentum is conserved to rounding, however stiff the springs.
+    let (dv, dr) = push.response(&response);
     *velocity = (free_mps + dv, free_radps + dr);
     true
 }
 
-/// Takes in a contact whose body on this side floats: its forces if both its bodies stood still, and what its
-/// shear spring loses with the velocity of that body.
+/// Adds a contact: its forces if both bodies stood still, and the slope of its shear spring.
 #[inline(always)]
-fn take(tie: &Tie, side: Side, push: &mut Push, stiffness: &mut Stiffness) {
-    let (grip, sign) = (tie.grip(side), side.sign());
-    push.add(&grip, sign * tie.law_n, sign * tie.spring_at_rest_n());
-    stiffness.add(&grip, tie.spring_slope());
+fn add(constraint: &Constraint, side: Side, push: &mut Push, stiffness: &mut Stiffness) {
+    let (jacobian, sign) = (constraint.jacobian(side), side.sign());
+    push.add(&jacobian, sign * constraint.law_n, sign * constraint.shear.force_at_rest_n);
+    stiffness.add(&jacobian, constraint.shear.slope);
 }
 
-/// And what their other bodies do to them, which do not float but may move, as lock gates do.
+/// Adds the shear by the motion of fixed bodies, such as lock gates.
 #[cold]
 #[inline(never)]
-fn take_walls(bodies: &[Velocity], ties: &mut [Tie], push: &mut Push) {
-    for tie in ties {
-        let side = tie.floating_side();
-        let (wall, sign) = match side {
-            Side::A => (tie.b, 1.0),
-            Side::B => (tie.a, -1.0),
+fn add_moving_fixed(bodies: &[Velocity], constraints: &mut [Constraint], push: &mut Push) {
+    for constraint in constraints {
+        let side = constraint.floating_side();
+        let (fixed, sign) = match side {
+            Side::A => (constraint.b, 1.0),
+            Side::B => (constraint.a, -1.0),
         };
-        let (normal_mps, tangential_mps) = tie.grip(side.other()).speeds(bodies[wall as usize]);
-        tie.after_mps = (-sign * normal_mps, -sign * tangential_mps);
-        push.shear(&tie.grip(side), tie.spring_slope() * tangential_mps);
+        let Speeds { normal_mps, tangential_mps } =
+            constraint.jacobian(side.other()).speeds(bodies[fixed as usize]);
+        constraint.after =
+            Speeds { normal_mps: -sign * normal_mps, tangential_mps: -sign * tangential_mps };
+        push.add_shear(&constraint.jacobian(side), constraint.shear.slope * tangential_mps);
     }
 }
 
-/// Its forces and speeds if the body moves so, and its wall makes so much of the speeds. False where a bound would be
-/// passed.
+/// Sets forces and speeds for this velocity of the floating body; `of_fixed` is the fixed body's part of the speeds.
+/// Returns false if a bound would be passed.
 #[inline(always)]
 fn stick(
-    tie: &mut Tie,
+    constraint: &mut Constraint,
     side: Side,
-    moves: Velocity,
-    of_wall_mps: (f64, f64),
-    (push, h): (&mut Push, f64),
+    velocity: Velocity,
+    of_fixed: Speeds,
+    push: &mut Push,
+    h: f64,
 ) -> bool {
-    let (grip, sign) = (tie.grip(side), side.sign());
-    let (normal_mps, tangential_mps) = grip.speeds(moves);
-    let speeds = (of_wall_mps.0 + sign * normal_mps, of_wall_mps.1 + sign * tangential_mps);
-    let tangential_n = tie.spring_n(speeds.1);
-    if !tie.is_within_bounds(speeds, tangential_n, h) {
+    let (jacobian, sign) = (constraint.jacobian(side), side.sign());
+    let Speeds { normal_mps, tangential_mps } = jacobian.speeds(velocity);
+    let speeds = Speeds {
+        normal_mps: of_fixed.normal_mps + sign * normal_mps,
+        tangential_mps: of_fixed.tangential_mps + sign * tangential_mps,
+    };
+    let tangential_n = constraint.shear.force_n(speeds.tangential_mps);
+    if !constraint.is_within_bounds(speeds, tangential_n, h) {
         return false;
     }
-    tie.stick(speeds, tangential_n);
-    push.lose_shear(&grip, tie.spring_slope() * tangential_mps);
+    constraint.set_sticking(speeds, tangential_n);
+    push.subtract_shear(&jacobian, constraint.shear.slope * tangential_mps);
     true
 }
 
-/// Σ (−N n + T t) and its moment on the floating body, with N and T as they act on it: as B it feels their
-/// opposites.
+/// Σ (−N n + T t) and its moment on the floating body, with N and T as they act on it.
 #[derive(Clone, Copy, Default)]
 struct Push {
-    /// Σ N n and Σ T n: what is turned is turned once for all.
+    /// Σ N n and Σ T n: the quarter turn from n to t is taken once, of the sum.
     normal_n: Vec2,
     tangential_n: Vec2,
     moment_nm: f64,
@@ -126,29 +131,29 @@ struct Push {
 
 impl Push {
     #[inline(always)]
-    fn add(&mut self, grip: &Grip, normal_n: f64, tangential_n: f64) {
-        self.normal_n += grip.along_n * normal_n;
-        self.moment_nm -= grip.levers.n_m * normal_n;
-        self.shear(grip, tangential_n);
+    fn add(&mut self, jacobian: &Jacobian, normal_n: f64, tangential_n: f64) {
+        self.normal_n += jacobian.normal * normal_n;
+        self.moment_nm -= jacobian.levers.n_m * normal_n;
+        self.add_shear(jacobian, tangential_n);
     }
 
     #[inline(always)]
-    fn shear(&mut self, grip: &Grip, tangential_n: f64) {
-        self.tangential_n += grip.along_n * tangential_n;
-        self.moment_nm += grip.levers.t_m * tangential_n;
+    fn add_shear(&mut self, jacobian: &Jacobian, tangential_n: f64) {
+        self.tangential_n += jacobian.normal * tangential_n;
+        self.moment_nm += jacobian.levers.t_m * tangential_n;
     }
 
     #[inline(always)]
-    fn lose_shear(&mut self, grip: &Grip, tangential_n: f64) {
-        self.tangential_n -= grip.along_n * tangential_n;
-        self.moment_nm -= grip.levers.t_m * tangential_n;
+    fn subtract_shear(&mut self, jacobian: &Jacobian, tangential_n: f64) {
+        self.tangential_n -= jacobian.normal * tangential_n;
+        self.moment_nm -= jacobian.levers.t_m * tangential_n;
     }
 
-    /// The change of velocity and yaw rate by it, with h M⁻¹.
+    /// The change of velocity and yaw rate, with h M⁻¹.
     #[inline(always)]
-    fn response(&self, of_force: &InverseMatrix) -> (Vec2, f64) {
+    fn response(&self, response: &InverseMatrix) -> (Vec2, f64) {
         let force_n = self.tangential_n.quarter_turn() - self.normal_n;
-        of_force.response(force_n, self.moment_nm)
+        response.response(force_n, self.moment_nm)
     }
 }
 
@@ -165,9 +170,9 @@ struct Stiffness {
 
 impl Stiffness {
     #[inline(always)]
-    fn add(&mut self, grip: &Grip, slope: f64) {
+    fn add(&mut self, jacobian: &Jacobian, slope: f64) {
         // t = (−n_y, n_x).
-        let (Vec2 { x, y }, lever_m) = (grip.along_n, grip.levers.t_m);
+        let (Vec2 { x, y }, lever_m) = (jacobian.normal, jacobian.levers.t_m);
         let (of_x, of_y, of_r) = (slope * x, slope * y, slope * lever_m);
         self.xx += of_y * y;
         self.xy -= of_x * y;
@@ -179,9 +184,9 @@ impl Stiffness {
 
     /// v of (1 + h M⁻¹ C) v = `free`, by Cramer's rule: M + h C is positive definite.
     #[inline]
-    fn hold(&self, of_force: &InverseMatrix, (dv, dr): (Vec2, f64)) -> (Vec2, f64) {
+    fn solve(&self, response: &InverseMatrix, (dv, dr): (Vec2, f64)) -> (Vec2, f64) {
         let column = |x: f64, y: f64, r: f64| {
-            let (linear, turn) = of_force.response(vec2(x, y), r);
+            let (linear, turn) = response.response(vec2(x, y), r);
             [linear.x, linear.y, turn]
         };
         let mut a = column(self.xx, self.xy, self.xr);
@@ -211,9 +216,9 @@ fn cross(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::coupled::rows::Laws;
-    use crate::coupled::tie::Forces;
-    use crate::model::Material;
+    use crate::coupled::constraint::{Forces, Laws};
+    use crate::law::friction::Slide;
+    use crate::material::Material;
     use crate::report::Friction;
     use crate::touch::Touch;
     use alloc::vec::Vec;
@@ -228,14 +233,16 @@ mod tests {
     };
     const H: f64 = 0.1;
 
-    /// A ship that closes on four fenders and slides along them, as body B: her inverse masses are coupled.
-    fn ship_on_fenders(friction_static: f64) -> (Vec<Velocity>, Vec<InverseMatrix>, Vec<Tie>) {
+    /// A ship that closes on four fenders and slides along them, as body B, with a full mass matrix.
+    fn ship_on_fenders(
+        friction_static: f64,
+    ) -> (Vec<Velocity>, Vec<InverseMatrix>, Vec<Constraint>) {
         let ship = (vec2(2e-3, -0.05), 1e-5);
         let mass = [[9e7, 2e6, 1e8], [2e6, 1.4e8, -4e8], [1e8, -4e8, 5e11]];
         let inverse = InverseMatrix::of(&mass).expect("positive definite");
         let inverses = [InverseMatrix::default(), inverse].to_vec();
         let material = Material { friction_static, ..RUBBER };
-        let ties = (0..4).map(|k| {
+        let constraints = (0..4).map(|k| {
             let arms_m =
                 [(-80.0, 4.0), (-90.0, -23.0)].map(|(x, y)| vec2(x + 60.0 * f64::from(k), y));
             let touch = Touch {
@@ -248,47 +255,57 @@ mod tests {
                 material: &material,
                 law_n: 3e5 + 1e4 * f64::from(k),
                 rebound_mps: 5e-3,
-                may_give_j: 1e3,
-                may_shear_j: 1e6,
-                unheld_j: 0.0,
+                available_j: 1e3,
+                shear_available_j: 1e6,
+                unbalanced_j: 0.0,
+                slide: Slide::Begins,
+                h: H,
+                kick_s: H,
             };
             let forces = Forces { normal_n: 0.0, tangential_n: 0.0, friction: Friction::Stick };
-            Tie::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces, H)
+            Constraint::new((0, &inverses[0]), (1, &inverses[1]), &touch, &laws, forces)
         });
-        let ties = ties.collect();
-        ([Velocity::default(), ship].to_vec(), inverses, ties)
+        let constraints = constraints.collect();
+        ([Velocity::default(), ship].to_vec(), inverses, constraints)
     }
 
     /// To rounding: each contact's forces are those that it would have with all others' as they are.
     #[test]
     fn the_direct_solve_is_where_a_sweep_changes_nothing() {
         let moving = (vec2(4e-3, 1e-2), 2e-4);
-        for wall in [Velocity::default(), moving] {
-            let (mut bodies, inverses, mut ties) = ship_on_fenders(0.5);
-            bodies[0] = wall;
-            if wall == moving {
-                ties.iter_mut().for_each(|tie| tie.movers = Movers::Both);
+        for fixed in [Velocity::default(), moving] {
+            let (mut bodies, inverses, mut constraints) = ship_on_fenders(0.5);
+            bodies[0] = fixed;
+            if fixed == moving {
+                constraints.iter_mut().for_each(|constraint| constraint.movers = Movers::Both);
             }
             let before = bodies[1];
-            assert!(solve(&mut bodies, &inverses, &mut ties, H));
+            assert!(solve(&mut bodies, &inverses, &mut constraints, H));
             assert!(bodies[1].0.y > before.0.y, "the fenders push");
-            for tie in &ties {
-                let (normal_mps, tangential_mps) = tie.speeds(&bodies);
-                assert!((tie.after_mps.0 - normal_mps).abs() < 1e-15, "{tie:?}");
-                assert!((tie.after_mps.1 - tangential_mps).abs() < 1e-15, "{tie:?}");
-                let relaxed = tie.relaxed((normal_mps, tangential_mps), H);
+            for constraint in &constraints {
+                let speeds = constraint.speeds(&bodies);
+                let after = constraint.after;
+                assert!((after.normal_mps - speeds.normal_mps).abs() < 1e-15, "{constraint:?}");
+                assert!(
+                    (after.tangential_mps - speeds.tangential_mps).abs() < 1e-15,
+                    "{constraint:?}"
+                );
+                let relaxed = constraint.relaxed(speeds, H);
                 assert_eq!(relaxed.friction, Friction::Stick);
-                assert_eq!(relaxed.normal_n, tie.law_n);
-                assert!((relaxed.tangential_n - tie.forces.tangential_n).abs() < 1e-6, "{tie:?}");
+                assert_eq!(relaxed.normal_n, constraint.law_n);
+                assert!(
+                    (relaxed.tangential_n - constraint.forces.tangential_n).abs() < 1e-6,
+                    "{constraint:?}"
+                );
             }
         }
     }
 
     #[test]
     fn where_a_bound_would_be_passed_no_body_changes() {
-        let (bodies, inverses, mut ties) = ship_on_fenders(1e-3);
+        let (bodies, inverses, mut constraints) = ship_on_fenders(1e-3);
         let mut tried = bodies.clone();
-        assert!(!solve(&mut tried, &inverses, &mut ties, H), "friction cannot hold");
+        assert!(!solve(&mut tried, &inverses, &mut constraints, H), "friction cannot hold");
         assert_eq!(tried, bodies);
     }
 }

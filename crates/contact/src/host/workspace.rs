@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 
 use crate::host::cosim::Followed;
 use crate::host::lead::Start;
-use crate::model::{BodyId, Model};
+use crate::material::BodyId;
+use crate::model::Model;
 use crate::report::{Contact, Event, EventKind, Wrench};
 use crate::state::BodyState;
 use crate::workspace::Workspace;
@@ -58,7 +59,10 @@ impl HostWorkspace {
     /// The events of bodies with other masses.
     pub(super) fn tell_of_masses(&mut self) {
         for &body in &self.differ {
-            self.engine.events.push(Event { bodies: [body, body], kind: EventKind::MassMismatch });
+            self.engine
+                .results
+                .events
+                .push(Event { bodies: [body, body], kind: EventKind::MassMismatch });
         }
     }
 

@@ -7,7 +7,7 @@
 //! last sub-step alone it would lag by half a sub-step, and over the time of a step that had many of them it would be
 //! next to nothing.
 
-use crate::model::Material;
+use crate::material::Material;
 use crate::number::lesser;
 
 /// The area that the damper has answered until now.

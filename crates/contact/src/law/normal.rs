@@ -1,8 +1,9 @@
 //! The normal law (§3.2 of the paper, eq. 2–3): spring, stop and damper.
 
 use crate::fender::RankedFender;
+use crate::material::Material;
 use crate::memory::PatchMemory;
-use crate::model::{Material, Model};
+use crate::model::Model;
 use crate::number::greater;
 use crate::report::ForceParts;
 use crate::touch::Touch;

@@ -4,8 +4,8 @@ use fenderline_contact::number::greater;
 
 use maud::{Markup, html};
 
+use super::Recorder;
 use super::recorder::{BodyTrace, PairTrace};
-use super::{Recorder, parts};
 use crate::plot::{Axis, Chart, Decimator, Point, Reference, Scaled, Series};
 use fenderline_results::Outcome;
 
@@ -31,7 +31,6 @@ pub(super) fn all(outcome: &Outcome<'_>, recorder: &Recorder, drawn: &[&PairTrac
             (page.relative_speed(drawn))
         }
         (page.body_speeds(recorder))
-        (parts::chart(&page, recorder))
     }
 }
 

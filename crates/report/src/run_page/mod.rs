@@ -61,6 +61,7 @@ pub fn render(outcome: &Outcome<'_>, recorder: &Recorder) -> String {
         h2 { "Time series" }
         (left_out(recorder, &drawn))
         (charts::all(outcome, recorder, &drawn))
+        (parts::chart(&charts::Charts::new(outcome), recorder))
         h2 { "Energy" }
         (energy::section(outcome, recorder))
         h2 { "Set-up" }

@@ -15,7 +15,6 @@ use crate::outcome::{Outcome, WrittenFile};
 
 use berthing::berthing_json;
 use events::events_json;
-pub use events::{Events, is_plain};
 use fenders::fenders_json;
 use world::put_world;
 

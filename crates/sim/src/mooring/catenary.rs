@@ -1,4 +1,4 @@
-//! The elastic catenary: a heavy cable between two points, hanging or partly on the bottom.
+//! The elastic catenary: a cable with weight between two points, suspended or partly on the bottom.
 
 use fenderline_contact::number::greater;
 
@@ -18,25 +18,25 @@ pub struct Cable {
 /// A cable in equilibrium between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Catenary {
-    /// Horizontal tension H, the same all along (the bottom has no friction) (N).
+    /// Horizontal tension H, constant along the cable, as the bottom has no friction (N).
     pub horizontal_n: f64,
-    /// Vertical pull of the cable on its upper end, downwards (N).
+    /// Vertical force of the cable on its upper end, positive downwards (N).
     pub upper_vertical_n: f64,
-    /// Vertical pull of the cable on its lower end, upwards; negative where it hangs below that end (N).
+    /// Vertical force of the cable on its lower end, positive upwards; negative if the cable hangs below that end (N).
     pub lower_vertical_n: f64,
     /// Unstretched length that lies on the bottom (m).
     pub on_bottom_m: f64,
 }
 
 impl Catenary {
-    /// Tension at the upper end (N), the greatest of the cable.
+    /// Tension at the upper end (N), the largest in the cable.
     #[must_use]
     pub fn upper_tension_n(&self) -> f64 {
         libm::hypot(self.horizontal_n, self.upper_vertical_n)
     }
 }
 
-/// Value, and slopes against H and V, of the cable's horizontal and vertical extent.
+/// Horizontal extent x and vertical extent z of the cable, with their derivatives by H and V.
 struct Extent {
     x: f64,
     x_h: f64,
@@ -52,33 +52,33 @@ struct Extent {
 /// The elastic catenary: x = H/w·[asinh(V/H) − asinh((V−wL)/H)] + HL/EA,
 /// z = (√(H²+V²) − √(H²+(V−wL)²))/w + (VL − ½wL²)/EA; with the part L − V/w on the bottom
 /// x = L − V/w + H/w·asinh(V/H) + HL/EA, z = (√(H²+V²) − H)/w + V²/(2EAw) (Jonkman's quasi-static
-/// module, as MoorPy has it: found). Solved by Newton's method in H and V from Jonkman's first guess; where
-/// that does not settle, for each H the V that gives the rise is found, and H so that the span comes out:
-/// both are monotonic, so that bracketed Newton cannot fail.
+/// module, as MoorPy has it: found). It is solved by Newton's method in H and V from Jonkman's first guess. If that
+/// does not converge, two nested one-dimensional problems are solved: V for the rise at each H, and H for the span. Both
+/// are monotonic, so that bracketed Newton cannot fail.
 #[must_use]
 pub fn catenary(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Catenary {
-    if on_bottom && let Some(slack) = lying(cable, span_m, rise_m) {
+    if on_bottom && let Some(slack) = slack_on_bottom(cable, span_m, rise_m) {
         return slack;
     }
     if span_m <= 1e-9 * cable.length_m {
-        return plumb(cable, rise_m);
+        return vertical(cable, rise_m);
     }
     if on_bottom && rise_m == 0.0 {
-        return drawn(cable, span_m);
+        return taut_on_bottom(cable, span_m);
     }
     let weight_n = cable.weight_npm * cable.length_m;
     let (h, v) = newton(cable, span_m, rise_m, on_bottom)
         .unwrap_or_else(|| bracketed(cable, span_m, rise_m, on_bottom));
-    let lies = on_bottom && v < weight_n;
+    let touches_bottom = on_bottom && v < weight_n;
     Catenary {
         horizontal_n: h,
         upper_vertical_n: v,
-        lower_vertical_n: if lies { 0.0 } else { v - weight_n },
-        on_bottom_m: if lies { cable.length_m - v / cable.weight_npm } else { 0.0 },
+        lower_vertical_n: if touches_bottom { 0.0 } else { v - weight_n },
+        on_bottom_m: if touches_bottom { cable.length_m - v / cable.weight_npm } else { 0.0 },
     }
 }
 
-/// H and V by Newton's method in both; `None` where it has not settled to 1e-12 of the length.
+/// H and V by Newton's method in both; `None` if it does not converge to 1e-12 of the length.
 fn newton(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Option<(f64, f64)> {
     let (l, w) = (cable.length_m, cable.weight_npm);
     // λ of the inextensible cable: sinh λ/λ ≈ 1 + λ²/6; 0.2 where it is taut (Jonkman, as in MoorPy's Catenary.py).
@@ -95,7 +95,7 @@ fn newton(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Option<(f
         let det = e.x_h * e.z_v - e.x_v * e.z_h;
         let step_h = (x * e.z_v - z * e.x_v) / det;
         let step_v = (z * e.x_h - x * e.z_h) / det;
-        // Neither leaves the side of zero that it belongs to.
+        // H and V stay positive.
         h = if h + step_h > 0.0 { h + step_h } else { 0.25 * h };
         v = if v + step_v > 0.0 { v + step_v } else { 0.25 * v };
         if !(h.is_finite() && v.is_finite()) {
@@ -105,7 +105,7 @@ fn newton(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> Option<(f
     None
 }
 
-/// H and V by one bracketed Newton within the other.
+/// H and V by nested bracketed Newton iterations.
 fn bracketed(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> (f64, f64) {
     let at = |h: f64| {
         let v = vertical_for(cable, h, rise_m, on_bottom);
@@ -125,9 +125,9 @@ fn bracketed(cable: &Cable, span_m: f64, rise_m: f64, on_bottom: bool) -> (f64, 
     (h, vertical_for(cable, h, rise_m, on_bottom))
 }
 
-/// Slack on the bottom: what rises hangs plumb, the rest is long enough to lie across. `None` where it is
-/// not.
-fn lying(cable: &Cable, span_m: f64, rise_m: f64) -> Option<Catenary> {
+/// A slack cable on the bottom: part of it hangs vertically, the rest lies on the bottom. `None` if the cable is too short
+/// for that.
+fn slack_on_bottom(cable: &Cable, span_m: f64, rise_m: f64) -> Option<Catenary> {
     let (w, ea) = (cable.weight_npm, cable.axial_stiffness_n);
     // s + ws²/(2EA) = rise, without cancellation.
     let hanging_m = 2.0 * rise_m / (1.0 + (1.0 + 2.0 * w * rise_m / ea).sqrt());
@@ -139,8 +139,8 @@ fn lying(cable: &Cable, span_m: f64, rise_m: f64) -> Option<Catenary> {
     })
 }
 
-/// All of it on the bottom and longer than it was.
-fn drawn(cable: &Cable, span_m: f64) -> Catenary {
+/// A taut cable that lies wholly on the bottom.
+fn taut_on_bottom(cable: &Cable, span_m: f64) -> Catenary {
     let stretch = (span_m - cable.length_m) / cable.length_m;
     Catenary {
         horizontal_n: cable.axial_stiffness_n * stretch,
@@ -150,8 +150,8 @@ fn drawn(cable: &Cable, span_m: f64) -> Catenary {
     }
 }
 
-/// Both ends above each other: two plumb legs, or one that is stretched.
-fn plumb(cable: &Cable, rise_m: f64) -> Catenary {
+/// A cable with its ends above each other: two vertical legs, or one stretched leg.
+fn vertical(cable: &Cable, rise_m: f64) -> Catenary {
     let (l, w, ea) = (cable.length_m, cable.weight_npm, cable.axial_stiffness_n);
     let stretched_m = l + 0.5 * w * l * l / ea;
     let v = if rise_m < stretched_m {
@@ -167,7 +167,7 @@ fn plumb(cable: &Cable, rise_m: f64) -> Catenary {
     }
 }
 
-/// V at the upper end for a given H, so that the cable rises as it should.
+/// V at the upper end for a given H and rise.
 fn vertical_for(cable: &Cable, h: f64, rise_m: f64, on_bottom: bool) -> f64 {
     let weight_n = cable.weight_npm * cable.length_m;
     let at = |v: f64| {
@@ -213,12 +213,11 @@ fn extent(cable: &Cable, h: f64, v: f64, on_bottom: bool) -> Extent {
 mod tests {
     use super::*;
 
-    /// The two ways to the solution agree wherever both end: to 1e-6 of the weight, because a residual of
-    /// 1e-12 of the length stands for EA·1e-12 of tension at the most (here 1e-8 of the weight), and for more
-    /// where the cable is slack and its shape says little of H. How often Newton settles is printed.
+    /// The two solution methods agree wherever both converge, to 1e-6 of the weight: a residual of 1e-12 of the length is
+    /// at most EA·1e-12 of tension (here 1e-8 of the weight), and more for a slack cable, whose shape depends little on H.
     #[test]
-    fn newton_and_the_brackets_agree() {
-        let (mut settled, mut all) = (0, 0);
+    fn newton_and_the_bracketed_solution_agree() {
+        let (mut converged, mut all) = (0, 0);
         for stiffness in [1e2, 1e4] {
             for reach in [0.05, 0.3, 0.7, 0.9, 0.97, 0.99, 0.999, 1.001] {
                 for sixteenth in 0..16 {
@@ -229,13 +228,13 @@ mod tests {
                         let cable = Cable { length_m: 100.0, axial_stiffness_n, weight_npm };
                         let (x, z) =
                             (100.0 * reach * libm::cos(slope), 100.0 * reach * libm::sin(slope));
-                        if on_bottom && (z == 0.0 || lying(&cable, x, z).is_some()) {
+                        if on_bottom && (z == 0.0 || slack_on_bottom(&cable, x, z).is_some()) {
                             continue;
                         }
                         all += 1;
                         let (h, v) = bracketed(&cable, x, z, on_bottom);
                         let Some((h2, v2)) = newton(&cable, x, z, on_bottom) else { continue };
-                        settled += 1;
+                        converged += 1;
                         let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * 1e5 + 1e-6 * a.abs();
                         assert!(
                             near(h, h2) && near(v, v2),
@@ -245,7 +244,7 @@ mod tests {
                 }
             }
         }
-        println!("Newton settles in {settled} of {all}");
-        assert!(settled * 10 > all * 7, "{settled} of {all}");
+        println!("Newton converges in {converged} of {all}");
+        assert!(converged * 10 > all * 7, "{converged} of {all}");
     }
 }

@@ -1,4 +1,4 @@
-//! What can be wrong with a mooring line.
+//! Errors of mooring lines.
 
 use std::fmt;
 
@@ -14,20 +14,20 @@ pub enum MooringError {
     OutOfRange {
         /// The line.
         line: String,
-        /// What.
+        /// The number.
         error: OutOfRange,
     },
-    /// The line is shorter than the distance of its ends.
+    /// The line is shorter than the distance between its ends.
     TooShort {
         /// The line.
         line: String,
         /// Its length (m).
         length_m: f64,
-        /// Distance of its ends (m).
+        /// Distance between its ends (m).
         span_m: f64,
     },
-    /// A tension that the line cannot be fitted with: above what it holds, or below what its own weight
-    /// gives it, or reached only with nothing but the tail outboard.
+    /// A pretension that cannot be reached: it is above the break load or the winch's render tension, below the tension from
+    /// the line's own weight, or needs less than the tail outboard.
     Pretension {
         /// The line.
         line: String,
@@ -48,7 +48,7 @@ impl fmt::Display for MooringError {
             MooringError::Pretension { line, tension_n } => {
                 write!(
                     f,
-                    "line `{line}` cannot be fitted with a tension of {} N",
+                    "line `{line}` cannot have a pretension of {} N",
                     DisplayNumber(*tension_n)
                 )
             }
@@ -69,7 +69,7 @@ impl fmt::Display for RopeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "a rope's curve starts at (0, 0) and increases, but point {} does not",
+            "the points of a rope's curve must start at (0, 0) and increase, but point {} does not",
             self.point
         )
     }

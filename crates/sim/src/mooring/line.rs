@@ -1,117 +1,47 @@
-//! A mooring line: rope or cable, its two ends, and what holds it on board.
+//! A mooring line in a simulation: its length, tension and winch, step by step.
 
 use fenderline_contact::number::{bounded, greater, lesser};
 
 use super::catenary::{Cable, catenary};
+use super::ends::{LineEnds, Span};
 use super::error::MooringError;
 use super::rope::Rope;
+use super::setup::{InboardEnd, InitialLength, LineKind, LineSetup, Tail, check};
 use super::winch::{Winch, WinchOrder, WinchReport};
-use crate::range::{OutOfRange, within};
+use crate::range::OutOfRange;
 
-/// A line before it is made fast.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LineSetup {
-    /// Name, for messages.
-    pub name: String,
-    /// What it is made of.
-    pub kind: LineKind,
-    /// What holds it on board.
-    pub inboard_end: InboardEnd,
-    /// How much of it is outboard at the start.
-    pub initial_length: InitialLength,
-}
-
-/// What a line is made of.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LineKind {
-    /// A harbour line: straight from end to end, its weight neglected.
-    Light {
-        /// The rope on the winch.
-        main: Rope,
-        /// A softer tail in series at the shore end.
-        tail: Option<Tail>,
-    },
-    /// A cable that hangs in a catenary.
-    Heavy {
-        /// Weight per unstretched length in water (N/m).
-        weight_npm: f64,
-        /// EA (N).
-        axial_stiffness_n: f64,
-        /// Break load (N).
-        break_load_n: f64,
-        /// The lower end lies on a level bottom: an anchor cable.
-        on_bottom: bool,
-    },
-}
-
-/// A tail in series with a line.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Tail {
-    /// Its rope.
-    pub rope: Rope,
-    /// Its unstretched length (m).
-    pub length_m: f64,
-}
-
-/// What holds a line on board.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum InboardEnd {
-    /// Turned up on bitts: it holds until the line parts.
-    Bitts,
-    /// A winch.
-    Winch(Winch),
-}
-
-/// How much of a line is outboard at the start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum InitialLength {
-    /// Unstretched length outboard, the tail included (m); not less than the distance of the ends.
-    Outboard(f64),
-    /// As much as gives this tension at the ship's end (N).
-    FromPretension(f64),
-}
-
-/// Where the two ends of a line are: north, east, up (m).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LineEnds {
-    /// The ship's fairlead.
-    pub ship_m: [f64; 3],
-    /// Bollard, anchor, or another ship's bitts.
-    pub shore_m: [f64; 3],
-}
-
-/// What changes of a line: plain data.
+/// The state of a line, as plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineState {
-    /// Unstretched length outboard, the tail included (m).
+    /// Unstretched length outboard, tail included (m).
     pub length_m: f64,
-    /// It has parted.
+    /// True if the line has parted.
     pub parted: bool,
 }
 
-/// A line's forces in a step.
+/// Forces of a line in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LineLoad {
     /// Tension at the ship's end (N).
     pub tension_n: f64,
     /// Force on the ship at her fairlead: north, east, up (N).
     pub on_ship_n: [f64; 3],
-    /// Force on what the other end is fast to (N).
+    /// Force on what holds the other end: north, east, up (N).
     pub on_shore_n: [f64; 3],
-    /// What the winch did.
+    /// What the winch did in the step.
     pub winch: WinchReport,
     /// The tension at which the line parted in this step (N).
     pub parted_at_n: Option<f64>,
 }
 
-/// A checked line; its constant part.
+/// A line after its checks: the constant part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     setup: LineSetup,
-    /// Tensions at which a light line's rope or tail has a corner, increasing (N).
+    /// Tensions at which the load curve of rope or tail has a corner, increasing (N).
     corners_n: Vec<f64>,
     break_load_n: f64,
-    /// Outboard with an empty drum (m).
+    /// Length outboard with an empty drum (m).
     longest_m: f64,
 }
 
@@ -119,14 +49,14 @@ impl Line {
     /// Checks a line and makes it fast between two points.
     ///
     /// # Errors
-    /// A number that no line has, a length below the distance of the ends, a pretension that cannot be;
-    /// each names the line.
+    /// A number out of range, a length below the distance between the ends, or a pretension that cannot be reached. The error
+    /// names the line.
     pub fn new(setup: LineSetup, ends: &LineEnds) -> Result<(Line, LineState), MooringError> {
         check(&setup, ends).map_err(|error| out_of_range(&setup, error))?;
-        let corners_n = corners(&setup.kind);
-        let break_load_n = break_load(&setup.kind);
+        let corners_n = setup.kind.corners_n();
+        let break_load_n = setup.kind.break_load_n();
         let mut line = Line { setup, corners_n, break_load_n, longest_m: 0.0 };
-        let length_m = line.fitted_length_m(ends)?;
+        let length_m = line.initial_length_m(ends)?;
         let reserve_m = match line.setup.inboard_end {
             InboardEnd::Winch(winch) => winch.reserve_m,
             InboardEnd::Bitts => 0.0,
@@ -141,15 +71,16 @@ impl Line {
         &self.setup
     }
 
-    /// Least break load of rope and tail (N).
+    /// Smallest break load of rope and tail (N).
     #[must_use]
     pub fn break_load_n(&self) -> f64 {
         self.break_load_n
     }
 
-    /// Forces with the ends where they are, after the winch has done in `step_s` what it was told. The
-    /// brake renders as much as brings the tension down to its setting, and takes nothing back; what then
-    /// is above the break load parts, for good.
+    /// One step: executes the winch order for `step_s`, then gives the forces for the present positions of the ends.
+    ///
+    /// A brake renders until the tension is at its setting, and does not take line back in. A line whose tension is then
+    /// still above the break load parts for good.
     pub fn step(
         &self,
         state: &mut LineState,
@@ -157,14 +88,15 @@ impl Line {
         order: WinchOrder,
         step_s: f64,
     ) -> LineLoad {
-        let mut winch = WinchReport::default();
         if state.parted {
             return LineLoad::default();
         }
-        match &self.setup.inboard_end {
-            InboardEnd::Winch(of) => self.work_winch(of, state, ends, (order, step_s), &mut winch),
-            InboardEnd::Bitts => winch.no_winch = order != WinchOrder::Hold,
-        }
+        let winch = match &self.setup.inboard_end {
+            InboardEnd::Winch(winch) => self.run_winch(winch, state, ends, order, step_s),
+            InboardEnd::Bitts => {
+                WinchReport { no_winch: order != WinchOrder::Hold, ..WinchReport::default() }
+            }
+        };
         let load = LineLoad { winch, ..self.load(state.length_m, ends) };
         let greatest_n = greatest(&load);
         if greatest_n > self.break_load_n {
@@ -174,21 +106,23 @@ impl Line {
         load
     }
 
-    fn work_winch(
+    /// Executes a winch order, which changes the length outboard.
+    fn run_winch(
         &self,
         winch: &Winch,
         state: &mut LineState,
         ends: &LineEnds,
-        (order, step_s): (WinchOrder, f64),
-        notes: &mut WinchReport,
-    ) {
-        let wanted_m = state.length_m + winch.ordered_m(order, step_s, notes);
+        order: WinchOrder,
+        step_s: f64,
+    ) -> WinchReport {
+        let mut report = WinchReport::default();
+        let wanted_m = state.length_m + winch.ordered_m(order, step_s, &mut report);
         if wanted_m < state.length_m {
             let shortest_m = match self.length_for(winch.stall_n, ends) {
                 Some(stalled_m) => greater(stalled_m, self.shortest_m()),
                 None => state.length_m,
             };
-            notes.stalled = wanted_m < shortest_m;
+            report.stalled = wanted_m < shortest_m;
             state.length_m = lesser(greater(wanted_m, shortest_m), state.length_m);
         } else {
             state.length_m = lesser(wanted_m, self.longest_m);
@@ -197,13 +131,14 @@ impl Line {
             let rendered = self.length_for(winch.render_n, ends);
             let length_m =
                 bounded(rendered.unwrap_or(self.longest_m), state.length_m, self.longest_m);
-            notes.rendered_m = length_m - state.length_m;
+            report.rendered_m = length_m - state.length_m;
             state.length_m = length_m;
         }
-        notes.drum_empty = winch.reserve_m > 0.0 && state.length_m >= self.longest_m;
+        report.drum_empty = winch.reserve_m > 0.0 && state.length_m >= self.longest_m;
+        report
     }
 
-    /// The tail and one metre of rope.
+    /// The shortest length outboard: the tail and one metre of rope (m).
     fn shortest_m(&self) -> f64 {
         1.0 + match &self.setup.kind {
             LineKind::Light { tail: Some(tail), .. } => tail.length_m,
@@ -211,7 +146,8 @@ impl Line {
         }
     }
 
-    fn fitted_length_m(&self, ends: &LineEnds) -> Result<f64, MooringError> {
+    /// Length outboard at the start (m).
+    fn initial_length_m(&self, ends: &LineEnds) -> Result<f64, MooringError> {
         let line = || self.setup.name.clone();
         match self.setup.initial_length {
             InitialLength::Outboard(length_m) => {
@@ -236,6 +172,7 @@ impl Line {
         }
     }
 
+    /// Forces for a length outboard and the positions of the ends.
     fn load(&self, length_m: f64, ends: &LineEnds) -> LineLoad {
         let span = Span::of(ends);
         match &self.setup.kind {
@@ -253,8 +190,8 @@ impl Line {
         }
     }
 
-    /// The tension at which rope and tail together reach from end to end: exact, because the stretch over
-    /// tension is made of straight pieces.
+    /// The tension at which rope and tail together span the distance between the ends (N). It is exact, because the stretch is
+    /// a piecewise linear function of the tension.
     fn light_tension_n(&self, main: &Rope, tail: Option<&Tail>, length_m: f64, span: &Span) -> f64 {
         if span.distance_m <= length_m {
             return 0.0;
@@ -272,8 +209,8 @@ impl Line {
         low_n + (high_n - low_n) * (span.distance_m - low_m) / (high_m - low_m)
     }
 
-    /// Unstretched length outboard that gives a tension at the ship's end, on the taut side: the tail
-    /// alone where that reaches already. `None` where a cable's own weight is more at any length.
+    /// Unstretched length outboard that gives a tension at the ship's end, on the taut side: the tail alone if that is long
+    /// enough. `None` if the weight of a cable gives more tension at every length.
     fn length_for(&self, tension_n: f64, ends: &LineEnds) -> Option<f64> {
         let span = Span::of(ends);
         match &self.setup.kind {
@@ -285,14 +222,14 @@ impl Line {
                 Some(greater(main_m, 0.0) + tail_m)
             }
             LineKind::Heavy { axial_stiffness_n, .. } => {
-                // At this length the straight cable, without weight, has the tension; with weight more.
+                // At this length a straight cable without weight has the wanted tension; the real one has more.
                 let taut_m = span.distance_m / (1.0 + tension_n / axial_stiffness_n);
                 self.heavy_length_m(tension_n, taut_m, ends)
             }
         }
     }
 
-    /// From taut to slacker until the tension is reached, then by bisection.
+    /// Length of a cable for a tension: lengthens a taut cable until the tension falls below the wanted one, then bisects.
     fn heavy_length_m(&self, tension_n: f64, taut_m: f64, ends: &LineEnds) -> Option<f64> {
         let tension_at = |length_m: f64| self.load(length_m, ends).tension_n;
         let (mut tight_m, mut tight_n) = (taut_m, tension_at(taut_m));
@@ -305,7 +242,7 @@ impl Line {
                 break;
             }
             if slack_n >= tight_n {
-                // Beyond the least tension: its own weight is more than asked for.
+                // Past the minimum of the tension: the weight alone gives more than the wanted tension.
                 return None;
             }
             (tight_m, tight_n) = (slack_m, slack_n);
@@ -323,34 +260,7 @@ impl Line {
     }
 }
 
-/// Where one end is seen from the other.
-struct Span {
-    distance_m: f64,
-    horizontal_m: f64,
-    /// Height of the shore end above the ship's (m).
-    up_m: f64,
-    /// Unit vector from the ship's end to the shore's; zero where they are in one place.
-    towards_shore: [f64; 3],
-    /// The same in the horizontal.
-    horizontally: [f64; 2],
-}
-
-impl Span {
-    fn of(ends: &LineEnds) -> Span {
-        let [n, e, u] = std::array::from_fn(|k| ends.shore_m[k] - ends.ship_m[k]);
-        let horizontal_m = libm::hypot(n, e);
-        let distance_m = libm::hypot(horizontal_m, u);
-        let unit = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
-        Span {
-            distance_m,
-            horizontal_m,
-            up_m: u,
-            towards_shore: [n, e, u].map(|part| unit(part, distance_m)),
-            horizontally: [n, e].map(|part| unit(part, horizontal_m)),
-        }
-    }
-}
-
+/// Forces of a cable.
 fn heavy_load(cable: &Cable, span: &Span, on_bottom: bool) -> LineLoad {
     let c = catenary(cable, span.horizontal_m, span.up_m.abs(), on_bottom);
     let [n, e] = span.horizontally.map(|part| part * c.horizontal_n);
@@ -367,67 +277,17 @@ fn heavy_load(cable: &Cable, span: &Span, on_bottom: bool) -> LineLoad {
     }
 }
 
-/// The greater tension of the two ends (N).
+/// The larger tension of the two ends (N).
 fn greatest(load: &LineLoad) -> f64 {
     let [n, e, u] = load.on_shore_n;
     greater(load.tension_n, libm::hypot(libm::hypot(n, e), u))
 }
 
+/// Strain of a rope at a tension.
 fn strain(rope: &Rope, tension_n: f64) -> f64 {
     rope.curve.strain(tension_n / rope.break_load_n)
 }
 
-fn break_load(kind: &LineKind) -> f64 {
-    match kind {
-        LineKind::Light { main, tail } => {
-            lesser(tail.as_ref().map_or(f64::INFINITY, |t| t.rope.break_load_n), main.break_load_n)
-        }
-        LineKind::Heavy { break_load_n, .. } => *break_load_n,
-    }
-}
-
-fn corners(kind: &LineKind) -> Vec<f64> {
-    let LineKind::Light { main, tail } = kind else { return vec![] };
-    let ropes = [Some(main), tail.as_ref().map(|tail| &tail.rope)];
-    let of = |rope: &Rope| -> Vec<f64> {
-        rope.curve.corners().map(|share| share * rope.break_load_n).collect()
-    };
-    let mut corners_n: Vec<f64> = ropes.into_iter().flatten().flat_map(of).collect();
-    corners_n.sort_by(f64::total_cmp);
-    corners_n.dedup();
-    corners_n
-}
-
 fn out_of_range(setup: &LineSetup, error: OutOfRange) -> MooringError {
     MooringError::OutOfRange { line: setup.name.clone(), error }
-}
-
-fn check(setup: &LineSetup, ends: &LineEnds) -> Result<(), OutOfRange> {
-    for place_m in ends.ship_m.into_iter().chain(ends.shore_m) {
-        within("place of an end [m]", place_m, -1e8, 1e8)?;
-    }
-    let span_m = Span::of(ends).distance_m;
-    within("distance of the ends [m]", span_m, 0.0, 1e5)?;
-    match &setup.kind {
-        LineKind::Light { main, tail } => {
-            within("break load of the rope [N]", main.break_load_n, 1.0, 1e9)?;
-            if let Some(tail) = tail {
-                within("break load of the tail [N]", tail.rope.break_load_n, 1.0, 1e9)?;
-                within("length of the tail [m]", tail.length_m, 0.01, 1000.0)?;
-            }
-        }
-        LineKind::Heavy { weight_npm, axial_stiffness_n, break_load_n, .. } => {
-            within("weight of the cable in water [N/m]", *weight_npm, 0.1, 1e6)?;
-            within("axial stiffness of the cable [N]", *axial_stiffness_n, 1e3, 1e13)?;
-            within("break load of the cable [N]", *break_load_n, 1.0, 1e10)?;
-        }
-    }
-    match setup.initial_length {
-        InitialLength::Outboard(length_m) => within("length of the line [m]", length_m, 0.0, 1e5)?,
-        InitialLength::FromPretension(tension_n) => within("pretension [N]", tension_n, 0.0, 1e9)?,
-    };
-    match &setup.inboard_end {
-        InboardEnd::Winch(winch) => winch.check(),
-        InboardEnd::Bitts => Ok(()),
-    }
 }

@@ -1,9 +1,9 @@
-//! Mooring lines: ropes, tails, winches, and heavy cables that hang.
+//! Mooring lines: ropes, tails, winches, and cables in a catenary.
 //!
-//! A [`Line`] is the constant part, checked once; a [`LineState`] is plain data that can be copied,
-//! compared and replayed. [`Line::step`] takes where the two ends are and gives the forces on them.
-//! Lines are quasi-static: no inertia, no drag, no bending; a rope's curve is the same up and down, so
-//! that only the winch takes energy out.
+//! A [`Line`] is the constant part, checked once; a [`LineState`] is plain data that can be copied, compared and
+//! replayed. [`Line::step`] takes the positions of the two ends and gives the forces on them. Lines are quasi-static,
+//! without inertia, drag or bending stiffness. A rope has the same load curve for loading and unloading, so only the
+//! winch dissipates energy.
 //!
 //! MEG4 (found in public summaries; the guideline was not read): a line's design break force is 100 to
 //! 105 % of the ship design MBL, a tail's 125 to 130 %; working load 55 % (wire) or 50 % (synthetic);
@@ -11,7 +11,7 @@
 //!
 //! ```
 //! use fenderline_sim::mooring::*;
-//! // Once: HMPE with a nylon tail on a winch, hove tight to 10 t.
+//! // Once: HMPE with a nylon tail on a winch, tensioned to 10 t.
 //! let main = Rope { break_load_n: 1e6, curve: RopeCurve::hmpe() };
 //! let nylon = Rope { break_load_n: 1.25e6, curve: RopeCurve::nylon() };
 //! let setup = LineSetup {
@@ -22,7 +22,7 @@
 //! };
 //! let ends = LineEnds { ship_m: [120.0, 20.0, 8.0], shore_m: [70.0, 25.0, 3.0] };
 //! let (line, mut state) = Line::new(setup, &ends)?;
-//! // Each step: where the ends are, what the winch is told; the force on the ship at her fairlead.
+//! // In each step: the ends and the winch order give the force on the ship at her fairlead.
 //! let load = line.step(&mut state, &ends, WinchOrder::Hold, 0.1);
 //! assert!((load.tension_n - 100e3).abs() < 1e-3);
 //! assert!(load.on_ship_n[0] < 0.0);
@@ -30,16 +30,18 @@
 //! ```
 
 mod catenary;
+mod ends;
 mod error;
 mod line;
 mod rope;
+mod setup;
 mod solve;
 mod winch;
 
 pub use catenary::{Cable, Catenary, catenary};
+pub use ends::LineEnds;
 pub use error::{MooringError, RopeError};
-pub use line::{
-    InboardEnd, InitialLength, Line, LineEnds, LineKind, LineLoad, LineSetup, LineState, Tail,
-};
+pub use line::{Line, LineLoad, LineState};
 pub use rope::{Rope, RopeCurve};
+pub use setup::{InboardEnd, InitialLength, LineKind, LineSetup, Tail};
 pub use winch::{Winch, WinchOrder, WinchReport};

@@ -1,31 +1,31 @@
-//! Ropes: tension over strain.
+//! Load curves of ropes.
 
 use std::borrow::Cow;
 
 use super::error::RopeError;
 
-/// Tension over strain, as a share of the break load: straight lines between points, the first (0, 0).
-/// Beyond the last point the last line goes on.
+/// Tension as a share of the break load, by strain: piecewise linear, starting at (0, 0) and extrapolated beyond the last
+/// point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RopeCurve {
     /// (strain, share of the break load).
     points: Cow<'static, [[f64; 2]]>,
 }
 
-/// A rope of a break load.
+/// A rope: break load and load curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rope {
     /// Line design break force (N).
     pub break_load_n: f64,
-    /// How it stretches.
+    /// Load curve.
     pub curve: RopeCurve,
 }
 
 impl RopeCurve {
-    /// From points (strain, share of the break load), two or more.
+    /// A curve from two or more points (strain, share of the break load).
     ///
     /// # Errors
-    /// A first point that is not (0, 0), a column that does not increase, a number above 10.
+    /// A first point other than (0, 0), values that do not increase, or a number above 10.
     pub fn new(points: Vec<[f64; 2]>) -> Result<RopeCurve, RopeError> {
         if points.first() != Some(&[0.0, 0.0]) {
             return Err(RopeError { point: 0 });
@@ -46,14 +46,14 @@ impl RopeCurve {
     }
 
     /// Steel wire rope with a steel core: 0.8 % at half of the break load, 1.8 % at break (recalled;
-    /// a public page has 1 to 2 % in use).
+    /// a public page gives 1 to 2 % in use).
     #[must_use]
     pub const fn wire() -> RopeCurve {
         RopeCurve::built_in(&[[0.0, 0.0], [0.008, 0.5], [0.018, 1.0]])
     }
 
     /// High-modulus polyethylene: 2 % at half of the break load, 3.5 % at break (found in one public
-    /// table, no maker's; worn in).
+    /// table, not a maker's; for worn-in rope).
     #[must_use]
     pub const fn hmpe() -> RopeCurve {
         RopeCurve::built_in(&[[0.0, 0.0], [0.020, 0.5], [0.035, 1.0]])
@@ -65,14 +65,14 @@ impl RopeCurve {
         RopeCurve::built_in(&[[0.0, 0.0], [0.065, 0.5], [0.12, 1.0]])
     }
 
-    /// Nylon, as tails are made of: 15 % at half of the break load, 25 % at break (found in the same
+    /// Nylon, used for tails: 15 % at half of the break load, 25 % at break (found in the same
     /// table).
     #[must_use]
     pub const fn nylon() -> RopeCurve {
         RopeCurve::built_in(&[[0.0, 0.0], [0.15, 0.5], [0.25, 1.0]])
     }
 
-    /// Share of the break load at a strain; 0 where the rope is slack.
+    /// Share of the break load at a strain; 0 if the rope is slack.
     #[must_use]
     pub fn share(&self, strain: f64) -> f64 {
         if strain <= 0.0 {
@@ -94,7 +94,7 @@ impl RopeCurve {
         self.points.iter().map(|point| point[1])
     }
 
-    /// The straight piece whose `column` a value lies in.
+    /// The segment that contains a value of a column (0: strain, 1: share).
     fn piece(&self, column: usize, value: f64) -> [&[f64; 2]; 2] {
         let last = self.points.len() - 1;
         let upper = (1..last).find(|&k| self.points[k][column] >= value).unwrap_or(last);

@@ -1,4 +1,4 @@
-//! A mooring winch: what its brake holds, and what its motor hauls.
+//! A mooring winch: brake and motor.
 
 use fenderline_contact::number::bounded;
 
@@ -9,15 +9,15 @@ use crate::range::{OutOfRange, within};
 pub struct Winch {
     /// Tension at which the brake renders (N).
     pub render_n: f64,
-    /// Tension against which the motor heaves no more (N).
+    /// Tension at which the motor stalls (N).
     pub stall_n: f64,
-    /// Greatest rate of heaving and paying out (m/s).
+    /// Maximum rate of heaving and paying out (m/s).
     pub rate_mps: f64,
-    /// Rope left on the drum at the start (m).
+    /// Rope on the drum at the start (m).
     pub reserve_m: f64,
 }
 
-/// What a winch is told to do for a step.
+/// The order to a winch for a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum WinchOrder {
     /// Brake on.
@@ -29,18 +29,18 @@ pub enum WinchOrder {
     PayOut(f64),
 }
 
-/// What happened at the winch in a step.
+/// What a winch did in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WinchReport {
-    /// Rope that the brake let go (m); 0 where it held.
+    /// Length of rope rendered by the brake (m); 0 if it held.
     pub rendered_m: f64,
-    /// The motor heaved less than it was told, because of the tension.
+    /// The motor stalled: it heaved less than ordered because of the tension.
     pub stalled: bool,
-    /// An order beyond the winch's rate, or none of a number: the rate was held to its limit.
+    /// The ordered rate was above the winch's maximum, negative or NaN, and was limited.
     pub rate_limited: bool,
     /// The drum is empty.
     pub drum_empty: bool,
-    /// An order to heave or pay out to a line that is on bitts; nothing was done.
+    /// An order to heave or pay out a line on bitts, which has no effect.
     pub no_winch: bool,
 }
 
@@ -65,15 +65,20 @@ impl Winch {
         Ok(())
     }
 
-    /// Rope that an order moves in a step, out positive (m), its rate within the winch's.
-    pub(super) fn ordered_m(&self, order: WinchOrder, step_s: f64, notes: &mut WinchReport) -> f64 {
+    /// Length that an order moves in a step, positive outboard (m), within the winch's maximum rate.
+    pub(super) fn ordered_m(
+        &self,
+        order: WinchOrder,
+        step_s: f64,
+        report: &mut WinchReport,
+    ) -> f64 {
         let (sign, rate_mps) = match order {
             WinchOrder::Hold => return 0.0,
             WinchOrder::Heave(rate_mps) => (-1.0, rate_mps),
             WinchOrder::PayOut(rate_mps) => (1.0, rate_mps),
         };
-        notes.rate_limited = rate_mps.is_nan() || rate_mps < 0.0 || rate_mps > self.rate_mps;
-        // A rate that is no number moves nothing.
+        report.rate_limited = rate_mps.is_nan() || rate_mps < 0.0 || rate_mps > self.rate_mps;
+        // A NaN rate moves nothing.
         let rate_mps = if rate_mps.is_nan() { 0.0 } else { bounded(rate_mps, 0.0, self.rate_mps) };
         sign * rate_mps * step_s
     }

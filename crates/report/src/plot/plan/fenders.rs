@@ -6,7 +6,7 @@ use fenderline_contact::Vec2;
 use fenderline_contact::number::greater;
 use maud::{Markup, html};
 
-use super::Map;
+use super::map::Map;
 
 /// A fender seen from above, earth-fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use fenderline_contact::Vec2;
 use fenderline_contact::number::greater;
 use maud::{Markup, html};
 
-use super::Map;
+use super::map::Map;
 
 /// What a harbour has besides hulls and fenders; nothing by default.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -3,7 +3,7 @@
 use fenderline_contact::Vec2;
 
 use super::harbour::ROW;
-use super::{Map, Plan, arrow_text};
+use super::map::{Arrow, Label, Map, arrow_text};
 
 /// A rectangle of the drawn area, by its middle and half its size (px).
 #[derive(Clone, Copy)]
@@ -35,21 +35,26 @@ impl Box2 {
 
 /// Where each label stands (px), so that none covers another nor an arrow's text; the first come
 /// first, and one that finds no place is left out.
-pub(super) fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
+pub(super) fn label_places(
+    labels: &[Label],
+    arrows: &[Arrow],
+    weather_rows: usize,
+    map: &Map,
+) -> Vec<Option<(f64, f64)>> {
     let north = Box2 { x: map.width - 22.0, y: 30.0, half_width: 14.0, half_height: 26.0 };
     let mut taken = vec![north];
-    if !plan.harbour.weather.is_empty() {
-        let rows = u32::try_from(plan.harbour.weather.len()).map_or(3.0, f64::from);
+    if weather_rows > 0 {
+        let rows = u32::try_from(weather_rows).map_or(3.0, f64::from);
         let half_height = 3.0 + 0.5 * ROW * rows;
         taken.push(Box2 { x: 140.0, y: 6.0 + half_height, half_width: 140.0, half_height });
     }
-    taken.extend(plan.arrows.iter().map(|arrow| {
+    taken.extend(arrows.iter().map(|arrow| {
         let (x, y, is_left) = arrow_text(arrow, map);
         let mut text = Box2::of_text(&arrow.label, x, y);
         text.x += if is_left { -text.half_width } else { text.half_width };
         text
     }));
-    let places = plan.labels.iter().map(|label| {
+    let places = labels.iter().map(|label| {
         let (x, y) = map.px(label.at_m);
         let reach = label.reach_m * map.px_per_m;
         let half_width = Box2::of_text(&label.text, x, y).half_width;

@@ -22,7 +22,7 @@ pub(super) use docking::DockingTrace;
 pub(super) use energy::EnergyTrace;
 pub(super) use fender::FenderTrace;
 pub(super) use pair::PairTrace;
-use pair::Touch;
+use pair::{Deflections, Touch};
 pub(super) use parts::PartsTrace;
 use path::Path;
 use world::tug_marks;
@@ -30,9 +30,6 @@ pub(super) use world::{TugMark, VesselTrace, WorldTrace};
 
 /// Pairs, fenders and bodies that are followed; the tables of the report know all the others.
 pub(super) const FOLLOWED: usize = 128;
-
-/// Deflection of each touched fender at one moment (m), by its index in the set-up.
-pub(super) type Deflections = Vec<(usize, f64)>;
 
 /// The whole scene in the step of the largest force.
 #[derive(Clone, Debug)]

@@ -4,9 +4,12 @@ use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Contact, ForceParts};
 use fenderline_sim::StepRecord;
 
-use super::{Deflections, PartsTrace};
+use super::parts::PartsTrace;
 use crate::plot::Decimator;
 use fenderline_results::add_parts;
+
+/// Deflection of each touched fender at one moment (m), by its index in the set-up.
+pub(in crate::run_page) type Deflections = Vec<(usize, f64)>;
 
 /// Time series of one pair.
 pub(in crate::run_page) struct PairTrace {

@@ -1,19 +1,18 @@
-//! A closed-form estimate of how a box-like ship moves in waves.
+//! A closed-form estimate of a ship's motion in waves, with the ship as a box.
 
 use super::complex::Complex;
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use crate::range::{OutOfRange, within};
 
-/// A ship by her main particulars, for an *estimate* of heave, pitch and roll. Surge, sway and yaw are not
-/// estimated: they are zero.
+/// Main particulars of a ship for an *estimate* of heave, pitch and roll in waves. Surge, sway and yaw are zero.
 ///
 /// Heave and pitch: Jensen, Mansour & Olsen, "Estimation of ship motions using closed-form expressions",
 /// Ocean Eng. 31 (2004), a box of the ship's displacement with the waterline's length. Source: found (a
 /// public package of the authors' university); the paper was not read.
 ///
-/// Roll: derived here. Jensen's own roll needs a fitted damping that steps at B/T = 3; instead one degree of
-/// freedom with the ship's period and damping, moved by the wave's slope averaged over length and beam of
-/// the box, and over the draught by e^(−kT/2). In long waves the ship follows the slope.
+/// Roll: derived here, because Jensen's roll needs a fitted damping that jumps at B/T = 3. It is one degree of freedom
+/// with the given period and damping, driven by the wave slope averaged over length and beam of the box, and over the
+/// draught by e^(−kT/2). In long waves the ship follows the slope.
 ///
 /// Phases of Jensen's amplitudes are those of his equations of motion: excitation in phase with the crest
 /// (heave) and with the slope (pitch) amidships. Deep water.
@@ -25,11 +24,11 @@ pub struct BoxShip {
     pub beam_m: f64,
     /// Draught (m).
     pub draught_m: f64,
-    /// Block coefficient; the box is so much narrower than the ship.
+    /// Block coefficient: beam of the box over beam of the ship.
     pub block_coefficient: f64,
     /// Natural period of roll (s).
     pub roll_period_s: f64,
-    /// Damping of roll as a share of the critical one; 0.15 unless it is known.
+    /// Damping ratio of roll; 0.15 unless it is known.
     pub roll_damping: f64,
 }
 
@@ -37,13 +36,13 @@ impl BoxShip {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first that no ship has, by its name.
+    /// The first number out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length on the waterline [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
         within("draught [m]", self.draught_m, 0.01, 100.0)?;
         within("block coefficient", self.block_coefficient, 0.1, 1.0)?;
-        // At 4π the formula's heave damping vanishes at resonance.
+        // At 4π the heave damping of the formula is zero at resonance.
         let flat = self.beam_m * self.block_coefficient / self.draught_m;
         within("block coefficient times beam over draught", flat, 0.1, 10.0)?;
         within("roll period [s]", self.roll_period_s, 0.1, 200.0)?;
@@ -51,7 +50,8 @@ impl BoxShip {
         Ok(())
     }
 
-    /// Operators for a wave of ω > 0 (rad/s) towards μ from the bow (rad) at a speed (m/s).
+    /// Response amplitude operators for a wave of frequency ω > 0 (rad/s) and direction μ from the bow (rad), at a forward
+    /// speed (m/s).
     #[must_use]
     pub fn at(&self, frequency_radps: f64, direction_rad: f64, speed_mps: f64) -> [Complex; 6] {
         let (cos, sin) = (libm::cos(direction_rad), libm::sin(direction_rad));
@@ -62,14 +62,14 @@ impl BoxShip {
         [zero, zero, heave_up * -1.0, self.roll(k, cos, sin, encounter_radps), pitch, zero]
     }
 
-    /// Jensen's F and G over his equation of motion, (1 − 2kTα²) + i A²/(kBα²), α = ω_e/ω. The damping term
-    /// has the sign of ω_e in a following sea that the ship overtakes.
+    /// Jensen's F and G divided by the factor of the equation of motion, (1 − 2kTα²) + i A²/(kBα²), α = ω_e/ω. The damping term
+    /// has the sign of ω_e, which is negative in a following sea that the ship overtakes.
     fn heave_and_pitch(&self, k: f64, cos: f64, alpha: f64) -> (Complex, Complex) {
         let (l, t) = (self.length_m, self.draught_m);
         let b = self.beam_m * self.block_coefficient;
         let alpha_squared = alpha * alpha;
         let half = 0.5 * k * b * alpha_squared;
-        // A/α² = kB·sinc(½kBα²)·e^(−kTα²): so written nothing is divided by α.
+        // A/α² = kB·sinc(½kBα²)·e^(−kTα²): this form has no division by α.
         let radiated = k * b * sinc(half) * libm::exp(-k * t * alpha_squared);
         let damping = radiated * radiated * alpha_squared / (k * b);
         let smith = (1.0 - k * t) * (1.0 - k * t);
@@ -88,7 +88,7 @@ impl BoxShip {
         let motion = Complex::new(1.0 - ratio * ratio, 2.0 * self.roll_damping * ratio);
         let mean = sinc(0.5 * k * cos * self.length_m) * sinc(0.5 * k * sin * self.beam_m);
         let slope = k * sin * mean * libm::exp(-0.5 * k * self.draught_m);
-        // Starboard goes down where the surface falls to starboard: the slope's opposite.
+        // Roll to starboard is positive where the surface falls to starboard, so its sign is opposite to the slope's.
         Complex::new(0.0, slope) * motion.inverse()
     }
 }

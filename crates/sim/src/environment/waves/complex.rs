@@ -1,4 +1,4 @@
-//! As much of a complex number as response operators need.
+//! Complex numbers, with the operations that response operators need.
 
 use core::ops::{Add, Mul};
 
@@ -12,7 +12,7 @@ pub struct Complex {
 }
 
 impl Complex {
-    /// From its parts.
+    /// From real and imaginary part.
     #[must_use]
     pub const fn new(re: f64, im: f64) -> Complex {
         Complex { re, im }

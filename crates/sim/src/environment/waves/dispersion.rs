@@ -1,15 +1,15 @@
-//! How long a wave is.
+//! Dispersion relation of linear waves.
 
 use fenderline_contact::number::greater;
 
 use crate::constants::STANDARD_GRAVITY_MPS2;
 
 /// Wave number k (rad/m) of a wave of ω > 0 (rad/s) in water of a depth > 0 (m): ω² = g k tanh(kh) (linear
-/// theory), by Newton's method from above the root, where it cannot overshoot.
+/// theory), by Newton's method from above the root, where it converges monotonically.
 #[must_use]
 pub fn wave_number(frequency_radps: f64, depth_m: f64) -> f64 {
     let deep = frequency_radps * frequency_radps / STANDARD_GRAVITY_MPS2;
-    // In x = kh: x tanh x = deep·h = d. max(d, √d) ≤ x; x tanh x is convex enough there for Newton.
+    // In x = kh: x tanh x = deep·h = d. max(d, √d) ≤ x; there Newton's method converges monotonically.
     let d = deep * depth_m;
     let mut x = greater(d, d.sqrt());
     for _ in 0..50 {

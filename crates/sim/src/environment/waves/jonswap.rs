@@ -4,14 +4,14 @@ use core::f64::consts::TAU;
 
 use crate::range::{OutOfRange, within};
 
-/// A JONSWAP sea: S(ω) = A·(5/16) Hs² ω_p⁴ ω⁻⁵ exp(−1.25 (ω_p/ω)⁴)·γ^b,
+/// A JONSWAP spectrum: S(ω) = A·(5/16) Hs² ω_p⁴ ω⁻⁵ exp(−1.25 (ω_p/ω)⁴)·γ^b,
 /// b = exp(−(ω−ω_p)²/(2σ²ω_p²)), σ = 0.07 up to ω_p and 0.09 beyond, A = 1 − 0.287 ln γ (the form of
 /// DNV-RP-C205, read in the MSS toolbox's waveSpectrum.m, and integrated in validation/independent/ship_formulas.py).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jonswap {
     /// Hs, significant wave height (m).
     pub height_m: f64,
-    /// Tp, period of the peak (s).
+    /// Tp, peak period (s).
     pub peak_period_s: f64,
     /// γ, peak enhancement; 1 is Pierson–Moskowitz, 3.3 the mean of JONSWAP.
     pub peak_enhancement: f64,
@@ -21,7 +21,7 @@ impl Jonswap {
     /// Checks every number.
     ///
     /// # Errors
-    /// A sea that is none.
+    /// A number out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("significant wave height [m]", self.height_m, 0.0, 30.0)?;
         within("peak period [s]", self.peak_period_s, 0.5, 40.0)?;

@@ -1,10 +1,11 @@
-//! Waves: what the surface does, and what first-order motion and mean drift they give a ship.
+//! Waves: elevation of the surface, first-order motion of a ship, and mean wave drift force.
 //!
-//! A [`Sea`] is a sum of harmonics, all in one direction or in several about it; its elevation is ζ = Σ a·cos(ωt − k·x + ε), upwards. A
-//! [`MotionResponse`] turns it into the motion of a ship that is superposed on her manoeuvring:
-//! [`first_order_motion`]. Not Cummins' equations: no memory, no coupling back.
+//! A [`Sea`] is a sum of harmonics in one direction or in several directions about a mean one. Its elevation is
+//! ζ = Σ a·cos(ωt − k·x + ε), upwards. [`first_order_motion`] gives the motion of a ship with a [`MotionResponse`], to be
+//! superposed on her manoeuvring motion. There are no memory effects as in Cummins' equations, and no feedback on the
+//! manoeuvring motion. [`mean_drift`] gives the mean second-order force.
 //!
-//! The direction of a wave is that it runs *towards*, clockwise from north. μ is that direction from the
+//! The direction of a wave is that *towards* which it travels, clockwise from north. μ is that direction relative to the
 //! bow: 0 from astern, π from ahead, 0 < μ < π from port. Motions are surge, sway, heave *down*, roll to
 //! starboard, pitch bow up, yaw to starboard.
 

@@ -1,4 +1,4 @@
-//! First-order motion: the sea through a ship's response operators.
+//! First-order motion of a ship in a sea, by response amplitude operators.
 
 use fenderline_contact::Vec2;
 
@@ -7,16 +7,16 @@ use super::complex::Complex;
 use super::rao::RaoTable;
 use super::sea::Sea;
 
-/// How a ship answers a wave.
+/// The response of a ship to waves.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionResponse {
-    /// A table, computed or measured elsewhere.
+    /// A table of response amplitude operators, computed or measured elsewhere.
     Table(RaoTable),
-    /// The built-in estimate; to be shown to users as one.
+    /// The built-in estimate, reported as an estimate.
     Estimate(BoxShip),
 }
 
-/// Where a ship is in the waves.
+/// Position, velocity and heading of a ship in waves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShipInWaves {
     /// Midship, north and east (m).
@@ -27,13 +27,13 @@ pub struct ShipInWaves {
     pub heading_rad: f64,
 }
 
-/// Motion of a ship by the waves alone, to be superposed: surge, sway, heave down (m), roll to starboard,
+/// Motion of a ship due to first-order wave forces, to be superposed on her manoeuvring motion: surge, sway, heave down (m), roll to starboard,
 /// pitch bow up, yaw (rad).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FirstOrderMotion {
     /// The motion.
     pub motion: [f64; 6],
-    /// Its rate, with the ship's speed through the waves in it.
+    /// Its rate, the ship's speed included.
     pub rate: [f64; 6],
 }
 
@@ -46,8 +46,8 @@ impl MotionResponse {
     }
 }
 
-/// The motion of a ship at a time: Σ Re{H(ω, μ)·a·e^{i(ωt − k·x + ε)}} at her midship. Because her place is
-/// in it, the frequency of encounter comes by itself.
+/// The motion of a ship at a time: Σ Re{H(ω, μ)·a·e^{i(ωt − k·x + ε)}} at her midship. Because her
+/// position is in the phase, the frequency of encounter is included.
 #[must_use]
 pub fn first_order_motion(
     sea: &Sea,

@@ -7,27 +7,26 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::table::{check_axis, place};
 use crate::range::within;
 
-/// Response amplitude operators of a ship that is the same on both sides: complex amplitude of each motion
-/// for a wave of 1 m amplitude, by frequency and direction.
+/// Response amplitude operators of a symmetric ship: the complex amplitude of each motion in a wave of 1 m amplitude, by
+/// frequency and direction.
 ///
-/// Between entries the complex numbers are mixed in straight lines; before the first and beyond the last
-/// frequency the entry at the edge is held, so that a table should reach from where the ship follows the
-/// wave to where she no longer moves.
+/// The complex numbers are interpolated linearly. Outside the range of frequencies the entry at the end is used, so a table
+/// should extend from frequencies where the ship follows the wave to frequencies where she does not respond.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RaoTable {
     frequencies_radps: Vec<f64>,
     directions_rad: Vec<f64>,
-    /// Direction fastest.
+    /// The index of direction varies fastest.
     operators: Vec<[Complex; 6]>,
 }
 
 impl RaoTable {
-    /// From the waves' own frequencies (rad/s) (not those of encounter), directions μ from 0 to π (rad), and
-    /// operators, direction fastest: surge, sway, heave down (m/m), roll, pitch bow up, yaw (rad/m).
+    /// A table from wave frequencies (rad/s, not frequencies of encounter), directions μ from 0 to π (rad), and operators with
+    /// the index of direction varying fastest: surge, sway, heave down (m/m), roll, pitch bow up, yaw (rad/m).
     ///
     /// # Errors
-    /// Axes that do not increase, directions that do not reach from 0 to π, a wrong number of operators, an
-    /// operator that is not finite.
+    /// Axes that do not increase, directions that do not cover 0 to π, a wrong number of operators, or an operator out of
+    /// range.
     pub fn new(
         frequencies_radps: Vec<f64>,
         directions_rad: Vec<f64>,
@@ -53,8 +52,8 @@ impl RaoTable {
         Ok(RaoTable { frequencies_radps, directions_rad, operators })
     }
 
-    /// The operators for a wave of a frequency that runs towards μ from the bow; from starboard the mirror
-    /// of those from port: sway, roll and yaw change their sign.
+    /// The operators for a wave frequency and a direction μ relative to the bow. Waves from starboard have the mirrored
+    /// operators of waves from port: sway, roll and yaw change their sign.
     #[must_use]
     pub fn at(&self, frequency_radps: f64, direction_rad: f64) -> [Complex; 6] {
         let wrapped_rad = libm::remainder(direction_rad, TAU);

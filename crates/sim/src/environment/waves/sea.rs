@@ -1,4 +1,4 @@
-//! A sea: harmonics that run in one direction, or in several about it.
+//! A sea: harmonics in one direction, or in several directions about a mean one.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -10,31 +10,31 @@ use crate::environment::error::EnvironmentError;
 use crate::environment::harmonics::{Realisation, integral};
 use crate::range::within;
 
-/// The band of a JONSWAP sea in multiples of ω_p; outside of it lie 0.3 % of the energy, which the
-/// harmonics within get besides.
+/// Frequency band of a JONSWAP sea in multiples of ω_p. Outside it lies 0.3 % of the energy, by which the harmonics are
+/// scaled up.
 const BAND: [f64; 2] = [0.5, 4.0];
 
-/// Directions of a short-crested sea.
+/// Number of directions of a short-crested sea.
 pub const DIRECTIONS: usize = 15;
-/// From a harmonic's direction to its neighbour's: no two of fifteen in a row are the same.
+/// Step in direction from one harmonic to the next. No two of fifteen consecutive harmonics have the same direction.
 const STRIDE: usize = 4;
 
 /// One regular wave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RegularWave {
-    /// Height from trough to crest (m).
+    /// Wave height, from trough to crest (m).
     pub height_m: f64,
     /// Period (s).
     pub period_s: f64,
-    /// Phase ε at t = 0 in the origin (rad); 0 is a crest.
+    /// Phase ε at the origin at t = 0 (rad); 0 is a crest.
     pub phase_rad: f64,
 }
 
-/// A sum of harmonics that run in one direction, or in several about it; a pure function of place and time.
+/// A sum of harmonics in one direction, or in several directions about a mean one: a pure function of position and time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sea {
     towards_rad: f64,
-    /// Those that its harmonics run towards.
+    /// The directions of its harmonics.
     pub(super) directions_rad: Vec<f64>,
     pub(super) components: Vec<Component>,
 }
@@ -47,7 +47,7 @@ pub(super) struct Component {
     pub(super) phase_rad: f64,
     /// k, north and east (rad/m).
     pub(super) number_radpm: Vec2,
-    /// Which of the sea's directions it has.
+    /// Index of its direction in [`Sea::directions_rad`].
     pub(super) direction: usize,
 }
 
@@ -59,10 +59,10 @@ impl Component {
 }
 
 impl Sea {
-    /// One regular wave that runs towards a direction, clockwise from north, in water of a depth (m).
+    /// A regular wave towards a direction, clockwise from north, in water of a given depth (m).
     ///
     /// # Errors
-    /// A wave that is none, or steeper than 1/7, at which waves break.
+    /// A number out of range, or a steepness above 1/7, at which waves break.
     pub fn regular(
         wave: RegularWave,
         towards_rad: f64,
@@ -84,12 +84,12 @@ impl Sea {
         Ok(Sea { towards_rad, directions_rad: vec![towards_rad], components: vec![component] })
     }
 
-    /// A JONSWAP sea that runs towards a direction, in water of a depth (m) (which sets the lengths of the
-    /// waves, not their spectrum). Scaled so that 4√m₀ is Hs exactly: the spectrum's own m₀ is 0.2 %
-    /// too great at γ 3.3, because its A is an approximation.
+    /// A long-crested JONSWAP sea towards a direction, in water of a given depth (m). The depth changes the wave lengths, not
+    /// the spectrum. The harmonics are scaled so that 4√m₀ equals Hs: m₀ of the spectrum itself is 0.2 % too large at
+    /// γ = 3.3, because its factor A is an approximation.
     ///
     /// # Errors
-    /// A sea that is none.
+    /// A number out of range.
     pub fn jonswap(
         spectrum: &Jonswap,
         towards_rad: f64,
@@ -114,12 +114,12 @@ impl Sea {
         Ok(Sea { towards_rad, directions_rad: vec![towards_rad], components })
     }
 
-    /// The same sea with short crests: its energy is spread over directions as cosⁿ of the angle off the mean one, up to a
-    /// right angle to both sides. Each harmonic runs in one of [`DIRECTIONS`] directions that have equal shares of the
-    /// energy, neighbours in frequency in different ones.
+    /// A short-crested sea from a long-crested one. The energy is spread over directions as cosⁿ of the angle from the mean
+    /// direction, up to 90° to each side. Each harmonic has one of [`DIRECTIONS`] directions with equal shares of the
+    /// energy; neighbouring harmonics have different directions.
     ///
-    /// n 2 is what IMO takes for ships (MEPC.1/Circ.796, 2.3: the circular was found, its formula is recalled) and many for
-    /// a sea under wind; swell has narrower ones.
+    /// n = 2 is used by IMO (MEPC.1/Circ.796, 2.3: the circular was found, its formula is recalled) and commonly for wind
+    /// seas. Swell has a narrower spreading, with a larger n.
     ///
     /// # Errors
     /// An exponent outside 1 to 100.
@@ -135,19 +135,19 @@ impl Sea {
         Ok(self)
     }
 
-    /// Direction that the waves run towards, of a short-crested sea the mean one, clockwise from north (rad).
+    /// Direction towards which the waves travel, for a short-crested sea the mean one, clockwise from north (rad).
     #[must_use]
     pub fn towards_rad(&self) -> f64 {
         self.towards_rad
     }
 
-    /// Do its harmonics run in more than one direction?
+    /// True if the harmonics have more than one direction.
     #[must_use]
     pub fn is_short_crested(&self) -> bool {
         self.directions_rad.len() > 1
     }
 
-    /// Elevation of the surface at a place and a time (m).
+    /// Elevation of the surface at a position and a time (m).
     #[must_use]
     pub fn elevation_m(&self, position_m: Vec2, t_s: f64) -> f64 {
         let heights =
@@ -161,7 +161,7 @@ impl Sea {
         self.components.iter().map(|c| 0.5 * c.amplitude_m * c.amplitude_m).sum()
     }
 
-    /// T₀₁ = 2π m₀/m₁, the mean period (s); that of a regular wave is its own.
+    /// Mean period T₀₁ = 2π m₀/m₁ (s).
     #[must_use]
     pub fn mean_period_s(&self) -> f64 {
         let m1: f64 = self
@@ -172,7 +172,7 @@ impl Sea {
         core::f64::consts::TAU * self.variance_m2() / m1
     }
 
-    /// 4√m₀ (m).
+    /// Significant wave height 4√m₀ (m).
     #[must_use]
     pub fn significant_height_m(&self) -> f64 {
         4.0 * self.variance_m2().sqrt()
@@ -185,7 +185,7 @@ fn check_place(towards_rad: f64, depth_m: f64) -> Result<(), EnvironmentError> {
     Ok(())
 }
 
-/// Angles off the mean direction that halve each of [`DIRECTIONS`] equal shares of cosⁿ (rad).
+/// Angles from the mean direction (rad): the medians of [`DIRECTIONS`] sectors with equal energy under cosⁿ.
 fn equal_shares(exponent: f64) -> Vec<f64> {
     let energy = |to_rad: f64| {
         integral(|angle_rad| libm::pow(libm::cos(angle_rad), exponent), 0.0, to_rad, SUB_INTERVALS)
@@ -212,9 +212,9 @@ fn equal_shares(exponent: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Of Simpson's rule over cosⁿ: for n 100 its width is a fifteenth of the range.
+/// Sub-intervals of Simpson's rule over cosⁿ. For n = 100 the width of the peak is a fifteenth of the range.
 const SUB_INTERVALS: usize = 200;
-/// They halve a right angle down to rounding.
+/// Number of bisections of a right angle, down to rounding error.
 const BISECTIONS: usize = 52;
 
 fn number_towards(number: f64, towards_rad: f64) -> Vec2 {

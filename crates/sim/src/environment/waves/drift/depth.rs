@@ -1,4 +1,4 @@
-//! How much of a wave a hull of a draught turns back: 1 in short waves, nothing in long ones.
+//! Draught factor of wave reflection: 1 in short waves, 0 in long ones.
 
 use fenderline_contact::number::greater;
 
@@ -6,21 +6,21 @@ use core::f64::consts::PI;
 
 use super::DriftHull;
 
-/// Along the ship, by the SNNM method of ITTC 7.5-04-01-01.1 (Liu & Papanikolaou, "Regression analysis of experimental
+/// Factor on the longitudinal force, by the SNNM method of ITTC 7.5-04-01-01.1 (Liu & Papanikolaou, "Regression analysis of experimental
 /// data for added resistance in waves of arbitrary heading and development of a semi-empirical formula", Ocean Eng.
-/// 206, 2020, 107357; as two public programs have it): α_T = 1 − exp(−4π(T/λ − T/(2.5 L))), 0 from λ = 2.5 L on.
+/// 206, 2020, 107357; as in two public programs): α_T = 1 − exp(−4π(T/λ − T/(2.5 L))), 0 from λ = 2.5 L on.
 pub(super) fn along(hull: &DriftHull, number_radpm: f64) -> f64 {
     let least_radpm = 2.0 * PI / (2.5 * hull.length_m);
     let beyond_radpm = greater(number_radpm - least_radpm, 0.0);
     -libm::expm1(-2.0 * hull.draught_m * beyond_radpm)
 }
 
-/// Across the ship, by Fujii & Takahashi ("Experimental study on the resistance increase of a ship in regular oblique
-/// waves", 14th ITTC, 1975; as STAWAVE-2 of ISO 15016 has it): α = π²I₁²/(π²I₁² + K₁²) at 1.5 kT, from Ursell's
+/// Factor on the lateral force, by Fujii & Takahashi ("Experimental study on the resistance increase of a ship in regular oblique
+/// waves", 14th ITTC, 1975; as in STAWAVE-2 of ISO 15016): α = π²I₁²/(π²I₁² + K₁²) at 1.5 kT, from Ursell's
 /// barrier of finite depth (1947).
 pub(super) fn across(draught_m: f64, number_radpm: f64) -> f64 {
     let x = 1.5 * number_radpm * draught_m;
-    // From there on it is 1 to rounding; K₁/πI₁ is e^(−2x).
+    // The factor is 1 to rounding from here on, as K₁/πI₁ falls as e^(−2x).
     if x > 20.0 {
         return 1.0;
     }
@@ -83,7 +83,7 @@ mod tests {
 
     /// Values of SciPy 1.x, `scipy.special.iv` and `kv`.
     #[test]
-    fn bessel_functions_are_those_of_tables() {
+    fn bessel_functions_agree_with_scipy() {
         for (x, i1, k1) in TABLE {
             assert!((bessel_i1(x) / i1 - 1.0).abs() < 1e-12, "I1({x})");
             assert!((bessel_k1(x) / k1 - 1.0).abs() < 1e-6, "K1({x})");
@@ -99,7 +99,7 @@ mod tests {
     ];
 
     #[test]
-    fn the_two_branches_of_k1_meet() {
+    fn k1_is_continuous_between_its_branches() {
         let (below, above) = (bessel_k1(2.0), bessel_k1(2.0 + 1e-12));
         assert!((below / above - 1.0).abs() < 1e-6, "{below}, {above}");
     }

@@ -1,19 +1,19 @@
 //! Mean drift force of waves on a ship at rest, by frequency and heading.
 //!
-//! In a regular wave of amplitude a the force is ρga² times a length, and the moment ρga² times an area: the
+//! In a regular wave of amplitude a the force is ρga² times a length, and the moment ρga² times an area; these are the
 //! [`DriftHull::coefficients`]. They have two parts.
 //!
-//! - *Reflection*: waves that the side turns back push it as radiation pressure does. In waves that are short
-//!   beside the draught it is ½ρga²∫sin²θ n dl along the part of the waterline that sees them ([`waterline`];
+//! - *Reflection*: reflected waves exert a radiation pressure on the side. In waves that are short compared with the
+//!   draught it is ½ρga²∫sin²θ n dl along the exposed part of the waterline ([`waterline`];
 //!   Faltinsen, Minsaas, Liapis & Skjørdal, "Prediction of resistance and propulsion of a ship in a seaway", 13th
-//!   Symposium on Naval Hydrodynamics, 1980). In longer waves only what lies within the draught is turned back
+//!   Symposium on Naval Hydrodynamics, 1980). In longer waves only the part within the draught is reflected
 //!   ([`depth`]).
-//! - *Motion*: what heave and pitch radiate, which is greatest where the ship is about as long as the wave
+//! - *Motion*: radiation by heave and pitch, largest for waves about as long as the ship
 //!   ([`motion`]).
 //!
-//! A ship that goes with the waves is drifted less, and one that goes against them more: [`encountered`].
+//! The force is smaller on a ship that moves with the waves, and larger on one that moves against them ([`encountered`]).
 //!
-//! `validation/wave_drift.toml` holds them against mean drift by a panel code for two ships.
+//! `validation/wave_drift.toml` compares the coefficients with mean drift forces by a panel code, for two ships.
 
 mod depth;
 mod motion;
@@ -28,7 +28,7 @@ use crate::hydro::Particulars;
 use crate::range::{OutOfRange, within};
 use waterline::Waterline;
 
-/// A hull that waves drift away.
+/// Particulars of a hull for its mean wave drift force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriftHull {
     /// Length on the waterline (m).
@@ -42,7 +42,7 @@ pub struct DriftHull {
 }
 
 impl DriftHull {
-    /// A ship's.
+    /// From the particulars of a ship.
     #[must_use]
     pub fn of(ship: &Particulars) -> DriftHull {
         DriftHull {
@@ -56,7 +56,7 @@ impl DriftHull {
     /// Checks every number.
     ///
     /// # Errors
-    /// The first that no ship has, by its name.
+    /// The first number out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
         within("length on the waterline [m]", self.length_m, 0.1, 2000.0)?;
         within("beam [m]", self.beam_m, 0.05, 500.0)?;
@@ -65,18 +65,16 @@ impl DriftHull {
         Ok(())
     }
 
-    /// Mean force to starboard of and along the bow, and moment about midship, over ρga², in a regular wave of
-    /// amplitude a and wave number k > 0 (rad/m) that runs towards μ from the bow (rad): [X, Y, N] in
-    /// (m, m, m²).
+    /// Mean force forward and to starboard, and moment about midship, over ρga², in a regular wave of amplitude a, wave
+    /// number k > 0 (rad/m) and direction μ relative to the bow (rad): [X, Y, N] in (m, m, m²).
     #[must_use]
     pub fn coefficients(&self, number_radpm: f64, direction_rad: f64) -> [f64; 3] {
         let reflected = Waterline::of(self).reflection(direction_rad);
-        self.add_up(&reflected, number_radpm, direction_rad)
+        self.sum(&reflected, number_radpm, direction_rad)
     }
 
-    /// Surge has the draught factor and the motion part of one method, sway and yaw have a factor of their own: see
-    /// [`depth`].
-    fn add_up(&self, reflected: &[f64; 3], number_radpm: f64, direction_rad: f64) -> [f64; 3] {
+    /// Sum of reflection, with its draught factor, and motion. Surge and sway have different draught factors: see [`depth`].
+    fn sum(&self, reflected: &[f64; 3], number_radpm: f64, direction_rad: f64) -> [f64; 3] {
         let along = depth::along(self, number_radpm);
         let across = depth::across(self.draught_m, number_radpm);
         let [surge_m, sway_m, yaw_m2] = *reflected;
@@ -85,7 +83,7 @@ impl DriftHull {
     }
 }
 
-/// The mean drift force of a sea on a hull, [X, Y, N] about midship in (N, N, N·m), by her heading and her velocity
+/// The mean drift force of a sea on a hull, [X, Y, N] about midship in (N, N, N·m), for her heading and her velocity
 /// through the water, north and east (m/s): ρg Σ a²·C(k, μ) over the sea's harmonics, which is the integral of
 /// 2ρg S(ω)·C over the spectrum.
 #[must_use]
@@ -103,7 +101,7 @@ pub fn mean_drift(
             let squared_m2 = wave.amplitude_m * wave.amplitude_m;
             let with_waves = wave.number_radpm.dot(velocity_mps) / wave.frequency_radps;
             let (number_radpm, share) = encountered(wave.number_radpm.length(), -with_waves);
-            let coefficients = hull.add_up(&reflected, number_radpm, direction_rad);
+            let coefficients = hull.sum(&reflected, number_radpm, direction_rad);
             for (sum, coefficient) in sum.iter_mut().zip(coefficients) {
                 *sum += squared_m2 * share * coefficient;
             }
@@ -112,10 +110,10 @@ pub fn mean_drift(
     sum.map(|sum| water_density_kgpm3 * STANDARD_GRAVITY_MPS2 * sum)
 }
 
-/// The wave that drifts a ship who goes against it with a share τ of its own speed, and how much more it does: the
-/// one of the frequency of encounter ω(1 + τ), 1 + 4τ times (Aranha, "A formula for 'wave damping' in the drift of a
-/// floating body", J. Fluid Mech. 275, 1994; recalled, without the change of direction that goes with it). It is of
-/// first order in τ: held beyond a quarter, where a ship that goes with the waves is not drifted any more.
+/// Correction for a ship that moves against the wave with a share τ of its phase speed: the wave number at the frequency of
+/// encounter ω(1 + τ), and the factor 1 + 4τ on the force (Aranha, "A formula for 'wave damping' in the drift of a
+/// floating body", J. Fluid Mech. 275, 1994; recalled, without its change of direction). It is of first order in τ,
+/// which is limited to ±0.25; at −0.25 the force is zero.
 fn encountered(number_radpm: f64, against: f64) -> (f64, f64) {
     let against = bounded(against, -0.25, 0.25);
     let ratio = 1.0 + against;

@@ -1,4 +1,4 @@
-//! What heave and pitch make of the mean force along the ship.
+//! The part of the mean longitudinal force that is due to heave and pitch.
 
 use fenderline_contact::number::bounded;
 
@@ -6,10 +6,10 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::DriftHull;
 
-/// Ratios of beam and draught that the regression was made for, as far as is known; held beyond.
+/// Range of beam over draught of the regression, as far as is known; the ratio is limited to it.
 const BEAM_OVER_DRAUGHT: [f64; 2] = [2.0, 9.0];
 
-/// Radius of gyration of pitch over length; the method's own where it is not known.
+/// Radius of gyration of pitch over length: the method's default.
 const PITCH_GYRATION: f64 = 0.25;
 
 /// The part of the SNNM method (ITTC 7.5-04-01-01.1; Liu & Papanikolaou 2020, see [`super::depth`]) that is due to
@@ -45,8 +45,7 @@ pub(super) fn surge_m(hull: &DriftHull, number_radpm: f64, direction_rad: f64) -
     -size * amplitude(block, flatness, off_head_rad, cos) * shape
 }
 
-/// a₁a₂: by formula up to waves from abeam, in a straight line each from there to waves from astern, which push
-/// her ahead.
+/// a₁a₂: by formula for waves from ahead to abeam, linear from there to waves from astern, where the force is forward.
 fn amplitude(block: f64, flatness: f64, off_head_rad: f64, cos: f64) -> f64 {
     let fullness = 0.87 / block;
     if off_head_rad <= FRAC_PI_2 {

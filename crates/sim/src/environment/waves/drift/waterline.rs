@@ -1,22 +1,22 @@
-//! The waterline that waves meet, and what it turns back of those that are short beside the draught.
+//! Reflection of waves that are short compared with the draught, by the shape of the waterline.
 
 use fenderline_contact::number::bounded;
 
 use super::DriftHull;
 
-/// Chords that each end's half of the waterline is made of: the force is that of the curve to 1 %.
+/// Number of chords for each end of the waterline. The force is that of the curve within 1 %.
 const CHORDS: u32 = 12;
 
-/// No ship has a blunter end than one over a twentieth of her length; a barge's end is square.
+/// Shortest end over length: no ship has a blunter end, and a barge's end is square.
 const SHORTEST_END: f64 = 0.05;
 
-/// A waterline that is the same fore and aft: parabolas from stem and stern to the full beam, and straight sides
+/// A waterline that is symmetric fore and aft: parabolas from stem and stern to the full beam, and straight sides
 /// between them.
 ///
-/// How long the ends are follows from the block coefficient: C_WP = (1 + 2 C_B)/3 (Schneekluth & Bertram, "Ship Design
+/// The length of the ends follows from the block coefficient: C_WP = (1 + 2 C_B)/3 (Schneekluth & Bertram, "Ship Design
 /// for Efficiency and Economy", 2nd ed., eq. for normal sections; recalled), and two parabolas of length ℓ leave
-/// C_WP = 1 − ⅔ℓ/L: so ℓ = (1 − C_B)L. Of the general cargo ship that a public program of the SNNM
-/// method has for an example, C_B 0.79 and 194 m, that is 40.7 m; hers are 38.5 m and 32.3 m.
+/// C_WP = 1 − ⅔ℓ/L: so ℓ = (1 − C_B)L. For the example of a public program of the SNNM method, a general
+/// cargo ship with C_B 0.79 and 194 m, that is 40.7 m; the true lengths are 38.5 m and 32.3 m.
 pub(super) struct Waterline {
     half_length_m: f64,
     half_beam_m: f64,
@@ -33,8 +33,8 @@ impl Waterline {
         }
     }
 
-    /// ½∫sin²θ n dl over what waves towards μ meet, n into the hull and θ between wave and side: [X, Y, N] over
-    /// ρga², (m, m, m²). What lies in the lee of something else is taken to be met, as the hull is convex.
+    /// ½∫sin²θ n dl over the part of the waterline exposed to waves towards μ, with the normal n into the hull and θ the
+    /// angle between wave and side: [X, Y, N] over ρga² (m, m, m²). No part shelters another, as the waterline is convex.
     pub(super) fn reflection(&self, direction_rad: f64) -> [f64; 3] {
         let towards = [libm::cos(direction_rad), libm::sin(direction_rad)];
         let mut sum = [0.0; 3];
@@ -46,10 +46,10 @@ impl Waterline {
                 let (along, out) = (next[0] - last[0], side * (next[1] - last[1]));
                 // Outward normal times length: the chord turned by a right angle, away from the centre line.
                 let normal = [-side * out, side * along];
-                let met = towards[0] * normal[0] + towards[1] * normal[1];
-                if met < 0.0 {
+                let facing = towards[0] * normal[0] + towards[1] * normal[1];
+                if facing < 0.0 {
                     let length_squared = along * along + out * out;
-                    let push = 0.5 * met * met / length_squared;
+                    let push = 0.5 * facing * facing / length_squared;
                     let force = [-push * normal[0], -push * normal[1]];
                     let middle = [0.5 * (last[0] + next[0]), 0.5 * side * (last[1] + next[1])];
                     sum[0] += force[0];
@@ -62,7 +62,7 @@ impl Waterline {
         sum
     }
 
-    /// The corners of the starboard side from the stern on: [forward of midship, half beam] (m).
+    /// Corners of the starboard side, from the stern forward: [forward of midship, half beam] (m).
     fn corner(&self, index: u32) -> [f64; 2] {
         let share = |number: u32| f64::from(number) / f64::from(CHORDS);
         let half_beam = |share: f64| self.half_beam_m * share * (2.0 - share);

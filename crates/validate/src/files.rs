@@ -1,26 +1,17 @@
 //! `validation.html`, `.csv` and `.json`.
 
-use std::path::Path;
-
 use serde_json::{Value, json};
 
 use super::published::{Rule, Tolerance};
 use super::row::{Compared, Row, count};
-use crate::failure::Failure;
-use crate::output::{make_folder, write_whole};
 
-/// Writes the three files into `folder`, each whole or not at all; returns their names.
-///
-/// # Errors
-/// The file that cannot be written.
-pub(super) fn write(folder: &Path, page: &str, rows: &[Row]) -> Result<[&'static str; 3], Failure> {
-    make_folder(folder)?;
-    let names = ["validation.csv", "validation.json", "validation.html"];
-    let contents = [csv_text(rows).into_bytes(), json_text(rows).into_bytes(), page.into()];
-    for (name, content) in names.iter().zip(&contents) {
-        write_whole(&folder.join(name), content)?;
-    }
-    Ok(names)
+/// Names and contents of the three files.
+pub(super) fn files(page: String, rows: &[Row]) -> [(&'static str, String); 3] {
+    [
+        ("validation.csv", csv_text(rows)),
+        ("validation.json", json_text(rows)),
+        ("validation.html", page),
+    ]
 }
 
 /// A number in full, in the shortest form that reads back to the same value.

@@ -1,27 +1,27 @@
-//! Pairs of bodies that are near each other, kept from step to step.
+//! The neighbour list: pairs of bodies that are near each other, kept from step to step.
 //!
-//! The list holds every pair whose circles meet when each is drawn a little too large; as long as no body
-//! has used up its own slack, by moving or by a longer reach, every pair whose true circles meet is in it.
-//! Whoever reads it asks for the true circles, so that when it was made decides how fast an answer comes
-//! and not what it is.
+//! The list holds every pair whose circles meet when each circle is drawn a little too large. As long as no body has
+//! used up its own margin, by moving or by a longer reach, every pair whose true circles meet is in the list. Users of
+//! the list test the true circles, so its age affects the cost of a step and never the result.
 
 use alloc::vec::Vec;
 
-use crate::model::{MaterialId, Model};
-use crate::pairing::{Bounds, RankedPair};
+use crate::material::MaterialId;
+use crate::model::Model;
+use crate::pair::{Bounds, RankedPair};
 use crate::vec2::{Pose, Vec2};
 
-/// What a body's circle in the list is larger than its own, as a share. More makes the list longer, less
-/// makes it short-lived.
-const SLACK: f64 = 0.1;
+/// How much larger a body's circle in the list is than its own, as a fraction. A larger margin makes the list longer, a
+/// smaller one makes it short-lived.
+const MARGIN: f64 = 0.1;
 
-/// What of its slack a body may use: less than all, for the rounding of what is compared.
+/// The fraction of its margin that a body may use: less than 1, to cover rounding.
 const USABLE: f64 = 0.999;
 
-/// The list, and where the bodies were when it was made.
+/// The list, and where the bodies were when it was made. Computed by [`NeighbourList::renew`].
 #[derive(Clone, Debug, Default)]
-pub(crate) struct NearList {
-    /// The layout of the model it was made for.
+pub(crate) struct NeighbourList {
+    /// Layout of the model that the list was made for.
     layout: u64,
     /// By rank.
     circles: Vec<Circle>,
@@ -46,33 +46,33 @@ impl Circle {
         (self.center_m - other.center_m).length_squared() <= reach_m * reach_m
     }
 
-    /// Does it hold the circle of the same body now?
+    /// Does this circle contain the same body's present circle?
     #[inline]
     pub(crate) fn holds(&self, center_m: Vec2, radius_m: f64) -> bool {
-        let slack_m = USABLE * (self.radius_m - radius_m);
-        slack_m >= 0.0 && (center_m - self.center_m).length_squared() <= slack_m * slack_m
+        let margin_m = USABLE * (self.radius_m - radius_m);
+        margin_m >= 0.0 && (center_m - self.center_m).length_squared() <= margin_m * margin_m
     }
 }
 
-impl NearList {
-    /// The pairs, among them all that no `Pair` of the model names, that are not both fixed and whose
+impl NeighbourList {
+    /// The pairs of the list. They include all pairs that no `Pair` of the model names, that are not both fixed and whose
     /// circles of `reach_m` meet.
     pub(crate) fn pairs(&self) -> &[RankedPair] {
         &self.pairs
     }
 
-    /// Of these.
+    /// Bounds of these pairs, in the same order.
     pub(crate) fn bounds(&self) -> &[Bounds] {
         &self.bounds
     }
 
-    /// The circles by rank, where they are of that model; else none.
+    /// The circles by rank; empty if the list was made for another model.
     #[inline]
     pub(crate) fn circles_for(&self, model: &Model) -> &[Circle] {
         if self.layout == model.layout { &self.circles } else { &[] }
     }
 
-    /// Does the circle of each body hold its own now, of bodies at `poses` that reach so far, both by rank?
+    /// Is the list still valid for bodies at `poses` with this reach, both by rank?
     pub(crate) fn holds(&self, model: &Model, poses: &[Pose], reach_m: &[f64]) -> bool {
         let circles = self.circles_for(model);
         circles.len() == poses.len()
@@ -82,7 +82,7 @@ impl NearList {
                 .all(|(circle, (pose, &reach_m))| circle.holds(pose.position_m, reach_m))
     }
 
-    /// Makes the list anew, for bodies at `poses` that reach so far.
+    /// Makes the list anew for bodies at `poses` with this reach.
     pub(crate) fn renew(
         &mut self,
         model: &Model,
@@ -94,13 +94,13 @@ impl NearList {
         self.circles.clear();
         self.circles.extend(poses.iter().zip(reach_m).map(|(pose, &reach_m)| Circle {
             center_m: pose.position_m,
-            radius_m: reach_m * (1.0 + SLACK),
+            radius_m: reach_m * (1.0 + MARGIN),
         }));
         self.sweep(model, material);
     }
 
-    /// Sweep and prune: the bodies are kept sorted by the southern ends of their circles, which moves
-    /// little from list to list, so that an insertion sort costs one pass.
+    /// Sweep and prune. The bodies are kept sorted by the southern ends of their circles. That order changes little from
+    /// list to list, so an insertion sort takes one pass.
     fn sweep(&mut self, model: &Model, material: MaterialId) {
         let count = self.circles.len();
         if self.by_x.len() != count {
@@ -124,7 +124,7 @@ impl NearList {
                     let (a, b) = (one.min(two), one.max(two));
                     let [body_a, body_b] = [a, b].map(|rank| &model.ranked[rank as usize]);
                     let both_fixed = body_a.is_fixed() && body_b.is_fixed();
-                    if !both_fixed && !named(model, a, b) {
+                    if !both_fixed && !is_named(model, a, b) {
                         self.pairs.push(RankedPair::new((a, body_a), (b, body_b), material));
                     }
                 }
@@ -136,12 +136,12 @@ impl NearList {
     }
 }
 
-fn named(model: &Model, a: u32, b: u32) -> bool {
+fn is_named(model: &Model, a: u32, b: u32) -> bool {
     model.pairs.binary_search_by_key(&(a, b), |p| (p.a, p.b)).is_ok()
 }
 
-/// By position, then rank: a total order. Falls back to a full sort when the order is far off (first
-/// list, teleports).
+/// By position, then rank: a total order. Falls back to a full sort if the order is far off, as in the first list and
+/// after teleports.
 fn insertion_sort(by_x: &mut [(f64, u32)]) {
     let mut moves = 0usize;
     for i in 1..by_x.len() {

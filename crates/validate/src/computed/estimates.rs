@@ -13,15 +13,15 @@ use super::manoeuvres::Trial;
 use super::ships::vessel;
 
 /// The routes, by the names that they have in `validation/estimated_ships.toml`.
-pub(in crate::validate) const ROUTES: [(&str, EstimateMethod); 2] =
+pub(crate) const ROUTES: [(&str, EstimateMethod); 2] =
     [("yoshimura_masumoto", EstimateMethod::YoshimuraMasumoto), ("clarke", EstimateMethod::Clarke)];
 
 /// The ships that errors are taken over.
-pub(in crate::validate) const SHIPS: [&str; 6] =
+pub(crate) const SHIPS: [&str; 6] =
     ["kcs", "kvlcc2", "esso_osaka", "s175", "tanker_190", "mariner"];
 
 /// What is measured, with its unit.
-pub(in crate::validate) const MEASURES: [(&str, &str); 4] =
+pub(crate) const MEASURES: [(&str, &str); 4] =
     [("advance", "L"), ("diameter", "L"), ("overshoot_10", "°"), ("overshoot_20", "°")];
 
 /// Other references for ships of [`SHIPS`], which do not count in the errors a second time: their names in the file.
@@ -39,7 +39,7 @@ pub(super) fn compute(values: &mut Values) {
 }
 
 /// All measures of all ships by one route.
-pub(in crate::validate) fn compute_route(values: &mut Values, name: &str, route: EstimateMethod) {
+pub(crate) fn compute_route(values: &mut Values, name: &str, route: EstimateMethod) {
     for ship in SHIPS {
         let measures = measured(&estimate_of(ship, route));
         let also = ALSO.iter().filter(|(same, _)| *same == ship).map(|(_, other)| *other);

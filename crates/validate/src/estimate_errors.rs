@@ -12,7 +12,7 @@ use super::computed::estimates::{MEASURES, ROUTES, SHIPS, compute_route};
 use super::published::{Number, Origin, Source};
 
 /// The file.
-const ESTIMATED_SHIPS: &str = include_str!("../../../../validation/estimated_ships.toml");
+const ESTIMATED_SHIPS: &str = include_str!("../../../validation/estimated_ships.toml");
 
 /// Measures in words, in the order of [`MEASURES`].
 const NAMES: [&str; 4] = [
@@ -24,7 +24,7 @@ const NAMES: [&str; 4] = [
 
 /// The errors of the formulas that estimated a vessel; empty where nothing of her is estimated, or the formulas' errors
 /// are not known.
-pub(crate) fn errors_of(origin: &vessels::Origin) -> &'static [EstimateError] {
+pub fn errors_of(origin: &vessels::Origin) -> &'static [EstimateError] {
     match origin.estimate_method {
         Some(EstimateMethod::YoshimuraMasumoto) => {
             estimate_errors(EstimateMethod::YoshimuraMasumoto)

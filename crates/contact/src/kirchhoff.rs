@@ -1,47 +1,36 @@
-//! The momentum of a body whose mass differs between surge and sway turns with the body.
+//! Kirchhoff's equations: the momentum of a body with different masses in surge and sway turns with the body.
 
-use crate::model::Mobility;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};
 
 /// Masses of a body in surge, sway and yaw (kg, kg, kg·m²).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Turning {
+pub(crate) struct Kirchhoff {
     surge_kg: f64,
     sway_kg: f64,
     yaw_kgm2: f64,
 }
 
-/// Most rounds of the fixed point below: each takes off a factor of the angle turned meanwhile, a few
-/// hundredths in a sub-step and at most a half.
+/// Most rounds of the fixed-point iteration. Each reduces the error by about the angle turned in the sub-step: a few
+/// hundredths, and at most a half.
 const ROUNDS: u32 = 60;
 
-/// Most parts of a sub-step: bounded work. What turns faster is left as it is.
+/// Most parts of a sub-step: bounded work. Velocities that would turn faster are left unchanged.
 const MOST_PARTS: f64 = 64.0;
 
-impl Turning {
-    /// `None` for a body that the engine does not turn, and for one with nothing to turn.
-    pub(crate) fn of(mobility: &Mobility) -> Option<Turning> {
-        match *mobility {
-            Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } if surge_kg != sway_kg => {
-                Some(Turning { surge_kg, sway_kg, yaw_kgm2: yaw_inertia_kgm2 })
-            }
-            _ => None,
-        }
-    }
-
-    /// All of it, to tell one from another.
-    pub(crate) fn to_bits(self) -> [u64; 3] {
-        [self.surge_kg, self.sway_kg, self.yaw_kgm2].map(f64::to_bits)
+impl Kirchhoff {
+    /// `None` if surge and sway have the same mass: the momentum does not turn then.
+    pub(crate) fn new(surge_kg: f64, sway_kg: f64, yaw_kgm2: f64) -> Option<Kirchhoff> {
+        (surge_kg != sway_kg).then_some(Kirchhoff { surge_kg, sway_kg, yaw_kgm2 })
     }
 
     /// The velocities after `h` seconds of Kirchhoff's equations without forces,
     ///
     /// m_x u̇ = m_y v r, m_y v̇ = −m_x u r, I ṙ = −(m_y − m_x) u v,
     ///
-    /// by the implicit midpoint rule: it keeps the kinetic energy exactly, which is quadratic, so that a
-    /// body that is alone neither gains nor loses by the time step. `before` is the attitude that the
-    /// velocities in `state` belong to, `after` the one that the body has turned to.
+    /// by the implicit midpoint rule. It conserves the kinetic energy exactly, so a body that nothing touches neither gains
+    /// nor loses energy by the time step. `before` is the attitude that the velocities in `state` belong to, `after` the
+    /// one that the body has turned to.
     pub(crate) fn turn(&self, state: &mut BodyState, before: Rotation, after: Rotation, h: f64) {
         let own = before.apply_inverse(state.velocity_mps);
         let mut velocity = (own.x, own.y, state.yaw_rate_radps);
@@ -59,12 +48,12 @@ impl Turning {
     /// √m_y v and √I r their Jacobian has, with ρ² twice the energy, a Frobenius norm of at most
     /// ρ √(2(m_y/m_x + m_x/m_y)/I).
     fn rate_squared(&self, (u, v, r): (f64, f64, f64)) -> f64 {
-        let &Turning { surge_kg, sway_kg, yaw_kgm2 } = self;
+        let &Kirchhoff { surge_kg, sway_kg, yaw_kgm2 } = self;
         let energy = surge_kg * u * u + sway_kg * v * v + yaw_kgm2 * r * r;
         2.0 * (sway_kg / surge_kg + surge_kg / sway_kg) * energy / yaw_kgm2
     }
 
-    /// A step in which they turn too far for the fixed point.
+    /// A step in which they turn too far for one fixed-point iteration.
     #[cold]
     fn in_parts(&self, velocity: (f64, f64, f64), h: f64, parts: u32) -> (f64, f64, f64) {
         (0..parts).fold(velocity, |velocity, _| self.part(velocity, h / f64::from(parts)))
@@ -95,7 +84,7 @@ mod tests {
     use super::*;
     use crate::vec2::Vec2;
 
-    const SHIP: Turning = Turning { surge_kg: 9e7, sway_kg: 1.4e8, yaw_kgm2: 8e11 };
+    const SHIP: Kirchhoff = Kirchhoff { surge_kg: 9e7, sway_kg: 1.4e8, yaw_kgm2: 8e11 };
 
     /// A ship that drifts and turns, alone for ten minutes, in steps of 0.1 s.
     #[test]
@@ -134,7 +123,7 @@ mod tests {
     /// a step of a minute was refused, though she was alone.
     #[test]
     fn a_body_alone_keeps_its_energy_in_steps_of_any_length() {
-        let tug = Turning { surge_kg: 1.01e6, sway_kg: 1.71e6, yaw_kgm2: 8.3e7 };
+        let tug = Kirchhoff { surge_kg: 1.01e6, sway_kg: 1.71e6, yaw_kgm2: 8.3e7 };
         for body in [SHIP, tug] {
             let energy = |own: Vec2, r: f64| {
                 body.surge_kg * own.x * own.x + body.sway_kg * own.y * own.y + body.yaw_kgm2 * r * r

@@ -1,10 +1,11 @@
-//! Two bodies that may touch, and what is so of them in every step.
+//! Two bodies that may touch: constants of the pair.
 
-use crate::model::{MaterialId, Model};
+use crate::material::MaterialId;
+use crate::model::Model;
 use crate::number::lesser;
 use crate::ranked::RankedBody;
 
-/// Stands for the island of two bodies that both float: which it is depends on who else is near.
+/// In place of an island's number, for two bodies that both float: their island depends on the other candidates.
 pub(crate) const JOINED: u32 = u32::MAX;
 
 /// Two bodies by rank, the lower first.
@@ -13,14 +14,15 @@ pub(crate) struct RankedPair {
     pub(crate) a: u32,
     pub(crate) b: u32,
     pub(crate) material: MaterialId,
-    /// The one of the two that floats; [`JOINED`] where both do.
+    /// The body that floats; [`JOINED`] if both do.
     pub(crate) island: u32,
 }
 
-/// Bounds that tell, in most steps, that a contact of two outlines needs no sub-steps.
+/// Bounds on the natural frequencies of a contact between two outlines: in most steps they show that it needs no
+/// sub-steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bounds {
-    /// On the squares of the rates of spring and of damper (1/s²), for this inverse mass (1/kg).
+    /// On the squares of the rates of spring and damper (1/s²), for `inverse_mass` (1/kg).
     pub(crate) spring_rate_squared: f64,
     pub(crate) damping_rate_squared: f64,
     pub(crate) inverse_mass: f64,
@@ -30,28 +32,26 @@ pub(crate) struct Bounds {
     pub(crate) half_chord_m: f64,
     /// 1 where B is the smaller body, 0 where A is.
     pub(crate) b_is_smaller: f64,
-    pub(crate) yields: [Yielding; 2],
+    pub(crate) bodies: [InverseMassBound; 2],
 }
 
-/// Bounds on how a body answers a contact.
+/// Upper bounds on a body's inverse mass at a contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Yielding {
+pub(crate) struct InverseMassBound {
     /// The largest inverse mass in any direction, without rotation (1/kg).
     pub(crate) lightest_inverse_mass: f64,
-    /// Inverse of the inertia in yaw (1/(kg·m²)).
-    pub(crate) of_turning: f64,
+    /// Inverse of the yaw inertia (1/(kg·m²)).
+    pub(crate) of_yaw: f64,
 }
 
-impl Yielding {
-    fn of(body: &RankedBody) -> Yielding {
-        Yielding {
+impl InverseMassBound {
+    fn of(body: &RankedBody) -> InverseMassBound {
+        InverseMassBound {
             lightest_inverse_mass: body.lightest_inverse_mass,
-            of_turning: body.inverse_of_turning,
+            of_yaw: body.inverse_of_turning,
         }
     }
 
-    /// Does it not yield at all?
-    // By the bits: asked of a number, it would be asked for NaN too.
     #[inline]
     pub(crate) fn is_fixed(&self) -> bool {
         self.lightest_inverse_mass.to_bits() == 0
@@ -59,7 +59,7 @@ impl Yielding {
 }
 
 impl RankedPair {
-    /// Of two bodies of which one floats at least.
+    /// Of two bodies, at least one of which floats.
     pub(crate) fn new(
         (a, body_a): (u32, &RankedBody),
         (b, body_b): (u32, &RankedBody),
@@ -75,12 +75,13 @@ impl RankedPair {
 }
 
 impl Bounds {
+    /// Bounds that hold for every contact of the pair's outlines.
     pub(crate) fn of(model: &Model, pair: &RankedPair) -> Bounds {
         let ranks = [pair.a as usize, pair.b as usize];
         let [a, b] = ranks.map(|rank| &model.ranked[rank]);
         let half_widths_m = ranks.map(|rank| model.ranked.rest(rank).half_width_m);
         let material = &model.materials()[pair.material.0 as usize];
-        // Twice that without rotation allows for a contact off the centre.
+        // Twice the value without rotation allows for a contact off the centre.
         let inverse_mass = 2.0 * (a.lightest_inverse_mass + b.lightest_inverse_mass);
         let per_force = longest_chord_m(a, b) * inverse_mass;
         let damping_rate = material.damping_nspm2 * per_force;
@@ -91,7 +92,7 @@ impl Bounds {
             half_width_m: lesser(half_widths_m[0], half_widths_m[1]),
             half_chord_m: 0.5 * longest_chord_m(a, b),
             b_is_smaller: if a.radius_m <= b.radius_m { 0.0 } else { 1.0 },
-            yields: [a, b].map(Yielding::of),
+            bodies: [a, b].map(InverseMassBound::of),
         }
     }
 }

@@ -4,7 +4,7 @@
 //! numbers never.
 
 mod berth;
-pub(in crate::validate) mod estimates;
+pub(crate) mod estimates;
 mod finite_elements;
 mod float;
 mod hull;
@@ -17,26 +17,23 @@ mod wind;
 
 use std::collections::BTreeMap;
 
-use super::estimate_errors;
-
 /// A value with its unit; the unit is empty for a plain number.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::validate) struct Value {
-    pub(in crate::validate) value: f64,
-    pub(in crate::validate) unit: &'static str,
+pub(crate) struct Value {
+    pub(crate) value: f64,
+    pub(crate) unit: &'static str,
 }
 
 /// Values by the name that a file under `validation/` calls them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::validate) struct Values(BTreeMap<String, Value>);
+pub(crate) struct Values(BTreeMap<String, Value>);
 
 impl Values {
     /// Computes all of them.
-    pub(in crate::validate) fn all() -> Values {
+    pub(crate) fn all() -> Values {
         let mut values = Values::default();
         manoeuvres::compute(&mut values);
         estimates::compute(&mut values);
-        estimate_errors::put(&mut values);
         hull::compute(&mut values);
         shallow::compute(&mut values);
         propeller::compute(&mut values);
@@ -48,25 +45,20 @@ impl Values {
         values
     }
 
-    pub(in crate::validate) fn put(
-        &mut self,
-        name: impl Into<String>,
-        value: f64,
-        unit: &'static str,
-    ) {
+    pub(crate) fn put(&mut self, name: impl Into<String>, value: f64, unit: &'static str) {
         let name = name.into();
         let before = self.0.insert(name.clone(), Value { value, unit });
         assert!(before.is_none(), "two values are called {name}");
     }
 
     /// The value called `name`. One that there is not is our own mistake, and panics.
-    pub(in crate::validate) fn get(&self, name: &str) -> Value {
+    pub(crate) fn get(&self, name: &str) -> Value {
         *self.0.get(name).unwrap_or_else(|| panic!("no computed value is called {name}"))
     }
 
     /// All names.
     #[cfg(test)]
-    pub(in crate::validate) fn names(&self) -> impl Iterator<Item = &str> {
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.0.keys().map(String::as_str)
     }
 }

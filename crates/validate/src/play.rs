@@ -7,13 +7,10 @@ use fenderline_contact::{BodyState, Mobility, Model, Vec2};
 use fenderline_scenario::Scenario;
 use fenderline_sim::{PairSummary, Setup, Simulation, StepRecord};
 
-use crate::failure::Failure;
-use crate::run;
-
 /// Name under `scenarios/` and text of a scenario.
 macro_rules! embedded {
     ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("../../../../scenarios/", $name, ".toml")))),*]
+        [$(($name, include_str!(concat!("../../../scenarios/", $name, ".toml")))),*]
     };
 }
 
@@ -85,31 +82,27 @@ impl Played {
 ///
 /// # Errors
 /// A run that failed. A scenario that cannot be read is our own mistake, and panics.
-pub(super) fn play_all() -> Result<BTreeMap<&'static str, Played>, Failure> {
+pub(super) fn play_all() -> Result<BTreeMap<&'static str, Played>, String> {
     SCENARIOS.iter().map(|(name, text)| Ok((*name, play(name, text)?))).collect()
 }
 
-fn play(name: &str, text: &str) -> Result<Played, Failure> {
+fn play(name: &str, text: &str) -> Result<Played, String> {
     let file_name = format!("scenarios/{name}.toml");
     let scenario = Scenario::parse(text, &file_name)
         .unwrap_or_else(|e| panic!("the built-in {file_name}: {e}"));
-    let mut simulation = Simulation::new(scenario.setup).map_err(run::error)?;
+    let mut simulation =
+        Simulation::new(scenario.setup).map_err(|e| format!("error: {file_name}: {e}"))?;
     let mut momentum = MomentumWatch::new(simulation.model(), simulation.states());
     let along = line_of_centres(simulation.states());
     let start_j = simulation.energy().kinetic_j;
     let mut trace = Vec::new();
-    run::play(
-        &mut simulation,
-        |_| (),
-        |step| {
-            trace.push(sample(step, along));
-            momentum.watch(step.states_after);
-            Ok(())
-        },
-        || false,
-    )?;
+    while !simulation.is_done() {
+        let step = simulation.step().map_err(|e| format!("error: {file_name}: {e}"))?;
+        trace.push(sample(&step, along));
+        momentum.watch(step.states_after);
+    }
     let [pair] = simulation.pair_summaries() else {
-        return Err(Failure::case(format_args!("error: {file_name}: no contact")));
+        return Err(format!("error: {file_name}: no contact"));
     };
     Ok(Played {
         title: scenario.title,

@@ -1,10 +1,11 @@
-//! `fenderline validate`: every published case that the project reproduces, ours beside theirs.
+//! Validation: every published case that the project reproduces, our numbers beside the published ones.
 //!
 //! `published` reads what others published (`validation/*.toml`), `play` runs the scenarios,
 //! `quantity` takes values from a run, `computed` has all others, `row` holds one against
 //! the other; `estimate_errors` tells how far off ships from main particulars are; `printed`, `files`, `page`
-//! and `figures` show it. Everything is inside the program, so that an installed one validates
-//! anywhere.
+//! and `figures` show it. All cases are compiled in, so that an installed program validates
+//! anywhere; nothing is read or written.
+#![forbid(unsafe_code)]
 
 mod computed;
 mod estimate_errors;
@@ -17,20 +18,16 @@ mod published;
 mod quantity;
 mod row;
 
-use crate::cli::ValidateArgs;
-use crate::failure::Failure;
-use crate::terminal::say;
-
 use computed::Values;
-pub(crate) use estimate_errors::errors_of;
+pub use estimate_errors::errors_of;
 use play::play_all;
 use published::Source;
-use row::{Row, evaluate};
+use row::{Row, Runs, evaluate};
 
 /// A file under `validation/`: name and text.
 macro_rules! published {
     ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("../../../../validation/", $name)))),*]
+        [$(($name, include_str!(concat!("../../../validation/", $name)))),*]
     };
 }
 
@@ -62,37 +59,57 @@ fn sources() -> Vec<Source> {
     PUBLISHED.iter().flat_map(of_file).collect()
 }
 
-/// Runs all cases, prints the table and writes the report where `args` asks for one.
-///
-/// # Errors
-/// A row that is out of tolerance, a statement that unexpectedly does not hold, a run that failed,
-/// or a file that cannot be written. The table is printed and written all the same.
-pub(crate) fn validate(args: &ValidateArgs) -> Result<(), Failure> {
-    let sources = sources();
-    let (runs, values) = (play_all()?, Values::all());
-    let rows: Vec<Row> =
-        sources.iter().flat_map(|source| evaluate(source, &runs, &values)).collect();
-    say(&printed::tables(&rows))?;
-    if let Some(folder) = &args.out {
-        let written = files::write(folder, &page::render(&sources, &rows, &runs), &rows)?;
-        say(&format!("in {}: {}\n", folder.display(), written.join(", ")))?;
-    }
-    verdict(&rows)
+/// All published cases, recomputed.
+#[derive(Debug)]
+pub struct Validation {
+    sources: Vec<Source>,
+    runs: Runs,
+    rows: Vec<Row>,
 }
 
-/// Success, or a failed case that names the rows that are not as they should be.
-fn verdict(rows: &[Row]) -> Result<(), Failure> {
-    let wrong: Vec<String> = rows.iter().filter_map(Row::complaint).collect();
-    if wrong.is_empty() {
-        return Ok(());
+impl Validation {
+    /// Runs all cases.
+    ///
+    /// # Errors
+    /// A run that failed.
+    pub fn run() -> Result<Validation, String> {
+        let sources = sources();
+        let (runs, values) = (play_all()?, values());
+        let rows = sources.iter().flat_map(|source| evaluate(source, &runs, &values)).collect();
+        Ok(Validation { sources, runs, rows })
     }
-    Err(Failure::case(format_args!("error: validation failed:\n  {}", wrong.join("\n  "))))
+
+    /// The table for the terminal.
+    pub fn table(&self) -> String {
+        printed::tables(&self.rows)
+    }
+
+    /// Names and contents of `validation.csv`, `validation.json` and `validation.html`.
+    pub fn files(&self) -> [(&'static str, String); 3] {
+        files::files(page::render(&self.sources, &self.rows, &self.runs), &self.rows)
+    }
+
+    /// Each row that is out of tolerance, or within it although it is listed as a known mismatch.
+    pub fn complaints(&self) -> Vec<String> {
+        complaints(&self.rows)
+    }
+}
+
+fn complaints(rows: &[Row]) -> Vec<String> {
+    rows.iter().filter_map(Row::complaint).collect()
+}
+
+/// All values that rows name by `computed`.
+fn values() -> Values {
+    let mut values = Values::all();
+    estimate_errors::put(&mut values);
+    values
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::validate::published::Origin;
+    use crate::published::Origin;
 
     const MORENO_2023: &str = PUBLISHED[0].1;
 
@@ -106,7 +123,7 @@ mod tests {
     /// published); a case that stands twice is a slip of the pen.
     #[test]
     fn every_computed_run_is_held_against_something_and_no_case_stands_twice() {
-        let (sources, values) = (sources(), Values::all());
+        let (sources, values) = (sources(), values());
         let numbers = || sources.iter().flat_map(|source| &source.numbers);
         let run = |name: &str| name.rsplit_once('/').map_or(name, |(run, _)| run).to_owned();
         for name in values.names() {
@@ -126,44 +143,40 @@ mod tests {
     fn a_number_that_is_known_not_to_match_must_not_match() {
         let tampered =
             MORENO_2023.replacen("published = 0.96", "published = 0.96\nknown_mismatch = true", 1);
-        let failure = verdict(&rows(&tampered)).expect_err("it does match");
-        assert!(failure.message().is_some_and(|m| m.contains("known mismatch")));
+        let complaints = complaints(&rows(&tampered));
+        assert!(complaints[0].contains("known mismatch"), "it does match");
 
         let tampered = tampered.replacen("published = 0.96", "published = 1.50", 1);
-        assert_eq!(verdict(&rows(&tampered)), Ok(()), "as it is written down");
+        assert!(super::complaints(&rows(&tampered)).is_empty(), "as it is written down");
     }
 
     #[test]
     fn published_numbers_are_met_and_tampered_ones_are_not() {
-        assert_eq!(verdict(&rows(MORENO_2023)), Ok(()));
+        assert!(complaints(&rows(MORENO_2023)).is_empty());
 
         let tampered = MORENO_2023.replacen("published = 0.96", "published = 1.50", 1);
         assert_ne!(tampered, MORENO_2023);
-        let failure = verdict(&rows(&tampered)).expect_err("1.50 m is not what comes out");
-        assert_eq!(failure.exit_code(), 1);
-        let message = failure.message().unwrap_or_default();
-        assert!(message.contains("Greatest depth at 4 kn"), "{message}");
-        assert_eq!(message.lines().count(), 2, "only that row: {message}");
+        let complaints = complaints(&rows(&tampered));
+        assert_eq!(complaints.len(), 1, "only that row: {complaints:?}");
+        assert!(complaints[0].contains("Greatest depth at 4 kn"), "{complaints:?}");
     }
 
     #[test]
     fn a_statement_that_ceases_or_comes_to_hold_is_a_failure() {
         let tampered = MORENO_2023.replacen("holds = \"rises\"", "holds = \"falls\"", 1);
-        let failure = verdict(&rows(&tampered)).expect_err("the peak force does not fall");
-        assert!(failure.message().is_some_and(|m| m.contains("does not hold")));
+        assert!(complaints(&rows(&tampered))[0].contains("does not hold"));
 
         // A mismatch that is written down and is none any more would be a false confession.
         let tampered = MORENO_2023.replacen("low = 1\n", "low = 0.5\n", 1);
         assert_ne!(tampered, MORENO_2023);
-        let failure = verdict(&rows(&tampered)).expect_err("the known mismatch is gone");
-        assert!(failure.message().is_some_and(|m| m.contains("known mismatch")));
+        assert!(complaints(&rows(&tampered))[0].contains("known mismatch"));
     }
 
     #[test]
     fn the_same_runs_give_the_same_bytes() {
         let page = || {
             let (sources, runs) = (sources(), play_all().expect("the cases run"));
-            let values = Values::all();
+            let values = values();
             let rows: Vec<Row> = sources.iter().flat_map(|s| evaluate(s, &runs, &values)).collect();
             page::render(&sources, &rows, &runs)
         };

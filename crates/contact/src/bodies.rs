@@ -1,0 +1,183 @@
+//! The bodies of a step: their input states, poses and reach, by rank.
+//!
+//! A body's rank is its place in the order of the keys. All sums run in that order, so that the order in which bodies
+//! were added changes no bit of a result.
+
+use alloc::vec::Vec;
+use core::f64::consts::TAU;
+
+use crate::state::BodyState;
+use crate::vec2::{Pose, Rotation, Vec2};
+
+/// Computed by stage 1 of a step from the host's states; poses are updated by each sub-step.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Bodies {
+    /// States that the host gave for this step. At the end of the step they move to the memory.
+    pub(crate) input: Vec<BodyState>,
+    /// Poses at the start of the (sub-)step.
+    pub(crate) poses: Vec<Pose>,
+    /// The heading that each pose's rotation was computed from (rad).
+    pub(crate) headings_rad: Vec<f64>,
+    /// How far from its centre of gravity each body may reach within this step (m).
+    pub(crate) reach_m: Vec<f64>,
+}
+
+impl Bodies {
+    pub(crate) fn with_capacity(count: usize) -> Bodies {
+        Bodies {
+            input: Vec::with_capacity(count),
+            poses: Vec::with_capacity(count),
+            headings_rad: Vec::with_capacity(count),
+            reach_m: Vec::with_capacity(count),
+        }
+    }
+
+    /// Makes room for `count` bodies. Nothing of the last step is valid if the count differs.
+    pub(crate) fn resize(&mut self, count: usize) {
+        if self.headings_rad.len() != count {
+            self.forget_poses(count);
+        }
+        self.input.resize(count, BodyState::default());
+        self.reach_m.resize(count, 0.0);
+    }
+
+    /// Invalidates all poses: each is computed anew when its body is next placed.
+    pub(crate) fn forget_poses(&mut self, count: usize) {
+        self.headings_rad.clear();
+        // NaN equals no heading.
+        self.headings_rad.resize(count, f64::NAN);
+        self.poses.clear();
+        self.poses.resize(count, Pose::IDENTITY);
+    }
+}
+
+/// Sets a pose from a state. Returns true if the body turned: sine and cosine are computed only then.
+#[inline(always)]
+pub(crate) fn set_pose(pose: &mut Pose, heading_rad: &mut f64, state: &BodyState) -> bool {
+    pose.position_m = state.position_m;
+    let turned = state.heading_rad.to_bits() != heading_rad.to_bits();
+    if turned {
+        *heading_rad = state.heading_rad;
+        pose.rotation = Rotation::from_angle(state.heading_rad);
+    }
+    turned
+}
+
+/// Bodies that their host displaced since the last step: moved otherwise than their velocities say. Computed by stage 1.
+/// Ranks in ascending order.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Displaced {
+    /// All of them, the teleported ones included.
+    pub(crate) all: Vec<u32>,
+    /// Those displaced so far that their contacts start afresh.
+    pub(crate) teleported: Vec<u32>,
+}
+
+/// For sub-steps after the first: only the host displaces bodies, before the step.
+pub(crate) static NONE_DISPLACED: Displaced = Displaced { all: Vec::new(), teleported: Vec::new() };
+
+impl Displaced {
+    pub(crate) fn clear(&mut self) {
+        self.all.clear();
+        self.teleported.clear();
+    }
+
+    /// Was one of these two bodies teleported?
+    pub(crate) fn is_teleported(&self, a: u32, b: u32) -> bool {
+        has_either(&self.teleported, a, b)
+    }
+
+    /// Was one of these two bodies displaced?
+    pub(crate) fn is_displaced(&self, a: u32, b: u32) -> bool {
+        has_either(&self.all, a, b)
+    }
+}
+
+fn has_either(ranks: &[u32], a: u32, b: u32) -> bool {
+    !ranks.is_empty() && (ranks.binary_search(&a).is_ok() || ranks.binary_search(&b).is_ok())
+}
+
+/// How an input pose relates to the last step's state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PoseChange {
+    /// The body moved as its velocities say.
+    Consistent,
+    /// The host placed it elsewhere: neither of its velocities leads so far.
+    Displaced,
+    /// The host placed it so far away that nothing of its contacts can be kept. The allowance, a tenth of the body's
+    /// size, is for hosts whose integrators differ from this engine's.
+    Teleported,
+}
+
+/// The smallest displacement of a body at rest that counts [m]: far from the chart's origin positions are rounded.
+const SMALLEST_DISPLACEMENT_M: f64 = 1e-6;
+
+/// Classifies the change from `last` to `now`, `step_s` later, of a body of this radius.
+#[inline(always)]
+pub(crate) fn classify(
+    last: &BodyState,
+    now: &BodyState,
+    step_s: f64,
+    radius_m: f64,
+) -> PoseChange {
+    let way_m = now.position_m - last.position_m;
+    let unexplained_m = way_m - (now.velocity_mps + last.velocity_mps) * (0.5 * step_s);
+    let turn_rad = now.heading_rad - last.heading_rad;
+    // The full test needs square roots. Nearly all bodies pass this one, which is stricter.
+    let near_m = 0.09 * radius_m;
+    if unexplained_m.length_squared() <= near_m * near_m
+        && is_within_motion(last, now, way_m, turn_rad, Tolerance { step_s, radius_m })
+    {
+        return PoseChange::Consistent;
+    }
+    classify_far(last, now, way_m, unexplained_m, Tolerance { step_s, radius_m })
+}
+
+#[derive(Clone, Copy)]
+struct Tolerance {
+    step_s: f64,
+    radius_m: f64,
+}
+
+/// Can the body have moved and turned this far by its velocities? They may change direction within a step.
+#[inline(always)]
+fn is_within_motion(
+    last: &BodyState,
+    now: &BodyState,
+    way_m: Vec2,
+    turn_rad: f64,
+    Tolerance { step_s, radius_m }: Tolerance,
+) -> bool {
+    let farthest = 4.0 * step_s * step_s;
+    let speeds = last.velocity_mps.length_squared() + now.velocity_mps.length_squared();
+    let turns = last.yaw_rate_radps * last.yaw_rate_radps + now.yaw_rate_radps * now.yaw_rate_radps;
+    let too_far = way_m.length_squared() - farthest * speeds;
+    let turned_too_far = turn_rad * turn_rad - farthest * turns;
+    too_far + turned_too_far * (radius_m * radius_m)
+        <= SMALLEST_DISPLACEMENT_M * SMALLEST_DISPLACEMENT_M
+}
+
+/// The full test of [`classify`].
+#[cold]
+#[inline(never)]
+fn classify_far(
+    last: &BodyState,
+    now: &BodyState,
+    way_m: Vec2,
+    unexplained_m: Vec2,
+    tolerance: Tolerance,
+) -> PoseChange {
+    let change_mps = now.velocity_mps - last.velocity_mps;
+    let allowed_m = change_mps.length() * tolerance.step_s + 0.1 * tolerance.radius_m;
+    if unexplained_m.length() > allowed_m {
+        return PoseChange::Teleported;
+    }
+    // A host may wrap its headings at a full turn.
+    let turn_rad = now.heading_rad - last.heading_rad;
+    let turn_rad = turn_rad - libm::rint(turn_rad / TAU) * TAU;
+    if is_within_motion(last, now, way_m, turn_rad, tolerance) {
+        PoseChange::Consistent
+    } else {
+        PoseChange::Displaced
+    }
+}

@@ -1,0 +1,325 @@
+//! Stages 4 and 5 of the coupled method: the laws of one contact of a sub-step, written as a constraint for the solver.
+
+use alloc::vec::Vec;
+
+use crate::coupled::constraint::{Constraint, Forces, Laws};
+use crate::coupled::dynamics::kick_s;
+use crate::coupled::press_out::{Placement, opening_mps};
+use crate::events::{note, tell_of_patch};
+use crate::fender::RankedFender;
+use crate::geometry::clip::ClipBuffers;
+use crate::inherited::Inherited;
+use crate::law::damper::{Answered, Growth, damper};
+use crate::law::friction::Slide;
+use crate::law::normal::{factor, normal_force};
+use crate::mass::{InverseMatrix, Seen};
+use crate::material::Material;
+use crate::memory::PatchMemory;
+use crate::model::Model;
+use crate::number::{greater, lesser};
+use crate::overlap::Patch;
+use crate::report::{Event, EventKind, ForceParts, Friction};
+use crate::touch::{Levers, Movers, Scene, Touch, touch};
+use crate::unloading::{Loading, PLAYS, unload};
+use crate::vec2::Vec2;
+
+/// What is reported of a contact of a sub-step besides what its [`Constraint`] and its [`PatchMemory`] have.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Diagnostics {
+    /// As in [`Touch`].
+    pub(crate) depth_m: f64,
+    pub(crate) tilt_rad: f64,
+    /// The parts of f.
+    pub(crate) parts: ForceParts,
+    /// Energy stored in a fender's spring and stop, with its factor (J); with an unloading law the recoverable part.
+    pub(crate) stored_j: f64,
+    /// Energy that loads them to their deflection, of the loading curve, with its factor (J).
+    pub(crate) absorbed_j: f64,
+    /// Heat by a fender's unloading law since the last (sub-)step, with its factor (J).
+    pub(crate) hysteresis_j: f64,
+}
+
+/// The bodies of a sub-step as its contacts see them. Lists are by rank.
+#[derive(Clone, Copy)]
+pub(crate) struct Start<'w> {
+    pub(crate) scene: Scene<'w>,
+    pub(crate) moves: &'w [bool],
+    pub(crate) inverses: &'w [InverseMatrix],
+    pub(crate) velocity_lags_s: &'w [f64],
+    /// Length of the sub-step (s).
+    pub(crate) h: f64,
+}
+
+impl Start<'_> {
+    /// A floating body's part of the inverse effective mass at a contact along n, with these levers of n and t.
+    #[inline(always)]
+    fn seen(&self, rank: u32, n: Vec2, levers: Levers) -> Seen {
+        let body = &self.scene.model.ranked[rank as usize];
+        if body.is_alike {
+            // The same bits as by the matrix, and less work.
+            Seen::alike(body.lightest_inverse_mass, body.inverse_of_turning, levers)
+        } else {
+            Seen::of(&self.inverses[rank as usize], n, levers)
+        }
+    }
+
+    /// As [`Start::seen`] for two moving bodies, one of which may be fixed; and whether each floats.
+    #[inline(never)]
+    fn seen_of_both(
+        &self,
+        [a, b]: [u32; 2],
+        n: Vec2,
+        levers_a: Levers,
+        levers_b: Levers,
+    ) -> (Seen, [bool; 2]) {
+        let floats = [a, b].map(|rank| !self.scene.model.ranked[rank as usize].is_fixed());
+        let (seen_of_a, seen_of_b) = (self.seen(a, n, levers_a), self.seen(b, n, levers_b));
+        let seen = match floats {
+            [true, false] => seen_of_a,
+            [false, true] => seen_of_b,
+            _ => Seen::both(seen_of_a, seen_of_b),
+        };
+        (seen, floats)
+    }
+}
+
+/// Buffers that the laws write to besides a contact's own.
+pub(crate) struct Aside<'w> {
+    pub(crate) events: &'w mut Vec<Event>,
+    pub(crate) clip: &'w mut ClipBuffers,
+}
+
+/// What a patch inherits from the last (sub-)step.
+#[derive(Clone, Copy)]
+pub(crate) struct Heritage<'m> {
+    pub(crate) inherited: Inherited,
+    pub(crate) old: Option<&'m PatchMemory>,
+    /// Number of the bodies' contacts if the host displaced one of them before this sub-step, else 0.
+    pub(crate) displaced: u32,
+}
+
+/// Where a contact of a sub-step is written.
+pub(crate) struct Target<'w> {
+    pub(crate) constraint: &'w mut Constraint,
+    /// `None` if contacts are not reported.
+    pub(crate) diagnostics: Option<&'w mut Diagnostics>,
+}
+
+/// Computes laws and effective masses of a patch into `target`. Returns the patch's memory as it is before the solve.
+#[inline(always)]
+pub(crate) fn assemble(
+    start: &Start<'_>,
+    aside: &mut Aside<'_>,
+    patch: &Patch,
+    face: Option<&RankedFender>,
+    heritage: Heritage<'_>,
+    Target { constraint, diagnostics }: Target<'_>,
+) -> PatchMemory {
+    let (model, old, displaced) = (start.scene.model, heritage.old, heritage.displaced > 0);
+    let [a, b] = [patch.candidate.a, patch.candidate.b];
+    let material: &Material = &model.materials()[patch.candidate.material.0 as usize];
+
+    // Kinematics (eq. 9–10) and effective masses (eq. 13–19).
+    let movers = Movers::of([a, b].map(|rank| start.moves[rank as usize]));
+    let mut touch = touch(&start.scene, aside.clip, patch, face, old, movers);
+    let absorbed_j = touch.stored_j;
+    let unloaded = match face {
+        Some(face) if face.unloads => apply_unloading(model, face, &mut touch, old),
+        _ => None,
+    };
+    constraint.set_kinematics([a, b], movers, &touch);
+    let Touch { normal, levers_a, levers_b, .. } = touch;
+    match movers {
+        Movers::A => constraint.set_masses(start.seen(a, normal, levers_a), [true, false]),
+        Movers::B => constraint.set_masses(start.seen(b, normal, levers_b), [false, true]),
+        Movers::Both => {
+            let (seen, floats) = start.seen_of_both([a, b], normal, levers_a, levers_b);
+            constraint.set_masses(seen, floats);
+        }
+    }
+
+    // The normal law (eq. 2–3): spring, stop and damper.
+    let factor = factor(model, face, &touch, old);
+    let lag_s = start.velocity_lags_s[constraint.one_floating() as usize];
+    let kick_s = kick_s(lag_s, start.h);
+    let (mut damper_n, mut damped_m2) = (0.0, 0.0);
+    if material.damping_nspm2 != 0.0 {
+        let chord_m = if face.is_some() { touch.chord_m } else { patch.chord_m.length() };
+        let (closing_mps, area_m2) = (touch.v_normal_mps, patch.area_m2);
+        let answered = answered(old, displaced, lag_s);
+        let growth = Growth { area_m2, chord_m, closing_mps, answered };
+        (damper_n, damped_m2) = damper(material, &growth, (start.h, kick_s));
+    }
+    let parts = normal_force(&touch, factor, damper_n);
+    let law_n = parts.total_n();
+
+    // Bounds of the solve: rebound (eq. 26) and energy.
+    let (v_ref_mps, approaching) = reference_speed(touch.v_normal_mps, old);
+    let restitution = if unloaded.is_some() { None } else { Some(material.restitution) };
+    let mut laws = Laws {
+        material,
+        law_n,
+        rebound_mps: restitution.map_or(UNBOUNDED_MPS, |restitution| restitution * v_ref_mps),
+        available_j: available_j(&touch, factor, law_n, old, displaced),
+        shear_available_j: old.map_or(0.0, |m| m.sheared_j),
+        unbalanced_j: restitution.map_or(0.0, |_| unbalanced_j(&touch, factor, law_n, old)),
+        slide: match old {
+            None => Slide::Begins,
+            Some(memory) if memory.flags & PatchMemory::SLIPPING != 0 => Slide::Slides,
+            Some(_) => Slide::Holds,
+        },
+        h: start.h,
+        kick_s,
+    };
+    let placement = Placement {
+        contacts: heritage.displaced,
+        old,
+        available_j: laws.available_j,
+        law_n,
+        inverse_mass: constraint.inverse_mass.linear,
+        v_normal_mps: touch.v_normal_mps,
+        restitution,
+    };
+    let pressed_out = placement.is_pressed_out();
+    if pressed_out {
+        laws.rebound_mps = opening_mps(touch.v_normal_mps, kick_s);
+        laws.unbalanced_j = 0.0;
+    }
+    let forces = Forces {
+        normal_n: old.map_or(law_n, |m| lesser(m.normal_force_n, law_n)),
+        tangential_n: old.map_or(0.0, |m| m.tangential_force_n),
+        friction: Friction::Stick,
+    };
+    constraint.set_laws(&touch, &laws, forces);
+
+    // Events, diagnostics and memory.
+    let flags = tell_of_patch(model, aside.events, patch, face, &touch, heritage.inherited, old)
+        | (u32::from(approaching) * PatchMemory::APPROACHING)
+        | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
+    if pressed_out && displaced {
+        note(model, aside.events, a, b, EventKind::PlacedInOverlap);
+    }
+    if let Some(diagnostics) = diagnostics {
+        let Touch { depth_m, tilt_rad, stored_j, .. } = touch;
+        let hysteresis_j = unloaded.map_or(0.0, |unloaded| unloaded.lost_j * factor);
+        *diagnostics = Diagnostics {
+            depth_m,
+            tilt_rad,
+            parts,
+            stored_j: stored_j * factor,
+            absorbed_j: absorbed_j * factor,
+            hysteresis_j,
+        };
+    }
+    PatchMemory {
+        flags,
+        shear_m: touch.shear_m,
+        v_normal_0_mps: v_ref_mps,
+        normal_force_n: forces.normal_n,
+        tangential_force_n: forces.tangential_n,
+        factor,
+        taken_j: laws.available_j,
+        sheared_j: laws.shear_available_j,
+        damped_m2,
+        tops_j: unloaded.map_or([0.0; PLAYS], |unloaded| unloaded.tops_j),
+        ..PatchMemory::of(patch, touch.point_in_a_m, touch.normal_in_a)
+    }
+}
+
+/// Up to which area the damper has answered a contact, one of whose bodies has this velocity lag.
+#[inline(always)]
+fn answered(old: Option<&PatchMemory>, displaced: bool, lag_s: f64) -> Answered {
+    match old {
+        _ if displaced => Answered::AllThereIs,
+        None => Answered::Nothing,
+        // The host's motion is not the engine's.
+        Some(_) if lag_s < 0.0 => Answered::AllThereIs,
+        Some(memory) => Answered::Area(memory.damped_m2),
+    }
+}
+
+/// γ v_ref of a fender with an unloading law: its reaction falls by that law alone, never because of a speed (m/s).
+const UNBOUNDED_MPS: f64 = 1e12;
+
+/// The state of a fender's unloading law: the tops of its plays, and its loss (J).
+#[derive(Clone, Copy)]
+struct Unloaded {
+    tops_j: [f64; PLAYS],
+    lost_j: f64,
+}
+
+/// Changes a touch's forces and stored energy from those of loading to those of the fender's unloading law.
+#[inline(never)]
+fn apply_unloading(
+    model: &Model,
+    face: &RankedFender,
+    touch: &mut Touch,
+    old: Option<&PatchMemory>,
+) -> Option<Unloaded> {
+    let fender = &model.fenders()[face.id.0 as usize];
+    let unloading = fender.unloading.as_ref()?;
+    let loading = Loading {
+        deflection_m: touch.depth_m,
+        spring_n: touch.spring_n,
+        stop_n: touch.stop_n,
+        stored_j: touch.stored_j,
+    };
+    let unloaded = unload(unloading, &fender.law, &loading, old.map(|memory| &memory.tops_j));
+    touch.spring_n *= unloaded.share;
+    touch.stop_n *= unloaded.share;
+    touch.stored_j = unloaded.recoverable_j;
+    Some(Unloaded { tops_j: unloaded.tops_j, lost_j: unloaded.lost_j })
+}
+
+/// The energy that a contact stores beyond what its last force balances (J). Between outlines at least a third of f δ: a
+/// flat side stores half of it, a wedge a third.
+fn unbalanced_j(touch: &Touch, factor: f64, law_n: f64, old: Option<&PatchMemory>) -> f64 {
+    let Some(memory) = old else { return 0.0 };
+    if memory.normal_force_n >= law_n {
+        return 0.0;
+    }
+    let stored_j = match touch.stored_j {
+        0.0 => law_n * touch.depth_m * (1.0 / 3.0),
+        of_fender_j => of_fender_j * factor,
+    };
+    let share = 1.0 - memory.normal_force_n / law_n;
+    stored_j * share * share
+}
+
+/// The most energy that a contact may give the bodies: what it has taken from them (J).
+///
+/// A spring whose force is that of the sub-step's start returns a little more than it took, by up to ωh/2. If it gives
+/// nearly all of it back (γ near 1), or the first touch fell deep into a sub-step, bodies would leave faster than they
+/// came. Bodies that the host displaced into one another get what the spring stores, because the host has compressed it.
+/// Between outlines, whose law has no potential, f δ is the bound.
+fn available_j(
+    touch: &Touch,
+    factor: f64,
+    law_n: f64,
+    old: Option<&PatchMemory>,
+    displaced: bool,
+) -> f64 {
+    let taken_j = old.map_or(0.0, |memory| memory.taken_j);
+    if !displaced {
+        return taken_j;
+    }
+    let stored_j = match touch.stored_j {
+        0.0 => law_n * touch.depth_m,
+        of_fender_j => of_fender_j * factor,
+    };
+    greater(taken_j, stored_j)
+}
+
+/// v_ref, the largest approach speed since V_n last changed sign, and whether the contact approaches. The speed at first
+/// touch, kept for ever, would not let a ship that starts at rest settle at her static depth.
+fn reference_speed(v_normal_mps: f64, old: Option<&PatchMemory>) -> (f64, bool) {
+    let approaching = v_normal_mps > 0.0;
+    let before = old.map_or(0.0, |m| m.v_normal_0_mps);
+    let approached = old.is_some_and(|m| m.flags & PatchMemory::APPROACHING != 0);
+    let v_ref_mps = match (approaching, approached) {
+        (true, true) => greater(before, v_normal_mps),
+        (true, false) => v_normal_mps,
+        (false, _) => before,
+    };
+    (v_ref_mps, approaching)
+}

@@ -1,0 +1,429 @@
+//! A contact constraint: one contact as the solver sees it.
+//!
+//! The normal force N lies between 0 and the law's force f, and the tangential force T follows the shear spring within
+//! Coulomb's limit ([`crate::law::friction`]). Velocities are those of A relative to B along n and t.
+
+use crate::law::friction::{ShearSpring, ShearStart, Slide};
+use crate::mass::{InverseMatrix, Seen};
+use crate::material::Material;
+use crate::number::{greater, lesser};
+use crate::report::Friction;
+use crate::state::Velocity;
+use crate::touch::{Levers, Movers, Touch};
+use crate::vec2::Vec2;
+
+/// Sweeps over a sliding contact are damped if they would overshoot by more than this. Below it they settle by
+/// themselves in less than 50 sweeps.
+const OVERSHOOT: f64 = 0.5;
+
+/// A contact's forces and all that a sweep needs: it reads nothing else but the bodies' velocities.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Constraint {
+    /// Ranks.
+    pub(crate) a: u32,
+    pub(crate) b: u32,
+    /// Forces act on floating bodies only.
+    a_floats: bool,
+    b_floats: bool,
+    pub(crate) movers: Movers,
+    /// n, and the levers of n and t about each body's centre of gravity (m).
+    pub(crate) normal: Vec2,
+    levers_a: Levers,
+    levers_b: Levers,
+    /// n·K n, t·K n and t·K t: the inverse of the effective mass (1/kg).
+    pub(crate) inverse_mass: Seen,
+    /// κ: how long its forces act on the velocities in this sub-step (s).
+    pub(crate) kick_s: f64,
+    /// V_n at the start of the sub-step (m/s).
+    pub(crate) normal_before_mps: f64,
+    /// f, the normal law's force: the upper bound of N (N).
+    pub(crate) law_n: f64,
+    /// γ v_ref: V_n⁺ may not fall below its negative (m/s).
+    pub(crate) rebound_mps: f64,
+    /// The most energy that N may give the bodies in this sub-step (J).
+    pub(crate) available_j: f64,
+    /// Stored energy that no load balances: see [`super::release`] (J).
+    pub(crate) unbalanced_j: f64,
+    pub(crate) shear: ShearSpring,
+    /// The forces that sweeps begin with; after the solve its result.
+    pub(crate) forces: Forces,
+    /// V_n⁺ and V_t⁺ after the solve (m/s).
+    pub(crate) after: Speeds,
+}
+
+/// N and T of a contact (N), and whether it slips.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Forces {
+    pub(crate) normal_n: f64,
+    pub(crate) tangential_n: f64,
+    pub(crate) friction: Friction,
+}
+
+impl Forces {
+    /// The change of N and T from `other` to these.
+    #[inline]
+    pub(crate) fn minus(&self, other: &Forces) -> Change {
+        Change {
+            normal_n: self.normal_n - other.normal_n,
+            tangential_n: self.tangential_n - other.tangential_n,
+        }
+    }
+
+    #[inline]
+    pub(crate) fn change(&self) -> Change {
+        Change { normal_n: self.normal_n, tangential_n: self.tangential_n }
+    }
+}
+
+/// A change of N and T (N).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Change {
+    pub(crate) normal_n: f64,
+    pub(crate) tangential_n: f64,
+}
+
+impl Change {
+    pub(crate) const NONE: Change = Change { normal_n: 0.0, tangential_n: 0.0 };
+}
+
+/// V_n and V_t of a contact (m/s).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Speeds {
+    pub(crate) normal_mps: f64,
+    pub(crate) tangential_mps: f64,
+}
+
+/// What the laws say of a contact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Laws<'m> {
+    pub(crate) material: &'m Material,
+    /// f (N).
+    pub(crate) law_n: f64,
+    /// γ v_ref (m/s).
+    pub(crate) rebound_mps: f64,
+    /// The most energy that N, and T, may give the bodies in this sub-step (J).
+    pub(crate) available_j: f64,
+    pub(crate) shear_available_j: f64,
+    /// Stored energy that no load balances (J).
+    pub(crate) unbalanced_j: f64,
+    pub(crate) slide: Slide,
+    /// Length of the sub-step, and κ (s).
+    pub(crate) h: f64,
+    pub(crate) kick_s: f64,
+}
+
+/// Which of a contact's two bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    A,
+    B,
+}
+
+impl Side {
+    #[inline(always)]
+    pub(crate) fn other(self) -> Side {
+        match self {
+            Side::A => Side::B,
+            Side::B => Side::A,
+        }
+    }
+
+    /// 1 for A, −1 for B: velocities and forces are those of A relative to B.
+    #[inline(always)]
+    pub(crate) fn sign(self) -> f64 {
+        match self {
+            Side::A => 1.0,
+            Side::B => -1.0,
+        }
+    }
+}
+
+/// One body's part of a constraint's Jacobian: n and the levers of n and t.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Jacobian {
+    pub(crate) normal: Vec2,
+    pub(crate) levers: Levers,
+}
+
+impl Jacobian {
+    /// V_n and V_t if only this body moves, as A.
+    #[inline(always)]
+    pub(crate) fn speeds(&self, (velocity_mps, turn_radps): Velocity) -> Speeds {
+        Speeds {
+            normal_mps: velocity_mps.dot(self.normal) + turn_radps * self.levers.n_m,
+            tangential_mps: velocity_mps.dot(self.normal.quarter_turn())
+                + turn_radps * self.levers.t_m,
+        }
+    }
+
+    /// −N n + T t and its moment, on A.
+    #[inline(always)]
+    pub(crate) fn wrench(&self, normal_n: f64, tangential_n: f64) -> (Vec2, f64) {
+        (
+            self.normal.quarter_turn() * tangential_n - self.normal * normal_n,
+            self.levers.t_m * tangential_n - self.levers.n_m * normal_n,
+        )
+    }
+}
+
+impl Constraint {
+    /// A contact between two bodies of these ranks and inverse masses, with the forces that it begins with.
+    #[cfg(test)]
+    pub(crate) fn new(
+        a: (u32, &InverseMatrix),
+        b: (u32, &InverseMatrix),
+        touch: &Touch,
+        laws: &Laws,
+        forces: Forces,
+    ) -> Constraint {
+        let mut constraint = Constraint::default();
+        let floats = [a.1, b.1].map(InverseMatrix::floats);
+        constraint.set_kinematics([a.0, b.0], Movers::of(floats), touch);
+        let seen_of_a = Seen::of(a.1, touch.normal, touch.levers_a);
+        let seen_of_b = Seen::of(b.1, touch.normal, touch.levers_b);
+        constraint.set_masses(Seen::both(seen_of_a, seen_of_b), floats);
+        constraint.set_laws(touch, laws, forces);
+        constraint
+    }
+
+    /// Sets bodies, Jacobian and V_n.
+    // Set in three steps, each in place, as soon as its inputs are known.
+    #[inline(always)]
+    pub(crate) fn set_kinematics(&mut self, [a, b]: [u32; 2], movers: Movers, touch: &Touch) {
+        let Touch { normal, levers_a, levers_b, .. } = *touch;
+        (self.a, self.b, self.movers) = (a, b, movers);
+        (self.normal, self.levers_a, self.levers_b) = (normal, levers_a, levers_b);
+        self.normal_before_mps = touch.v_normal_mps;
+    }
+
+    /// Sets the effective mass, and which of A and B float.
+    #[inline(always)]
+    pub(crate) fn set_masses(&mut self, inverse_mass: Seen, [a_floats, b_floats]: [bool; 2]) {
+        (self.a_floats, self.b_floats) = (a_floats, b_floats);
+        self.inverse_mass = inverse_mass;
+    }
+
+    /// Sets the bounds by the laws, and the forces that sweeps begin with.
+    #[inline(always)]
+    pub(crate) fn set_laws(&mut self, touch: &Touch, laws: &Laws<'_>, forces: Forces) {
+        let start = ShearStart {
+            shear_m: touch.shear_m,
+            speed_mps: touch.v_tangential_mps,
+            inverse_mass: self.inverse_mass.tangential,
+            h: laws.h,
+            slide: laws.slide,
+            stored_j: laws.shear_available_j,
+        };
+        self.shear = ShearSpring::new(laws.material, &start);
+        self.kick_s = laws.kick_s;
+        self.law_n = laws.law_n;
+        self.rebound_mps = laws.rebound_mps;
+        self.available_j = laws.available_j;
+        self.unbalanced_j = laws.unbalanced_j;
+        self.forces = forces;
+    }
+
+    /// V_n and V_t of the two bodies at these velocities.
+    #[inline]
+    pub(crate) fn speeds(&self, velocities: &[Velocity]) -> Speeds {
+        let (normal_mps, tangential_mps) = self.movers.speeds(
+            || velocities[self.a as usize],
+            || velocities[self.b as usize],
+            (self.normal, self.levers_a, self.levers_b),
+        );
+        Speeds { normal_mps, tangential_mps }
+    }
+
+    /// Changes the two bodies' velocities by the impulse of these forces over h.
+    #[inline(always)]
+    pub(crate) fn apply_impulse(
+        &self,
+        velocities: &mut [Velocity],
+        inverses: &[InverseMatrix],
+        forces: Change,
+        h: f64,
+    ) {
+        let (normal_ns, tangential_ns) = (forces.normal_n * h, forces.tangential_n * h);
+        if self.a_floats {
+            let (impulse, moment) = self.jacobian(Side::A).wrench(normal_ns, tangential_ns);
+            let (dv, dr) = self.response(inverses, self.a, impulse, moment);
+            let (velocity_mps, turn_radps) = &mut velocities[self.a as usize];
+            *velocity_mps += dv;
+            *turn_radps += dr;
+        }
+        if self.b_floats {
+            let (impulse, moment) = self.jacobian(Side::B).wrench(normal_ns, tangential_ns);
+            let (dv, dr) = self.response(inverses, self.b, impulse, moment);
+            let (velocity_mps, turn_radps) = &mut velocities[self.b as usize];
+            *velocity_mps -= dv;
+            *turn_radps -= dr;
+        }
+    }
+
+    /// Change of velocity and yaw rate of one of its floating bodies by an impulse and its moment.
+    #[inline(always)]
+    fn response(
+        &self,
+        inverses: &[InverseMatrix],
+        rank: u32,
+        impulse: Vec2,
+        moment: f64,
+    ) -> Velocity {
+        if self.inverse_mass.is_alike {
+            (impulse * self.inverse_mass.linear, moment * self.inverse_mass.turning)
+        } else {
+            inverses[rank as usize].response(impulse, moment)
+        }
+    }
+
+    /// The speeds after a change of the forces.
+    #[inline]
+    pub(crate) fn speeds_after(&self, speeds: Speeds, more: Change, h: f64) -> Speeds {
+        let k = &self.inverse_mass;
+        Speeds {
+            normal_mps: speeds.normal_mps
+                + h * (more.tangential_n * k.cross - more.normal_n * k.normal),
+            tangential_mps: speeds.tangential_mps
+                + h * (more.tangential_n * k.tangential - more.normal_n * k.cross),
+        }
+    }
+
+    /// Its forces given those of all other contacts; `speeds` are those with its present forces.
+    ///
+    /// N = mid(0, N at which V_n⁺ = −γ v_ref, f), or less if that would give more energy than is available. Then T by the
+    /// implicit shear spring within Coulomb's limit.
+    #[inline]
+    pub(crate) fn relaxed(&self, speeds: Speeds, h: f64) -> Forces {
+        let (now, k) = (&self.forces, &self.inverse_mass);
+        let tight_n =
+            now.normal_n + (speeds.normal_mps + self.rebound_mps) * self.force_per_speed(h);
+        let bounded_n = greater(lesser(tight_n, self.law_n), 0.0);
+        let normal_n = self.passive_normal_n(speeds.normal_mps, bounded_n, h);
+        let normal_n = match now.friction {
+            Friction::Slip => self.damped_by_friction(normal_n),
+            Friction::Stick => normal_n,
+        };
+        // V_t⁺ with the new N at T = 0.
+        let without_mps = speeds.tangential_mps
+            - h * ((normal_n - now.normal_n) * k.cross + now.tangential_n * k.tangential);
+        let (tangential_n, friction) =
+            self.shear.solve(without_mps, normal_n, now.friction, k.tangential, h);
+        Forces { normal_n, tangential_n, friction }
+    }
+
+    /// N of a sliding contact, if N would be `normal_n` at constant T.
+    ///
+    /// T = ±μ_k N follows each change of N, and changes V_n in its turn through t·K n: by ρ = μ_k |t·K n| / n·K n of the
+    /// change by N itself, and against it if T drives the bodies apart. Undamped sweeps would overshoot by ρ, and never
+    /// settle if ρ > 1. A change divided by 1 + ρ is exact where V_n⁺ = −γ v_ref decides.
+    #[inline]
+    fn damped_by_friction(&self, normal_n: f64) -> f64 {
+        let k = &self.inverse_mass;
+        let follows = self.shear.coulomb.sliding_slope() * k.cross.abs();
+        if follows <= OVERSHOOT * k.normal || self.forces.tangential_n * k.cross > 0.0 {
+            return normal_n;
+        }
+        let now_n = self.forces.normal_n;
+        now_n + (normal_n - now_n) * (k.normal / (k.normal + follows))
+    }
+
+    /// 1/(h n·K n) (kg/s).
+    #[inline]
+    pub(crate) fn force_per_speed(&self, h: f64) -> f64 {
+        1.0 / (h * self.inverse_mass.normal)
+    }
+
+    /// `normal_n`, or less if it would give the bodies more energy than is available.
+    ///
+    /// The work of N on the bodies is N h (½ N h n·K n − s), with s the mean of V_n before the sub-step and V_n⁺ at N = 0.
+    #[inline]
+    fn passive_normal_n(&self, normal_mps: f64, normal_n: f64, h: f64) -> f64 {
+        let k_n = self.inverse_mass.normal;
+        let without_mps = normal_mps + self.forces.normal_n * h * k_n;
+        let mean_mps = 0.5 * (self.normal_before_mps + without_mps);
+        let work_j = normal_n * h * (0.5 * normal_n * h * k_n - mean_mps);
+        if work_j <= self.available_j {
+            return normal_n;
+        }
+        let root = libm::sqrt(mean_mps * mean_mps + 2.0 * k_n * self.available_j);
+        greater((mean_mps + root) * self.force_per_speed(h), 0.0)
+    }
+
+    /// T and the speeds if N = f, the contact sticks and no other force acts; `free` are the speeds without contact.
+    #[inline]
+    pub(crate) fn sticking(&self, free: Speeds, h: f64) -> (f64, Speeds) {
+        let k = &self.inverse_mass;
+        let normal_ns = h * self.law_n;
+        let without_mps = free.tangential_mps - normal_ns * k.cross;
+        let tangential_n = self.shear.implicit_force_n(without_mps, h, k.tangential);
+        let tangential_ns = h * tangential_n;
+        let speeds = Speeds {
+            normal_mps: free.normal_mps + (tangential_ns * k.cross - normal_ns * k.normal),
+            tangential_mps: without_mps + tangential_ns * k.tangential,
+        };
+        (tangential_n, speeds)
+    }
+
+    /// Do N = f and this T keep all bounds, if with all contacts' forces the speeds become these?
+    #[inline]
+    pub(crate) fn is_within_bounds(&self, speeds: Speeds, tangential_n: f64, h: f64) -> bool {
+        let gives_j = -0.5 * h * self.law_n * (self.normal_before_mps + speeds.normal_mps);
+        speeds.normal_mps >= -self.rebound_mps
+            && gives_j <= self.available_j
+            && self.shear.is_within_bounds(tangential_n, self.law_n, speeds.tangential_mps, h)
+    }
+
+    /// Sets the result to N = f and this T of the sticking spring.
+    #[inline(always)]
+    pub(crate) fn set_sticking(&mut self, speeds: Speeds, tangential_n: f64) {
+        self.forces = Forces { normal_n: self.law_n, tangential_n, friction: Friction::Stick };
+        self.after = speeds;
+    }
+
+    /// The ranks of its floating bodies, A's and B's.
+    #[inline(always)]
+    pub(crate) fn floating(&self) -> [Option<u32>; 2] {
+        [self.a_floats.then_some(self.a), self.b_floats.then_some(self.b)]
+    }
+
+    /// The rank of its floating body, if there is exactly one.
+    #[inline(always)]
+    pub(crate) fn only_floating(&self) -> Option<u32> {
+        match (self.a_floats, self.b_floats) {
+            (true, false) => Some(self.a),
+            (false, true) => Some(self.b),
+            _ => None,
+        }
+    }
+
+    /// The rank of one of its floating bodies.
+    #[inline(always)]
+    pub(crate) fn one_floating(&self) -> u32 {
+        if self.a_floats { self.a } else { self.b }
+    }
+
+    /// The side of its floating body, if there is exactly one.
+    #[inline(always)]
+    pub(crate) fn floating_side(&self) -> Side {
+        if self.a_floats { Side::A } else { Side::B }
+    }
+
+    /// One body's part of the Jacobian, with the sign of A.
+    #[inline(always)]
+    pub(crate) fn jacobian(&self, side: Side) -> Jacobian {
+        Jacobian {
+            normal: self.normal,
+            levers: match side {
+                Side::A => self.levers_a,
+                Side::B => self.levers_b,
+            },
+        }
+    }
+
+    /// The largest change of its own speeds by a change of its forces (m/s).
+    #[inline]
+    pub(crate) fn change_mps(&self, more: Change, h: f64) -> f64 {
+        let k = &self.inverse_mass;
+        greater((more.normal_n * k.normal).abs(), (more.tangential_n * k.tangential).abs()) * h
+    }
+}

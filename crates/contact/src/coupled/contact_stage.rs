@@ -1,0 +1,197 @@
+//! The contacts of a sub-step: their laws, and the solve of each island.
+
+use alloc::vec::Vec;
+
+use crate::coupled::assemble::{Aside, Diagnostics, Heritage, Start, Target, assemble};
+use crate::coupled::constraint::Constraint;
+use crate::coupled::dynamics::Dynamics;
+use crate::coupled::island::{Group, Island};
+use crate::coupled::newton::Trial;
+use crate::coupled::{release, solve};
+use crate::events::note;
+use crate::inherit::{Inheritance, continues_alone};
+use crate::inherited::Inherited;
+use crate::memory::{Past, PatchMemory};
+use crate::model::Model;
+use crate::overlap::Patch;
+use crate::report::{Event, EventKind};
+
+/// The contact constraints of a sub-step, and the solver's buffers.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Constraints {
+    /// One a patch; room for more beyond them. Computed by [`Assembly`] and [`solve_islands`].
+    list: Vec<Constraint>,
+    /// One a patch if contacts are reported.
+    diagnostics: Vec<Diagnostics>,
+    pub(crate) solver: SolverBuffers,
+}
+
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SolverBuffers {
+    /// For Newton acceleration: one a contact of the island.
+    trials: Vec<Trial>,
+    /// For release: unbalanced stored energy of each body's contacts with fixed ones, by rank (J).
+    unbalanced_j: Vec<f64>,
+}
+
+impl Constraints {
+    /// Constraints and diagnostics of `patches` contacts.
+    pub(crate) fn of(
+        &mut self,
+        patches: usize,
+        reported: bool,
+    ) -> (&mut [Constraint], &mut [Diagnostics], &mut SolverBuffers) {
+        if self.list.len() < patches {
+            self.list.resize(patches, Constraint::default());
+        }
+        let reported = if reported { patches } else { 0 };
+        if self.diagnostics.len() < reported {
+            self.diagnostics.resize(reported, Diagnostics::default());
+        }
+        (&mut self.list[..patches], &mut self.diagnostics[..reported], &mut self.solver)
+    }
+}
+
+impl SolverBuffers {
+    pub(crate) fn resize(&mut self, bodies: usize) {
+        self.unbalanced_j.resize(bodies, 0.0);
+    }
+}
+
+/// Writes the laws of a sub-step's contacts as constraints.
+pub(crate) struct Assembly<'w> {
+    pub(crate) start: Start<'w>,
+    pub(crate) aside: Aside<'w>,
+    pub(crate) patches: &'w [Patch],
+    /// One a patch.
+    pub(crate) constraints: &'w mut [Constraint],
+    /// One a patch if contacts are reported, else empty.
+    pub(crate) diagnostics: &'w mut [Diagnostics],
+    pub(crate) next_patches: &'w mut Vec<PatchMemory>,
+}
+
+impl Assembly<'_> {
+    /// The laws of the first contacts, as long as each continues the old one in its place. Returns their number.
+    ///
+    /// In most sub-steps these are all contacts, and the search for what each inherits is skipped. If the host displaced
+    /// bodies there are none.
+    #[inline(always)]
+    pub(crate) fn add_matched(&mut self, past: Past<'_>) -> usize {
+        if !past.displaced.all.is_empty() {
+            return 0;
+        }
+        let count = self.patches.len().min(past.patches.len());
+        for index in 0..count {
+            if !continues_alone(self.patches, past.patches, index) {
+                return index;
+            }
+            let old = Some(&past.patches[index]);
+            let inherited = Inherited::One(index as u32);
+            let heritage = Heritage { inherited, old, displaced: 0 };
+            // Without a fender most of the law is 0: the compiler specialises this call.
+            if self.patches[index].candidate.face == 0 {
+                self.add_outline(index, heritage);
+            } else {
+                self.add(index, heritage);
+            }
+        }
+        count
+    }
+
+    /// The laws of the contacts from number `from` on: new ones, and heirs of several old ones or of a part.
+    #[inline(never)]
+    pub(crate) fn add_others(&mut self, past: Past<'_>, inheritance: &Inheritance, from: usize) {
+        for (index, &inherited) in (from..self.patches.len()).zip(&inheritance.inherited) {
+            let candidate = self.patches[index].candidate;
+            let displaced =
+                past.last_step_s == 0.0 || past.displaced.is_displaced(candidate.a, candidate.b);
+            let heritage = Heritage {
+                inherited,
+                old: inherited.of(past.patches, &inheritance.shares),
+                displaced: if displaced { self.contacts_beside(index) } else { 0 },
+            };
+            self.add(index, heritage);
+        }
+    }
+
+    /// How many contacts a contact's floating bodies have, this one included.
+    #[cold]
+    #[inline(never)]
+    fn contacts_beside(&self, index: usize) -> u32 {
+        let floats = |rank: u32| !self.start.scene.model.ranked[rank as usize].is_fixed();
+        let own = self.patches[index].candidate;
+        let shares = |rank: u32| [own.a, own.b].contains(&rank) && floats(rank);
+        let beside = |patch: &&Patch| shares(patch.candidate.a) || shares(patch.candidate.b);
+        (self.patches.iter().filter(beside).count() as u32).max(1)
+    }
+
+    /// The law of a contact of two outlines.
+    #[inline(always)]
+    fn add_outline(&mut self, index: usize, heritage: Heritage<'_>) {
+        let target = Target {
+            constraint: &mut self.constraints[index],
+            diagnostics: self.diagnostics.get_mut(index),
+        };
+        let patch = &self.patches[index];
+        let memory = assemble(&self.start, &mut self.aside, patch, None, heritage, target);
+        self.next_patches.push(memory);
+    }
+
+    /// The law of any contact.
+    #[inline(never)]
+    fn add(&mut self, index: usize, heritage: Heritage<'_>) {
+        let target = Target {
+            constraint: &mut self.constraints[index],
+            diagnostics: self.diagnostics.get_mut(index),
+        };
+        let patch = &self.patches[index];
+        let face = patch.candidate.fender(self.start.scene.model);
+        let memory = assemble(&self.start, &mut self.aside, patch, face, heritage, target);
+        self.next_patches.push(memory);
+    }
+}
+
+/// The contacts of a group, one entry a patch in each list.
+pub(crate) struct Contacts<'w> {
+    pub(crate) patches: &'w [Patch],
+    pub(crate) constraints: &'w mut [Constraint],
+    pub(crate) memories: &'w mut [PatchMemory],
+}
+
+/// Solves the contacts of each island of a group: new velocities, and forces in the constraints.
+pub(crate) fn solve_islands(
+    model: &Model,
+    group: &Group,
+    islands: &[Island],
+    Contacts { patches, constraints, memories }: Contacts<'_>,
+    dynamics: &mut Dynamics,
+    SolverBuffers { trials, unbalanced_j }: &mut SolverBuffers,
+    events: &mut Vec<Event>,
+) {
+    let count = model.ranked.len();
+    let (velocities, inverses) = (&mut dynamics.velocities[..count], &dynamics.inverses[..count]);
+    for island in islands {
+        let own = island.patches_from(group.patches.start);
+        let first = own.start;
+        let change_mps = match own.len() {
+            0 => continue,
+            1 => {
+                let constraint = &mut constraints[first];
+                release::release_single(model, &patches[first], &mut memories[first], constraint);
+                solve::solve_single(velocities, inverses, constraint, constraint.kick_s)
+            }
+            _ => {
+                let (constraints, memories) =
+                    (&mut constraints[own.clone()], &mut memories[own.clone()]);
+                let patches = &patches[own];
+                release::release_island(model, patches, memories, constraints, unbalanced_j);
+                let kick_s = constraints[0].kick_s;
+                solve::solve_island(velocities, inverses, constraints, memories, trials, kick_s)
+            }
+        };
+        if change_mps > solve::REPORTED_MPS {
+            let Constraint { a, b, .. } = constraints[first];
+            note(model, events, a, b, EventKind::NotConverged);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! Release: contacts that store more energy than their load balances come apart.
+
+use crate::coupled::constraint::Constraint;
+use crate::memory::PatchMemory;
+use crate::model::Model;
+use crate::number::greater;
+use crate::overlap::Patch;
+
+/// Fraction of the speed that unbalanced energy would give. It keeps that speed below v_ref in a hit, where the time
+/// step's error in the stored energy is a few per cent.
+const SHARE: f64 = 0.8;
+
+/// Raises v_ref of each contact of an island to the speed that the unbalanced stored energy would give.
+/// `unbalanced_j` has room for one number a body.
+///
+/// v_ref alone forgets: if the relative velocity changes sign by a small amount, as when a ship on several fenders yaws a
+/// little while she comes back, v_ref starts again from almost nothing. She would rest for ever deeper than her load
+/// holds her, or stay pressed on after the wind has died. A spring at δ that is held by N < f has about U (1 − N/f)² more
+/// than it needs (exactly, if it is linear). All contacts between the same two bodies, or of one body with fixed ones,
+/// release together. N ≤ f still holds, and N < f only while the contact opens, so this makes no energy.
+#[inline]
+pub(crate) fn release_island(
+    model: &Model,
+    patches: &[Patch],
+    memories: &mut [PatchMemory],
+    constraints: &mut [Constraint],
+    unbalanced_j: &mut [f64],
+) {
+    // Most islands stop here: even the energy of all contacts together raises no v_ref.
+    let all_j = constraints.iter().map(|constraint| constraint.unbalanced_j).sum();
+    let rises = |(memory, constraint)| rises(all_j, memory, constraint);
+    if memories.iter().zip(&*constraints).any(rises) {
+        release_together(model, patches, memories, constraints, unbalanced_j);
+    }
+}
+
+/// As [`release_island`], for the only contact of an island.
+#[inline(always)]
+pub(crate) fn release_single(
+    model: &Model,
+    patch: &Patch,
+    memory: &mut PatchMemory,
+    constraint: &mut Constraint,
+) {
+    if rises(constraint.unbalanced_j, memory, constraint) {
+        raise(constraint.unbalanced_j, model, patch, memory, constraint);
+    }
+}
+
+#[inline(always)]
+fn rises(unbalanced_j: f64, memory: &PatchMemory, constraint: &Constraint) -> bool {
+    speed_squared(unbalanced_j, constraint) > memory.v_normal_0_mps * memory.v_normal_0_mps
+}
+
+/// Square of the speed that unbalanced energy would give the two bodies of a contact, without rotation [m²/s²]:
+/// contacts at both ends of a ship do not turn her.
+#[inline(always)]
+fn speed_squared(unbalanced_j: f64, constraint: &Constraint) -> f64 {
+    SHARE * SHARE * 2.0 * unbalanced_j * constraint.inverse_mass.linear
+}
+
+/// Raises v_ref, which the memory keeps until the contact closes again: otherwise the bound would come and go with N.
+#[cold]
+#[inline(never)]
+fn raise(
+    unbalanced_j: f64,
+    model: &Model,
+    patch: &Patch,
+    memory: &mut PatchMemory,
+    constraint: &mut Constraint,
+) {
+    let material = &model.materials()[patch.candidate.material.0 as usize];
+    let speed_mps = libm::sqrt(speed_squared(unbalanced_j, constraint));
+    let rebound_mps = material.restitution * speed_mps;
+    constraint.rebound_mps = greater(constraint.rebound_mps, rebound_mps);
+    memory.v_normal_0_mps = greater(memory.v_normal_0_mps, speed_mps);
+}
+
+/// Sums the unbalanced energy of all contacts that release together, and raises their v_ref by it.
+#[cold]
+#[inline(never)]
+fn release_together(
+    model: &Model,
+    patches: &[Patch],
+    memories: &mut [PatchMemory],
+    constraints: &mut [Constraint],
+    unbalanced_j: &mut [f64],
+) {
+    let fixed = |rank: u32| model.ranked[rank as usize].is_fixed();
+    for constraint in constraints.iter() {
+        unbalanced_j[constraint.a as usize] = 0.0;
+        unbalanced_j[constraint.b as usize] = 0.0;
+    }
+    for constraint in constraints.iter() {
+        match (fixed(constraint.a), fixed(constraint.b)) {
+            (true, _) => unbalanced_j[constraint.b as usize] += constraint.unbalanced_j,
+            (_, true) => unbalanced_j[constraint.a as usize] += constraint.unbalanced_j,
+            _ => {}
+        }
+    }
+    let mut from = 0;
+    while from < constraints.len() {
+        let (a, b) = (constraints[from].a, constraints[from].b);
+        let of_pair = |constraint: &&Constraint| (constraint.a, constraint.b) == (a, b);
+        let count = constraints[from..].iter().take_while(of_pair).count();
+        let own = from..from + count;
+        let all_j = match (fixed(a), fixed(b)) {
+            (true, _) => unbalanced_j[b as usize],
+            (_, true) => unbalanced_j[a as usize],
+            _ => constraints[own.clone()].iter().map(|constraint| constraint.unbalanced_j).sum(),
+        };
+        if all_j > 0.0 {
+            let both = memories[own.clone()].iter_mut().zip(&mut constraints[own.clone()]);
+            for (patch, (memory, constraint)) in patches[own].iter().zip(both) {
+                raise(all_j, model, patch, memory, constraint);
+            }
+        }
+        from += count;
+    }
+}

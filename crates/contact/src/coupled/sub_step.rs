@@ -1,0 +1,35 @@
+//! One of the sub-steps of a step.
+
+/// Length and place of a sub-step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SubStep {
+    /// From 0.
+    number: u32,
+    /// Sub-steps of the step.
+    count: u32,
+    /// Its length (s).
+    pub(crate) h: f64,
+    /// Its share of the step.
+    pub(crate) share: f64,
+}
+
+impl SubStep {
+    /// All `count` sub-steps of a step.
+    pub(crate) fn all(count: u32, step_s: f64) -> impl Iterator<Item = SubStep> {
+        let (h, share) = (step_s / f64::from(count), 1.0 / f64::from(count));
+        (0..count).map(move |number| SubStep { number, count, h, share })
+    }
+
+    pub(crate) fn is_first(&self) -> bool {
+        self.number == 0
+    }
+
+    pub(crate) fn is_last(&self) -> bool {
+        self.number + 1 == self.count
+    }
+
+    /// Is it the whole step?
+    pub(crate) fn is_only(&self) -> bool {
+        self.count == 1
+    }
+}

@@ -1,0 +1,305 @@
+//! The number of sub-steps that an island needs in a step: from bounds on its natural frequencies and its travel.
+
+use crate::bodies::Bodies;
+use crate::candidates::{Candidate, Candidates, Pairing};
+use crate::coupled::dynamics::Dynamics;
+use crate::coupled::island::Island;
+use crate::fender::{FenderBounds, RankedFender};
+use crate::geometry::clip::Hint;
+use crate::geometry::gap::gap_m;
+use crate::memory::HintMemory;
+use crate::model::Model;
+use crate::number::{bounded, greater, lesser};
+use crate::overlap::{Patch, pieces_of};
+use crate::pair::{Bounds, InverseMassBound};
+use crate::ranked::RankedBody;
+use crate::reaction::FenderLaw;
+
+/// Largest ωh of a sub-step. The contact that begins within a sub-step is felt up to h late, which
+/// costs at most (ωh)²/2 of the depth: 0.5 % here, and less as the bounds on ω below are wide.
+const TURN_PER_SUB_STEP: f64 = 0.1;
+
+/// Largest ωh for the springs of an existing contact. The sub-steps are a leapfrog: its oscillation on a linear spring has
+/// an amplitude error of (ωh)²/8 and a frequency error of (ωh)²/24: 0.3 % and 0.1 % here.
+const TURN_IN_CONTACT: f64 = 0.15;
+
+/// Weight of an existing contact's ω² beside that of a contact that may begin.
+const EXISTING: f64 = (TURN_PER_SUB_STEP / TURN_IN_CONTACT) * (TURN_PER_SUB_STEP / TURN_IN_CONTACT);
+
+/// Largest fraction of the thinner body's half-width that two bodies may close in a sub-step.
+const TRAVEL_PER_SUB_STEP: f64 = 0.5;
+
+/// Most sub-steps of a step: bounded work, whatever the host asks for.
+pub(crate) const MOST_SUB_STEPS: u32 = 4096;
+
+/// What the candidates of an island demand.
+#[derive(Clone, Copy, Default)]
+struct Demand {
+    /// Sum of ω² of their springs and dampers (1/s²).
+    rate_squared: f64,
+    /// The distance that they may close in the step, in sub-steps of the largest travel.
+    travel: f64,
+}
+
+impl Demand {
+    /// Number of sub-steps. `turn` is the step's length over [`TURN_PER_SUB_STEP`].
+    #[inline(always)]
+    fn sub_steps(self, turn: f64) -> u32 {
+        if self.rate_squared * (turn * turn) <= 1.0 && self.travel <= 1.0 {
+            return 1;
+        }
+        let needed = greater(libm::sqrt(self.rate_squared) * turn, self.travel);
+        libm::ceil(bounded(needed, 1.0, f64::from(MOST_SUB_STEPS))) as u32
+    }
+}
+
+/// What the count is computed from.
+#[derive(Clone, Copy)]
+pub(crate) struct Bounded<'w> {
+    pub(crate) model: &'w Model,
+    pub(crate) bodies: &'w Bodies,
+    pub(crate) dynamics: &'w Dynamics,
+    pub(crate) candidates: &'w Candidates,
+    /// Hints of the first overlap.
+    pub(crate) hints: &'w [HintMemory],
+    pub(crate) step_s: f64,
+}
+
+impl Bounded<'_> {
+    /// Sets each island's patches of the first overlap, and its number of sub-steps.
+    #[inline(never)]
+    pub(crate) fn set_sub_steps(&self, patches: &[Patch], islands: &mut [Island]) {
+        let mut left = patches;
+        let mut from = 0;
+        for island in islands {
+            island.sub_steps = self.sub_steps(island, &mut left);
+            let to = patches.len() - left.len();
+            island.set_patches(from..to);
+            from = to;
+        }
+    }
+
+    /// The number of sub-steps of an island. Takes its patches off those that are left.
+    #[inline(always)]
+    fn sub_steps(&self, island: &Island, left: &mut &[Patch]) -> u32 {
+        let turn = self.step_s * (1.0 / TURN_PER_SUB_STEP);
+        let pairings = &self.candidates.pairings[island.candidates()];
+        // Each candidate's share of ω² that needs no further sub-step.
+        let share = 1.0 / (turn * turn * f64::from(pairings.len() as u32));
+        let mut demand = Demand::default();
+        for (index, pairing) in (island.candidates().start..).zip(pairings) {
+            let Pairing { candidate, pair, .. } = pairing;
+            match (single(left, index), candidate.fender(self.model)) {
+                (Some((only, others)), None) => {
+                    *left = others;
+                    let bounds = self.candidates.bounds_of(self.model, *pair);
+                    demand.rate_squared += existing_rate_squared(bounds, only, share);
+                    if self.may_travel(candidate, bounds) {
+                        demand.travel = greater(demand.travel, self.travel(candidate, bounds));
+                    }
+                }
+                (Some((only, others)), Some(face))
+                    if let Some(rate_squared) =
+                        self.slow_rate_squared(candidate, face, only, share) =>
+                {
+                    *left = others;
+                    demand.rate_squared += rate_squared;
+                }
+                _ => {
+                    let own = patches_of(left, index);
+                    self.add_other(&mut demand, pairing, own);
+                }
+            }
+        }
+        demand.sub_steps(turn)
+    }
+
+    /// May two outlines close more than the largest travel of a sub-step?
+    #[inline(always)]
+    fn may_travel(&self, candidate: &Candidate, bounds: &Bounds) -> bool {
+        let fastest_mps = &self.dynamics.fastest_mps;
+        let (a, b) = (candidate.a as usize, candidate.b as usize);
+        (fastest_mps[a] + fastest_mps[b]) * self.step_s > TRAVEL_PER_SUB_STEP * bounds.half_width_m
+    }
+
+    /// Adds a candidate that is not two outlines in contact in one patch.
+    #[inline(never)]
+    fn add_other(&self, demand: &mut Demand, pairing: &Pairing, own: &[Patch]) {
+        let model = self.model;
+        let Pairing { candidate, pair, .. } = pairing;
+        if own.is_empty() && !self.may_touch(candidate) {
+            return;
+        }
+        let counts = if own.is_empty() { 1.0 } else { EXISTING };
+        if let Some(face) = candidate.fender(model) {
+            let closing_m = self.closing_mps(candidate) * self.step_s;
+            let fender = &model.fenders()[face.id.0 as usize];
+            let (spring, damper) = self.rates_squared_of_face(own, candidate, face, closing_m);
+            demand.rate_squared += counts * spring + damper;
+            demand.travel = greater(
+                demand.travel,
+                closing_m / (TRAVEL_PER_SUB_STEP * 0.5 * fender.projection_m),
+            );
+            return;
+        }
+        let bounds = self.candidates.bounds_of(model, *pair);
+        demand.rate_squared += counts * bounds.spring_rate_squared + bounds.damping_rate_squared;
+        demand.travel = greater(demand.travel, self.travel(candidate, bounds));
+    }
+
+    /// The distance that two outlines may close in the step, in sub-steps of the largest travel.
+    #[cold]
+    fn travel(&self, candidate: &Candidate, bounds: &Bounds) -> f64 {
+        self.closing_mps(candidate) * self.step_s / (TRAVEL_PER_SUB_STEP * bounds.half_width_m)
+    }
+
+    /// A bound on ω² of a fender in contact in one patch (1/s²). `None` if that exceeds `share`, if the fender may reach its
+    /// stop in this step, or if more may be closed than in one sub-step.
+    #[inline(always)]
+    fn slow_rate_squared(
+        &self,
+        candidate: &Candidate,
+        face: &RankedFender,
+        only: &Patch,
+        share: f64,
+    ) -> Option<f64> {
+        let fastest_mps = &self.dynamics.fastest_mps;
+        let (a, b) = (candidate.a as usize, candidate.b as usize);
+        let FenderBounds { spring_npm, stop_from_m, damping_nspm, projection_m, arm_m, spread_m } =
+            face.bounds;
+        let closing_m = (fastest_mps[a] + fastest_mps[b]) * self.step_s;
+        if closing_m > TRAVEL_PER_SUB_STEP * 0.5 * projection_m
+            || only.area_m2 > (stop_from_m - closing_m) * face.width_m
+        {
+            return None;
+        }
+        // Some point of the other body lies in the fender's zone, or may come into it.
+        let (host, other) = if face.host == candidate.a { (a, b) } else { (b, a) };
+        let (host, other) = (&self.model.ranked[host], &self.model.ranked[other]);
+        let of_body = |body: &RankedBody, arm_m: f64| {
+            body.lightest_inverse_mass + body.inverse_of_turning * arm_m * arm_m
+        };
+        let inverse_mass =
+            of_body(host, arm_m) + of_body(other, other.radius_m + spread_m + closing_m);
+        let damping_rate = damping_nspm * inverse_mass;
+        let rate_squared = EXISTING * spring_npm * inverse_mass + damping_rate * damping_rate;
+        (rate_squared <= share).then_some(rate_squared)
+    }
+
+    /// Bounds on ω² of a fender and its hull [1/s²]: by spring and stop, for all deflections that this step can reach, and by
+    /// the damper.
+    #[inline(never)]
+    fn rates_squared_of_face(
+        &self,
+        own: &[Patch],
+        candidate: &Candidate,
+        face: &RankedFender,
+        closing_m: f64,
+    ) -> (f64, f64) {
+        let fender = &self.model.fenders()[face.id.0 as usize];
+        let material = &self.model.materials()[face.material.0 as usize];
+        let area_m2: f64 = own.iter().map(|patch| patch.area_m2).sum();
+        let deflection_m = area_m2 / face.width_m + closing_m;
+        let spring_npm = match fender.law {
+            FenderLaw::Area => material.stiffness_npm2 * face.width_m,
+            FenderLaw::Curve(_) => fender.law.steepest_npm(deflection_m),
+        };
+        let stop_npm = match fender.stop {
+            Some(stop) if deflection_m > stop.from_m => stop.stiffness_npm,
+            _ => 0.0,
+        };
+        let face_m = self.bodies.poses[face.host as usize].apply(face.face_m);
+        let inverse_mass: f64 = [candidate.a, candidate.b]
+            .map(|rank| {
+                let arm_m = face_m - self.bodies.poses[rank as usize].position_m;
+                let body = &self.model.ranked[rank as usize];
+                body.lightest_inverse_mass + body.inverse_of_turning * arm_m.length_squared()
+            })
+            .iter()
+            .sum();
+        let damping_rate = material.damping_nspm2 * face.width_m * inverse_mass;
+        let spring = (spring_npm + stop_npm) * face.largest_factor * inverse_mass;
+        (spring, damping_rate * damping_rate)
+    }
+
+    /// Could the candidate touch in this step? By the gaps between its pieces.
+    #[inline(never)]
+    fn may_touch(&self, candidate: &Candidate) -> bool {
+        let hints = self.hints;
+        let (a, b) = (candidate.a as usize, candidate.b as usize);
+        let b_in_a = self.bodies.poses[a].to(self.bodies.poses[b]);
+        let reach_m = self.closing_mps(candidate) * self.step_s;
+        let (pieces_a, pieces_b) = pieces_of(self.model, candidate);
+        (0u32..).zip(pieces_a).any(|(piece_a, shape_a)| {
+            (0u32..).zip(pieces_b).any(|(piece_b, shape_b)| {
+                let key = (candidate.a, candidate.b, candidate.face, piece_a, piece_b);
+                let hint = match hints.binary_search_by_key(&key, HintMemory::key) {
+                    Ok(index) => hints[index].hint,
+                    Err(_) => Hint::None,
+                };
+                gap_m(shape_a, shape_b, b_in_a, hint) <= reach_m
+            })
+        })
+    }
+
+    /// A bound on the speed at which any two points of the candidate approach each other in this step (m/s).
+    fn closing_mps(&self, candidate: &Candidate) -> f64 {
+        let (a, b) = (candidate.a as usize, candidate.b as usize);
+        let apart =
+            (self.bodies.input[a].velocity_mps - self.bodies.input[b].velocity_mps).length();
+        apart + self.dynamics.room_mps[a] + self.dynamics.room_mps[b]
+    }
+}
+
+/// A bound on ω² of an existing contact of two outlines in one patch (1/s²). `share` is what needs no further sub-step.
+#[inline(always)]
+fn existing_rate_squared(bounds: &Bounds, only: &Patch, share: f64) -> f64 {
+    let most = EXISTING * bounds.spring_rate_squared + bounds.damping_rate_squared;
+    // The tighter bound by the patch's lever is computed only if the bound of the pair is too large.
+    if most > share && only.per_chord_m > 0.0 {
+        let felt = inverse_mass(bounds, only) / bounds.inverse_mass;
+        return (EXISTING * bounds.spring_rate_squared + bounds.damping_rate_squared * felt) * felt;
+    }
+    most
+}
+
+/// The first patch and those after it, if the first is the only one of candidate number `index`.
+#[inline(always)]
+fn single(patches: &[Patch], index: usize) -> Option<(&Patch, &[Patch])> {
+    let of_candidate = |patch: &Patch| patch.of as usize == index;
+    let (first, others) = patches.split_first()?;
+    let is_single = of_candidate(first) && !others.first().is_some_and(of_candidate);
+    is_single.then_some((first, others))
+}
+
+/// Takes the patches of candidate number `index` off the front of `patches`.
+fn patches_of<'p>(patches: &mut &'p [Patch], index: usize) -> &'p [Patch] {
+    let count = patches.iter().take_while(|patch| patch.of as usize == index).count();
+    let (own, rest) = patches.split_at(count);
+    *patches = rest;
+    own
+}
+
+/// A bound on the inverse effective mass of a contact (1/kg).
+///
+/// Twice the value without rotation allows for a contact off the centre. The lever may show that rotation adds less: the
+/// patch lies on the chord, so it moves by half of that at most, and within the smaller body, so it comes no further from
+/// that body's centre of gravity.
+#[inline(always)]
+fn inverse_mass(bounds: &Bounds, patch: &Patch) -> f64 {
+    let of_body = |body: &InverseMassBound, patch_m: f64, smaller_m: f64| {
+        let lever_m = lesser(patch_m.abs(), smaller_m.abs()) + bounds.half_chord_m;
+        let by_turning = body.of_yaw * lever_m * lever_m;
+        body.lightest_inverse_mass + lesser(by_turning, body.lightest_inverse_mass)
+    };
+    // Levers of the patch and of B's centre of gravity about A's, along the chord.
+    let along = patch.chord_m * patch.per_chord_m;
+    let (patch_m, b_m) = (patch.centroid_m.dot(along), patch.b_in_a.position_m.dot(along));
+    let smaller_m = b_m * bounds.b_is_smaller;
+    let [a, b] = &bounds.bodies;
+    if b.is_fixed() {
+        return of_body(a, patch_m, smaller_m);
+    }
+    let of_b = of_body(b, patch_m - b_m, smaller_m - b_m);
+    if a.is_fixed() { of_b } else { of_body(a, patch_m, smaller_m) + of_b }
+}

@@ -1,0 +1,241 @@
+//! The sub-steps of islands, stage by stage.
+
+use alloc::vec::Vec;
+
+use crate::bodies::Bodies;
+use crate::candidates::Candidates;
+use crate::coupled::accumulate::{Reports, Solved, Totals};
+use crate::coupled::assemble::{Aside, Start};
+use crate::coupled::contact_stage::{Assembly, Constraints, Contacts, solve_islands};
+use crate::coupled::dynamics::Dynamics;
+use crate::coupled::island::{self, Group, Island, IslandMemory};
+use crate::coupled::peaks;
+use crate::coupled::sub_step::SubStep;
+use crate::coupled::sub_step_count::Bounded;
+use crate::geometry::clip::ClipBuffers;
+use crate::inherit::Inheritance;
+use crate::memory::{HintMemory, Past, PlaceMemory};
+use crate::model::Model;
+use crate::next_memory::NextMemory;
+use crate::overlap::{Hints, Overlap, overlap};
+use crate::results::Results;
+use crate::touch::Scene;
+
+/// The parts of the workspace that sub-steps read and write.
+pub(crate) struct SubSteps<'w> {
+    pub(crate) model: &'w Model,
+    pub(crate) candidates: &'w Candidates,
+    /// Some islands have more than one floating body.
+    pub(crate) joined: bool,
+    pub(crate) bodies: &'w mut Bodies,
+    pub(crate) dynamics: &'w mut Dynamics,
+    pub(crate) group: &'w mut Group,
+    pub(crate) clip: &'w mut ClipBuffers,
+    pub(crate) inheritance: &'w mut Inheritance,
+    pub(crate) constraints: &'w mut Constraints,
+    pub(crate) next_memory: &'w mut NextMemory,
+    pub(crate) results: &'w mut Results,
+    /// Set to false when contacts or memories are added out of the order of their keys.
+    pub(crate) in_order: &'w mut bool,
+}
+
+/// What is kept while islands are in their sub-steps.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Kept {
+    /// The hints left by the step's first overlap.
+    first_hints: Vec<HintMemory>,
+    later: Later,
+}
+
+/// What is kept between the sub-steps of a group.
+#[derive(Clone, Debug, Default)]
+struct Later {
+    /// What the group's last sub-step left.
+    last: IslandMemory,
+    /// The overlap of a later sub-step.
+    overlap: Overlap,
+}
+
+impl SubSteps<'_> {
+    /// Moves islands through the step. They are in the order of their memories in `past`. `first` receives their overlap at
+    /// the start of the step.
+    ///
+    /// Neighbouring islands with the same number of sub-steps go through them together, each stage over all contacts.
+    /// Returns true if all hints in `past` stay as they are. They are not added to the next memory then.
+    pub(crate) fn advance(
+        &mut self,
+        past: Past<'_>,
+        islands: &mut [Island],
+        first: &mut Overlap,
+        kept: &mut Kept,
+        step_s: f64,
+    ) -> bool {
+        let ([head, ..], [.., last]) = (&*islands, &*islands) else { return false };
+        let (model, pairings) = (self.model, self.candidates.pairings.as_slice());
+        let range = head.candidates().start..last.candidates().end;
+        let Kept { first_hints, later } = kept;
+        first_hints.clear();
+        let hints = Hints::new(past.hints, first_hints);
+        let own = &pairings[range.clone()];
+        let keeps_hints = overlap(model, self.bodies, own, range.start, hints, self.clip, first);
+        let hints = if keeps_hints { past.hints } else { first_hints };
+        let bounded = Bounded {
+            model,
+            bodies: self.bodies,
+            dynamics: self.dynamics,
+            candidates: self.candidates,
+            hints,
+            step_s,
+        };
+        bounded.set_sub_steps(&first.patches, islands);
+
+        let mut all_stay = false;
+        let mut rest = Past { hints, ..past };
+        for group in islands.chunk_by_mut(|one, next| one.sub_steps == next.sub_steps) {
+            self.enter(group);
+            let end = self.group.candidates.end;
+            let next = (end < range.end).then(|| pairings[end].candidate.key());
+            let past = rest.before(next);
+            if group[0].sub_steps > 1 {
+                self.several(past, group, first, later, step_s);
+            } else {
+                SubStep::all(1, step_s).for_each(|whole| self.sub_step(past, first, group, whole));
+                let is_all = self.group.candidates == range;
+                if keeps_hints && is_all {
+                    // A later step that copies them does not allocate then.
+                    self.next_memory.hints.reserve(past.hints.len());
+                    all_stay = true;
+                } else {
+                    self.next_memory.hints.extend_from_slice(past.hints);
+                }
+            }
+            self.dynamics.report(model, self.group, self.results);
+        }
+        all_stay
+    }
+
+    /// Begins a group of islands.
+    fn enter(&mut self, islands: &[Island]) {
+        let pairings = self.candidates.pairings.as_slice();
+        let Dynamics { moves, in_island, moving_fixed, .. } = &mut *self.dynamics;
+        let one_each = !self.joined && moving_fixed.is_empty();
+        self.group.enter(islands, pairings, one_each, moves, in_island);
+        self.group.begin_lists(self.next_memory, self.results);
+        let own = &pairings[self.group.candidates.clone()];
+        self.dynamics.reset_moving_fixed(self.bodies, own);
+    }
+
+    /// A group that takes several sub-steps. `first` is the overlap of the first of them.
+    fn several(
+        &mut self,
+        past: Past<'_>,
+        islands: &mut [Island],
+        first: &Overlap,
+        Later { last, overlap: later_overlap }: &mut Later,
+        step_s: f64,
+    ) {
+        let pairings = &self.candidates.pairings[self.group.candidates.clone()];
+        let first_peak = self.results.peaks.len();
+        let Results { wrenches, peaks, .. } = &mut *self.results;
+        peaks::begin(self.model, &self.group.bodies, pairings, wrenches, peaks);
+        for sub_step in SubStep::all(islands[0].sub_steps, step_s) {
+            if sub_step.is_first() {
+                self.sub_step(past, first, islands, sub_step);
+                last.take_first(self.next_memory, self.group, past.hints);
+            } else {
+                let hints = Hints::new(&last.hints, &mut self.next_memory.hints);
+                let start = self.group.candidates.start;
+                let bodies = &*self.bodies;
+                let (model, clip) = (self.model, &mut *self.clip);
+                if overlap(model, bodies, pairings, start, hints, clip, later_overlap) {
+                    self.next_memory.hints.extend_from_slice(&last.hints);
+                }
+                self.group.patches = 0..later_overlap.patches.len();
+                island::set_patches(islands, &later_overlap.patches);
+                self.sub_step(last.within_step(sub_step.h), later_overlap, islands, sub_step);
+                if !sub_step.is_last() {
+                    last.take(self.next_memory, self.group);
+                }
+            }
+            let Results { wrenches, peaks, .. } = &mut *self.results;
+            peaks::update(&mut peaks[first_peak..], wrenches, sub_step.share);
+        }
+    }
+
+    /// One sub-step of a group, after its overlap (stage 3).
+    fn sub_step(
+        &mut self,
+        past: Past<'_>,
+        overlap: &Overlap,
+        islands: &[Island],
+        sub_step: SubStep,
+    ) {
+        let SubSteps { model, bodies, dynamics, group, next_memory, results, .. } = self;
+        let (model, count) = (*model, self.model.ranked.len());
+        let patches = &overlap.patches[group.patches.clone()];
+
+        // v_free = v + κ M⁻¹ W: velocities by the loads alone.
+        let joined = self.joined.then_some(islands);
+        dynamics.begin_sub_step(model, group, joined, patches, &bodies.input, sub_step);
+
+        // 4. The laws of the contacts (eq. 2–10) as constraints, from what each inherits.
+        let first_patch = next_memory.patches.len();
+        let (constraints, diagnostics, solver) =
+            self.constraints.of(patches.len(), results.reports_contacts);
+        let scene = Scene {
+            model,
+            overlap,
+            poses: &bodies.poses[..count],
+            states: &dynamics.states[..count],
+        };
+        let mut assembly = Assembly {
+            start: Start {
+                scene,
+                moves: &dynamics.moves[..count],
+                inverses: &dynamics.inverses[..count],
+                velocity_lags_s: &dynamics.velocity_lags_s[..count],
+                h: sub_step.h,
+            },
+            aside: Aside { events: &mut results.events, clip: self.clip },
+            patches,
+            constraints,
+            diagnostics,
+            next_patches: &mut next_memory.patches,
+        };
+        let matched = assembly.add_matched(past);
+        if matched < past.patches.len().max(patches.len()) {
+            let (inheritance, events) = (&mut *self.inheritance, &mut *assembly.aside.events);
+            inheritance.find(model, past, patches, &overlap.places, matched, events);
+            assembly.add_others(past, inheritance, matched);
+        }
+        PlaceMemory::add_all(patches, &overlap.places, &mut next_memory.places);
+
+        // 5. N and T of all contacts of each island (in place of eq. 26), and v⁺.
+        let memories = &mut next_memory.patches[first_patch..];
+        let contacts = Contacts { patches, constraints, memories };
+        let events = &mut results.events;
+        solve_islands(model, group, islands, contacts, dynamics, solver, events);
+
+        // 6. Sums of the forces (eq. 1), memory and reports.
+        let mut totals = Totals { wrenches: &mut results.wrenches, sub_step };
+        if results.reports_contacts {
+            let scene = Scene {
+                model,
+                overlap,
+                poses: &bodies.poses[..count],
+                states: &dynamics.states[..count],
+            };
+            let solved = Solved { patches, constraints, memories, diagnostics };
+            let (contacts, first) = (&mut results.contacts, group.first_contact);
+            let mut reports = Reports { contacts, first, in_order: self.in_order };
+            reports.add_all(&scene, &mut totals, solved);
+        } else {
+            for (constraint, memory) in constraints.iter().zip(memories) {
+                totals.add(model.ids_of([constraint.a, constraint.b]), constraint, memory);
+            }
+        }
+
+        // x⁺ = x + h v⁺.
+        dynamics.advance_positions(model, group, bodies, sub_step);
+    }
+}

@@ -1,0 +1,347 @@
+//! The tangential law: a shear spring limited by Coulomb friction (§3.3 of the paper, eq. 4–8).
+//!
+//! The spring's force is T = −k_s Δs, with Δs the slip of body 1 less that of body 2. [`Coulomb`] is the friction law
+//! itself; both methods use it. [`friction`] is the explicit form of the paper's method. [`ShearSpring`] is the implicit
+//! form of the coupled method, whose solver varies T and N together.
+
+use crate::material::Material;
+use crate::number::bounded;
+use crate::report::Friction;
+
+/// Coulomb's law for one contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Coulomb {
+    /// |T|/N that ends sticking.
+    holding: f64,
+    /// |T|/N while slipping: μ_k.
+    sliding: f64,
+}
+
+impl Coulomb {
+    /// Of a contact that is at rest: it holds up to μ_s.
+    #[inline(always)]
+    fn of(material: &Material) -> Coulomb {
+        Coulomb { holding: material.friction_static, sliding: material.friction_dynamic }
+    }
+
+    /// Of a contact that already slides: it holds up to μ_k only.
+    #[inline(always)]
+    fn of_sliding(material: &Material) -> Coulomb {
+        Coulomb { holding: material.friction_dynamic, sliding: material.friction_dynamic }
+    }
+
+    /// Does a contact with these forces stick? |T| ≤ μ_s N (eq. 5, with the modulus that eq. 8 omits).
+    #[inline]
+    pub(crate) fn holds(&self, tangential_n: f64, normal_n: f64) -> bool {
+        tangential_n.abs() <= self.holding * normal_n
+    }
+
+    /// T from the spring's force: the spring's while it holds, else μ_k N in its direction (eq. 6–7).
+    ///
+    /// A contact that has slipped in this sub-step sticks again only below the sliding force. Otherwise, with μ_k < μ_s,
+    /// the solver's sweeps would alternate between the two states.
+    #[inline]
+    fn limited(&self, spring_n: f64, normal_n: f64, now: Friction) -> (f64, Friction) {
+        if spring_n.abs() <= self.coefficient(now) * normal_n {
+            (spring_n, Friction::Stick)
+        } else {
+            ((self.sliding * normal_n).copysign(spring_n), Friction::Slip)
+        }
+    }
+
+    /// The largest |T|/N in this state.
+    #[inline]
+    fn coefficient(&self, state: Friction) -> f64 {
+        match state {
+            Friction::Stick => self.holding,
+            Friction::Slip => self.sliding,
+        }
+    }
+
+    /// T limited to what N allows in this state.
+    pub(crate) fn clamped(&self, tangential_n: f64, normal_n: f64, state: Friction) -> f64 {
+        let most_n = self.coefficient(state) * normal_n;
+        bounded(tangential_n, -most_n, most_n)
+    }
+
+    /// |dT/dN| while slipping.
+    #[inline]
+    pub(crate) fn sliding_slope(&self) -> f64 {
+        self.sliding
+    }
+
+    /// Δs after slipping: at most what the sliding force shears.
+    #[inline]
+    fn limited_shear_m(&self, shear_m: f64, normal_n: f64, stiffness_npm: f64) -> f64 {
+        let most_m = self.sliding * normal_n / stiffness_npm;
+        bounded(shear_m, -most_m, most_m)
+    }
+}
+
+/// The paper's shear spring after a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Shear {
+    /// Δs (m).
+    pub(crate) shear_m: f64,
+    /// T on body 1 along t (N).
+    pub(crate) force_n: f64,
+    pub(crate) friction: Friction,
+}
+
+/// Shear spring and Coulomb's limit, with the limited normal force of this step (eq. 4–8).
+///
+/// A contact that slips keeps the Δs that its force shears. The paper prints +k_s Δs for its Δs (C₂ − C₁), which pushes
+/// with the slip; here Δs is body 1's slip less body 2's.
+#[inline]
+pub(crate) fn friction(material: &Material, shear_m: f64, normal_force_n: f64) -> Shear {
+    let spring_n = -material.shear_stiffness_npm * shear_m;
+    let (force_n, friction) =
+        Coulomb::of(material).limited(spring_n, normal_force_n, Friction::Stick);
+    let shear_m = match friction {
+        Friction::Stick => shear_m,
+        Friction::Slip => -force_n / material.shear_stiffness_npm,
+    };
+    Shear { shear_m, force_n, friction }
+}
+
+/// The coupled method's shear spring in one sub-step: T = −k_s(Δs + ϑ h V̄) with V̄ = (1 − ϑ) V_t + ϑ V_t⁺, which is a
+/// line in V_t⁺.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ShearSpring {
+    pub(crate) coulomb: Coulomb,
+    slide: Slide,
+    /// k_s (N/m).
+    pub(crate) stiffness_npm: f64,
+    /// ϑ: see [`implicit_share`].
+    implicit: f64,
+    /// T at V_t⁺ = 0 (N).
+    pub(crate) force_at_rest_n: f64,
+    /// −dT/dV_t⁺: c = ϑ² k_s h (N·s/m).
+    pub(crate) slope: f64,
+    /// V_t at the start of the sub-step (m/s).
+    pub(crate) before_mps: f64,
+    /// The most energy that T may give the bodies in this sub-step: what the spring stores (J).
+    pub(crate) available_j: f64,
+}
+
+/// How a contact enters a sub-step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Slide {
+    /// It begins with this sub-step.
+    #[default]
+    Begins,
+    /// It sticks.
+    Holds,
+    /// It slides.
+    Slides,
+}
+
+/// What a shear spring starts a sub-step with.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ShearStart {
+    /// Δs (m).
+    pub(crate) shear_m: f64,
+    /// V_t (m/s).
+    pub(crate) speed_mps: f64,
+    /// t·K t (1/kg).
+    pub(crate) inverse_mass: f64,
+    /// Length of the sub-step (s).
+    pub(crate) h: f64,
+    pub(crate) slide: Slide,
+    /// Energy that the spring has taken from the bodies and still stores (J).
+    pub(crate) stored_j: f64,
+}
+
+impl ShearSpring {
+    #[inline(always)]
+    pub(crate) fn new(material: &Material, start: &ShearStart) -> ShearSpring {
+        let ShearStart { shear_m, speed_mps, inverse_mass, h, slide, stored_j } = *start;
+        let implicit = implicit_share(material.shear_stiffness_npm * inverse_mass, h);
+        let explicit_m = implicit * (1.0 - implicit) * h * speed_mps;
+        ShearSpring {
+            coulomb: match slide {
+                Slide::Slides => Coulomb::of_sliding(material),
+                Slide::Begins | Slide::Holds => Coulomb::of(material),
+            },
+            slide,
+            stiffness_npm: material.shear_stiffness_npm,
+            implicit,
+            force_at_rest_n: -material.shear_stiffness_npm * (shear_m + explicit_m),
+            slope: implicit * implicit * material.shear_stiffness_npm * h,
+            before_mps: speed_mps,
+            available_j: stored_j,
+        }
+    }
+
+    /// The spring's force at a V_t⁺, without Coulomb's limit (N).
+    #[inline]
+    pub(crate) fn force_n(&self, after_mps: f64) -> f64 {
+        self.force_at_rest_n - self.slope * after_mps
+    }
+
+    /// The spring's force if V_t⁺ would be `without_mps` at T = 0 (N).
+    #[inline]
+    pub(crate) fn implicit_force_n(&self, without_mps: f64, h: f64, inverse_mass: f64) -> f64 {
+        self.force_n(without_mps) / (1.0 + self.slope * h * inverse_mass)
+    }
+
+    /// T and its state for this N, if V_t⁺ would be `without_mps` at T = 0: the spring's force, then Coulomb's limit, then
+    /// the limit on its energy.
+    #[inline]
+    pub(crate) fn solve(
+        &self,
+        without_mps: f64,
+        normal_n: f64,
+        now: Friction,
+        inverse_mass: f64,
+        h: f64,
+    ) -> (f64, Friction) {
+        if self.stiffness_npm == 0.0 {
+            return (0.0, Friction::Stick);
+        }
+        let spring_n = self.implicit_force_n(without_mps, h, inverse_mass);
+        let (wanted_n, friction) = self.coulomb.limited(spring_n, normal_n, now);
+        (self.passive(without_mps, wanted_n, inverse_mass, h), friction)
+    }
+
+    /// `tangential_n`, or less if it would give the bodies more energy than the spring stores.
+    ///
+    /// Its work on them is T h (½ T h t·K t + s), with s the mean of V_t before the sub-step and V_t⁺ at T = 0. The
+    /// midpoint rule by itself keeps this limit. A more implicit spring does not if other forces change V_t, and neither
+    /// does a spring whose t turns with its body.
+    #[inline]
+    fn passive(&self, without_mps: f64, tangential_n: f64, inverse_mass: f64, h: f64) -> f64 {
+        let mean_mps = 0.5 * (self.before_mps + without_mps);
+        let work_j = tangential_n * h * (0.5 * tangential_n * h * inverse_mass + mean_mps);
+        if work_j <= self.available_j {
+            return tangential_n;
+        }
+        let root = libm::sqrt(mean_mps * mean_mps + 2.0 * inverse_mass * self.available_j);
+        (root.copysign(tangential_n) - mean_mps) / (h * inverse_mass)
+    }
+
+    /// Does T keep to Coulomb's limit and to its energy, at this N and V_t⁺?
+    #[inline]
+    pub(crate) fn is_within_bounds(
+        &self,
+        tangential_n: f64,
+        normal_n: f64,
+        after_mps: f64,
+        h: f64,
+    ) -> bool {
+        let gives_j = 0.5 * h * tangential_n * (self.before_mps + after_mps);
+        self.coulomb.holds(tangential_n, normal_n) && gives_j <= self.available_j
+    }
+
+    /// Δs at the end of the sub-step from that at its start [m]: it grows by h V̄; while it slips it is at most what the
+    /// sliding force shears.
+    #[inline]
+    pub(crate) fn shear_after_m(
+        &self,
+        shear_m: f64,
+        after_mps: f64,
+        normal_n: f64,
+        friction: Friction,
+        h: f64,
+    ) -> f64 {
+        let share = self.implicit;
+        let mean_mps = (1.0 - share) * self.before_mps + share * after_mps;
+        let grown_m = shear_m + h * mean_mps;
+        match friction {
+            Friction::Stick => grown_m,
+            Friction::Slip => self.coulomb.limited_shear_m(grown_m, normal_n, self.stiffness_npm),
+        }
+    }
+
+    /// Does the contact still slide in the next sub-step, with this Δs and V_t⁺ at the end of this one?
+    ///
+    /// A slide begins when the spring passes the static limit. It ends when V_t turns back against the stretched spring.
+    /// A spring force below μ_k N does not end it: N can jump within a sub-step, and the slide would have to pass μ_s N
+    /// again. A slip in the sub-step of the first touch does not begin a slide: its N belongs to the start of the
+    /// sub-step, when there was hardly any overlap, and its T to the end.
+    #[inline]
+    pub(crate) fn slides_on(&self, shear_m: f64, after_mps: f64, friction: Friction) -> bool {
+        match (self.slide, friction) {
+            (Slide::Begins, _) | (Slide::Holds, Friction::Stick) => false,
+            (_, Friction::Slip) => true,
+            (Slide::Slides, Friction::Stick) => shear_m * after_mps > 0.0,
+        }
+    }
+
+    /// ½ k_s Δs² (J).
+    #[inline]
+    pub(crate) fn stored_j(&self, shear_m: f64) -> f64 {
+        0.5 * self.stiffness_npm * shear_m * shear_m
+    }
+}
+
+/// ϑ of the shear spring, from k_s t·K t (1/s²).
+///
+/// ½, the midpoint rule, keeps the spring's energy exactly. Backward Euler (1) would damp it by ωh/2 a radian: at the
+/// sub-steps that the normal law needs, a tug that rolls along a ship's side would leave with a yaw rate wrong by a
+/// seventh. If the sub-step is long compared with the spring's own period, ϑ rises to 1, so that it does not ring at
+/// k_s h²/m ≫ 1. Any ϑ ≥ ½ is stable. Only ½ makes no energy by itself: see [`ShearSpring::passive`].
+#[inline]
+fn implicit_share(rate_squared: f64, h: f64) -> f64 {
+    let turn_squared = rate_squared * h * h;
+    if turn_squared <= 1.0 { 0.5 } else { 1.0 - 0.5 / libm::sqrt(turn_squared) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RUBBER: Material = Material {
+        stiffness_npm2: 0.0,
+        damping_nspm2: 0.0,
+        shear_stiffness_npm: 1000.0,
+        friction_static: 0.5,
+        friction_dynamic: 0.4,
+        restitution: 0.0,
+    };
+
+    #[test]
+    fn sticks_up_to_the_static_limit_on_both_sides() {
+        for sign in [1.0, -1.0] {
+            let held = friction(&RUBBER, sign * 0.05, 100.0);
+            assert_eq!(held.force_n, -sign * 50.0);
+            assert_eq!(held.friction, Friction::Stick);
+            assert_eq!(held.shear_m, sign * 0.05);
+        }
+    }
+
+    #[test]
+    fn slips_beyond_it_and_keeps_the_shear_of_the_dynamic_force() {
+        for sign in [1.0, -1.0] {
+            let slid = friction(&RUBBER, sign * 0.0501, 100.0);
+            assert_eq!(slid.force_n, -sign * 40.0);
+            assert_eq!(slid.friction, Friction::Slip);
+            assert_eq!(slid.shear_m, sign * 0.04);
+        }
+    }
+
+    #[test]
+    fn without_a_shear_spring_there_is_no_tangential_force() {
+        let free = friction(&Material { shear_stiffness_npm: 0.0, ..RUBBER }, 3.0, 0.0);
+        assert_eq!((free.force_n, free.shear_m), (0.0, 3.0));
+    }
+
+    /// Both methods have one law: in a sub-step so short that nothing moves, the implicit spring gives the paper's force.
+    #[test]
+    fn the_implicit_spring_has_the_same_limits_as_the_explicit_one() {
+        for shear_m in [-0.2, -0.0501, -0.05, 0.0, 0.03, 0.0501, 0.2] {
+            let start = ShearStart {
+                shear_m,
+                speed_mps: 0.0,
+                inverse_mass: 1e-6,
+                h: 1e-9,
+                slide: Slide::Holds,
+                stored_j: f64::MAX,
+            };
+            let spring = ShearSpring::new(&RUBBER, &start);
+            let (force_n, state) = spring.solve(0.0, 100.0, Friction::Stick, 1e-6, 1e-9);
+            let explicit = friction(&RUBBER, shear_m, 100.0);
+            assert_eq!((force_n, state), (explicit.force_n, explicit.friction), "{shear_m}");
+        }
+    }
+}

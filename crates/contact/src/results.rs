@@ -1,0 +1,95 @@
+//! What a step reports.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use crate::coupled::peaks::PeakWrench;
+use crate::error::StepError;
+use crate::model::Model;
+use crate::report::{Contact, Displacement, Event, EventKind, Wrench};
+use crate::state::BodyState;
+
+/// Results of the last step, by body id. Written by stages 1, 5 and 6.
+#[derive(Clone, Debug)]
+pub(crate) struct Results {
+    /// Layout of the model whose bodies the results describe; `None` after a step that failed halfway.
+    pub(crate) layout: Option<u64>,
+    /// Whether contacts are reported one by one.
+    pub(crate) reports_contacts: bool,
+    pub(crate) contacts: Vec<Contact>,
+    /// Sum of the contact forces on each body: the mean over the step.
+    pub(crate) wrenches: Vec<Wrench>,
+    pub(crate) events: Vec<Event>,
+    /// By the coupled method: states at the end of the step.
+    pub(crate) states_after: Vec<BodyState>,
+    /// By the coupled method: how far each body moved in the step.
+    pub(crate) displacements: Vec<Displacement>,
+    /// By the coupled method: greatest wrenches of bodies whose contacts took several sub-steps.
+    pub(crate) peaks: Vec<PeakWrench>,
+}
+
+impl Results {
+    pub(crate) fn new(count: usize) -> Results {
+        Results {
+            layout: None,
+            reports_contacts: true,
+            contacts: Vec::new(),
+            wrenches: vec![Wrench::default(); count],
+            events: Vec::new(),
+            states_after: Vec::with_capacity(count),
+            displacements: Vec::with_capacity(count),
+            peaks: Vec::new(),
+        }
+    }
+
+    /// Clears contacts and wrenches for `count` bodies. Events stay: stage 1 writes them before.
+    pub(crate) fn clear_forces(&mut self, count: usize) {
+        self.contacts.clear();
+        self.peaks.clear();
+        self.wrenches.clear();
+        self.wrenches.resize(count, Wrench::default());
+    }
+
+    /// Drops the last step's events and reports the bodies that were teleported.
+    pub(crate) fn begin_events(&mut self, model: &Model, teleported: &[u32]) {
+        self.events.clear();
+        for &rank in teleported {
+            let bodies = model.ids_of([rank, rank]);
+            self.events.push(Event { bodies, kind: EventKind::Teleported });
+        }
+    }
+
+    /// Checks states and wrenches of the bodies of these ranks.
+    ///
+    /// # Errors
+    /// [`StepError::NotFinite`], naming the first body with a non-finite number.
+    pub(crate) fn check_finite(&self, model: &Model, ranks: &[u32]) -> Result<(), StepError> {
+        // One sum over all: it is finite if all numbers are, except for the very largest.
+        let sum: f64 = ranks
+            .iter()
+            .map(|&rank| {
+                let id = model.id_of[rank as usize].0 as usize;
+                let (state, wrench) = (&self.states_after[id], &self.wrenches[id]);
+                let linear = state.position_m + state.velocity_mps + wrench.force_n;
+                linear.x + linear.y + state.heading_rad + state.yaw_rate_radps + wrench.moment_nm
+            })
+            .sum();
+        if sum.is_finite() {
+            return Ok(());
+        }
+        let is_finite = |id: usize| {
+            let (state, wrench) = (&self.states_after[id], &self.wrenches[id]);
+            state.position_m.is_finite()
+                && state.velocity_mps.is_finite()
+                && state.heading_rad.is_finite()
+                && state.yaw_rate_radps.is_finite()
+                && wrench.force_n.is_finite()
+                && wrench.moment_nm.is_finite()
+        };
+        let bodies = model.bodies().iter().enumerate();
+        match bodies.into_iter().find(|&(id, _)| !is_finite(id)) {
+            Some((_, body)) => Err(StepError::NotFinite { body: body.name.clone() }),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! What a plan view shows, and where on the page it lies.
+
+use core::fmt::Write as _;
+
+use fenderline_contact::number::{bounded, greater, lesser};
+use fenderline_contact::{Vec2, vec2};
+
+use crate::plot::axis::{Axis, Fitted, nice_step};
+
+/// An arrow from a point, with a text at its head.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arrow {
+    /// Where it starts; a dot is drawn there (m).
+    pub from_m: Vec2,
+    /// Which way it points, of length 1; zero: the dot alone.
+    pub direction: Vec2,
+    /// Printed at the head.
+    pub label: String,
+}
+
+/// A text at a point (m).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// Where (m).
+    pub at_m: Vec2,
+    /// Half the size of the named thing (m): the text is placed beside it.
+    pub reach_m: f64,
+    /// The side on which the text stands first, of length 1; zero: wherever there is room.
+    pub side: Vec2,
+    /// The text.
+    pub text: String,
+}
+
+/// A rectangle of the plane (m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// South-west corner (m).
+    pub low: Vec2,
+    /// North-east corner (m).
+    pub high: Vec2,
+}
+
+impl Frame {
+    /// The smallest frame round `points`; `None` where there are none.
+    pub fn around(points: impl IntoIterator<Item = Vec2>) -> Option<Frame> {
+        points.into_iter().filter(|p| p.is_finite()).fold(None, |frame, p| {
+            let point = Frame { low: p, high: p };
+            Some(frame.map_or(point, |f: Frame| f.with(point)))
+        })
+    }
+
+    /// A frame about `centre` with the proportions of a view that goes twice on a page of A4.
+    pub fn about(centre: Vec2, half_height_m: f64) -> Frame {
+        let half = vec2(half_height_m, half_height_m * 1.65);
+        Frame { low: centre - half, high: centre + half }
+    }
+
+    /// The smallest frame round both.
+    pub fn with(self, other: Frame) -> Frame {
+        Frame {
+            low: vec2(lesser(self.low.x, other.low.x), lesser(self.low.y, other.low.y)),
+            high: vec2(greater(self.high.x, other.high.x), greater(self.high.y, other.high.y)),
+        }
+    }
+
+    /// North and east extent (m).
+    pub fn size(self) -> Vec2 {
+        self.high - self.low
+    }
+
+    fn centre(self) -> Vec2 {
+        self.low + self.size() * 0.5
+    }
+}
+
+pub(super) const WIDTH: f64 = 720.0;
+/// Room for the northern axis' title, its labels apart, and round the rest (px).
+pub(super) const LEFT: f64 = 32.0;
+pub(super) const RIGHT: f64 = 12.0;
+pub(super) const TOP: f64 = 8.0;
+pub(super) const BOTTOM: f64 = 40.0;
+pub(super) const DIGIT: f64 = 6.4;
+/// Least and greatest height of the drawn area (px).
+pub(super) const HEIGHTS: (f64, f64) = (230.0, 540.0);
+/// Room round what is shown, as a share of its size.
+pub(super) const MARGIN: f64 = 0.06;
+/// Vertices closer than this to the one before are not drawn (px).
+pub(super) const FINEST: f64 = 0.15;
+pub(super) const ARROW: f64 = 64.0;
+
+/// The map from the plane to the drawn area, whose own origin is its upper left corner.
+pub(super) struct Map {
+    pub(super) centre: Vec2,
+    pub(super) px_per_m: f64,
+    pub(super) width: f64,
+    pub(super) height: f64,
+    pub(super) left: f64,
+    pub(super) north: Fitted,
+    pub(super) east: Fitted,
+}
+
+impl Map {
+    pub(super) fn of(frame: Frame) -> Map {
+        let size = frame.size();
+        // No frame is so small that doubles at its place could not tell its ends apart.
+        let far = greater(frame.centre().x.abs(), frame.centre().y.abs());
+        let least = greater(far * 1e-12, 1e-6);
+        let (tall, wide) = (greater(size.x, least), greater(size.y, least));
+        let room = 1.0 + 2.0 * MARGIN;
+        // The labels of the northern axis set the left margin, and so the scale; their length
+        // hardly depends on it.
+        let longest = Axis::new("", "")
+            .tight()
+            .fit([frame.low.x, frame.low.x + tall].into_iter(), 6)
+            .ticks()
+            .iter()
+            .map(|(_, label)| label.chars().count())
+            .max();
+        let left =
+            LEFT + DIGIT * longest.and_then(|n| u32::try_from(n).ok()).map_or(8.0, f64::from);
+        let width = WIDTH - left - RIGHT;
+        let height = bounded(width * tall / wide, HEIGHTS.0, HEIGHTS.1);
+        let px_per_m = lesser(width / (wide * room), height / (tall * room));
+        let centre = frame.centre();
+        let step = nice_step(width / px_per_m, 8);
+        let half = vec2(height / px_per_m / 2.0, width / px_per_m / 2.0);
+        let north = Fitted::new(centre.x - half.x, centre.x + half.x, step);
+        let east = Fitted::new(centre.y - half.y, centre.y + half.y, step);
+        Map { centre, px_per_m, width, height, left, north, east }
+    }
+
+    /// Right and down from the drawn area's upper left corner (px).
+    pub(super) fn px(&self, point_m: Vec2) -> (f64, f64) {
+        let from_centre = point_m - self.centre;
+        (
+            self.width / 2.0 + from_centre.y * self.px_per_m,
+            self.height / 2.0 - from_centre.x * self.px_per_m,
+        )
+    }
+
+    pub(super) fn path(&self, points_m: &[Vec2]) -> String {
+        let mut path = String::with_capacity(points_m.len() * 12);
+        let mut last = None;
+        for (index, point) in points_m.iter().enumerate() {
+            let (x, y) = self.px(*point);
+            let is_end = index + 1 == points_m.len();
+            let is_near = |(x0, y0): (f64, f64)| (x - x0).abs() < FINEST && (y - y0).abs() < FINEST;
+            if last.is_some_and(is_near) && !is_end {
+                continue;
+            }
+            let _ = write!(path, "{}{x:.2},{y:.2}", if last.is_none() { 'M' } else { 'L' });
+            last = Some((x, y));
+        }
+        path
+    }
+}
+
+/// Where the text of an arrow starts, or ends where it stands left of it (px).
+pub(super) fn arrow_text(arrow: &Arrow, map: &Map) -> (f64, f64, bool) {
+    let (x, y) = map.px(arrow.from_m);
+    if arrow.direction == Vec2::ZERO {
+        return (x + 8.0, y - 8.0, false);
+    }
+    let (dx, dy) = (arrow.direction.y, -arrow.direction.x);
+    let is_left = dx < -0.3;
+    let shift = if is_left { -8.0 } else { 8.0 };
+    (x + dx * ARROW + shift, y + dy * ARROW, is_left)
+}

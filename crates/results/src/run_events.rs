@@ -1,0 +1,50 @@
+//! The events of a run, counted.
+
+use core::mem::discriminant;
+
+use fenderline_contact::{Event, EventKind};
+use fenderline_sim::StepRecord;
+
+/// Events kept one by one at most: of contacts that begin and end, and of all others.
+const FIRST_EVENTS: usize = 20;
+
+/// Events of a run: how many of each kind, and the first few. Bounded, whatever the run's length.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Events {
+    /// In the order of first occurrence; those of different fenders are of one kind.
+    counts: Vec<(EventKind, u64)>,
+    first: Vec<(f64, Event)>,
+}
+
+impl Events {
+    /// Adds the events of one step.
+    pub fn count(&mut self, step: &StepRecord<'_>) {
+        for event in step.events {
+            let kind = discriminant(&event.kind);
+            match self.counts.iter_mut().find(|(known, _)| discriminant(known) == kind) {
+                Some((_, count)) => *count += 1,
+                None => self.counts.push((event.kind, 1)),
+            }
+            let is_plain = is_plain(event.kind);
+            let told = self.first.iter().filter(|(_, e)| self::is_plain(e.kind) == is_plain);
+            if told.count() < FIRST_EVENTS {
+                self.first.push((step.t_s, *event));
+            }
+        }
+    }
+
+    /// The first of them, with the start of their step (s).
+    pub fn first(&self) -> &[(f64, Event)] {
+        &self.first
+    }
+
+    /// The kinds that occurred, and how often.
+    pub fn counts(&self) -> impl Iterator<Item = (EventKind, u64)> {
+        self.counts.iter().copied()
+    }
+}
+
+/// Whether it is the begin or the end of a contact, which needs no attention.
+pub fn is_plain(kind: EventKind) -> bool {
+    matches!(kind, EventKind::ContactBegan | EventKind::ContactEnded)
+}

@@ -1,0 +1,38 @@
+//! The ends of a mooring line.
+
+/// Positions of the two ends of a line: north, east, up (m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineEnds {
+    /// The ship's fairlead.
+    pub ship_m: [f64; 3],
+    /// Bollard, anchor, or fairlead of another ship.
+    pub shore_m: [f64; 3],
+}
+
+/// Distance and direction from the ship's end of a line to the other end.
+pub(super) struct Span {
+    pub(super) distance_m: f64,
+    pub(super) horizontal_m: f64,
+    /// Height of the shore end above the ship's (m).
+    pub(super) up_m: f64,
+    /// Unit vector from the ship's end to the shore end; zero if they coincide.
+    pub(super) towards_shore: [f64; 3],
+    /// Horizontal unit vector from the ship's end to the shore end; zero if they are above each other.
+    pub(super) horizontally: [f64; 2],
+}
+
+impl Span {
+    pub(super) fn of(ends: &LineEnds) -> Span {
+        let [n, e, u] = std::array::from_fn(|k| ends.shore_m[k] - ends.ship_m[k]);
+        let horizontal_m = libm::hypot(n, e);
+        let distance_m = libm::hypot(horizontal_m, u);
+        let unit = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
+        Span {
+            distance_m,
+            horizontal_m,
+            up_m: u,
+            towards_shore: [n, e, u].map(|part| unit(part, distance_m)),
+            horizontally: [n, e].map(|part| unit(part, horizontal_m)),
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! The set-up of a mooring line.
+
+use fenderline_contact::number::lesser;
+
+use super::ends::{LineEnds, Span};
+use super::rope::Rope;
+use super::winch::Winch;
+use crate::range::{OutOfRange, within};
+
+/// The set-up of a line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LineSetup {
+    /// Name, used in messages.
+    pub name: String,
+    /// Type and material.
+    pub kind: LineKind,
+    /// What holds its inboard end.
+    pub inboard_end: InboardEnd,
+    /// Its length outboard at the start.
+    pub initial_length: InitialLength,
+}
+
+/// Type and material of a line.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LineKind {
+    /// A mooring rope: straight between its ends, weight neglected.
+    Light {
+        /// The rope on the winch.
+        main: Rope,
+        /// A softer tail in series at the shore end.
+        tail: Option<Tail>,
+    },
+    /// A cable that hangs in a catenary.
+    Heavy {
+        /// Weight per unstretched length in water (N/m).
+        weight_npm: f64,
+        /// EA (N).
+        axial_stiffness_n: f64,
+        /// Break load (N).
+        break_load_n: f64,
+        /// True if the lower end lies on a level bottom, as for an anchor cable.
+        on_bottom: bool,
+    },
+}
+
+/// A tail in series with a line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tail {
+    /// Its rope.
+    pub rope: Rope,
+    /// Its unstretched length (m).
+    pub length_m: f64,
+}
+
+/// What holds the inboard end of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum InboardEnd {
+    /// Bitts: the line is held until it parts.
+    Bitts,
+    /// A winch.
+    Winch(Winch),
+}
+
+/// Length of a line outboard at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum InitialLength {
+    /// Unstretched length outboard, tail included (m); at least the distance between the ends.
+    Outboard(f64),
+    /// The length that gives this tension at the ship's end (N).
+    FromPretension(f64),
+}
+
+impl LineKind {
+    /// Smallest break load of rope and tail (N).
+    pub(super) fn break_load_n(&self) -> f64 {
+        match self {
+            LineKind::Light { main, tail } => lesser(
+                tail.as_ref().map_or(f64::INFINITY, |t| t.rope.break_load_n),
+                main.break_load_n,
+            ),
+            LineKind::Heavy { break_load_n, .. } => *break_load_n,
+        }
+    }
+
+    /// Tensions at which the load curve of rope or tail has a corner, increasing (N); none for a cable.
+    pub(super) fn corners_n(&self) -> Vec<f64> {
+        let LineKind::Light { main, tail } = self else { return vec![] };
+        let ropes = [Some(main), tail.as_ref().map(|tail| &tail.rope)];
+        let of = |rope: &Rope| -> Vec<f64> {
+            rope.curve.corners().map(|share| share * rope.break_load_n).collect()
+        };
+        let mut corners_n: Vec<f64> = ropes.into_iter().flatten().flat_map(of).collect();
+        corners_n.sort_by(f64::total_cmp);
+        corners_n.dedup();
+        corners_n
+    }
+}
+
+/// Checks the numbers of a line and of its ends.
+pub(super) fn check(setup: &LineSetup, ends: &LineEnds) -> Result<(), OutOfRange> {
+    for place_m in ends.ship_m.into_iter().chain(ends.shore_m) {
+        within("position of an end [m]", place_m, -1e8, 1e8)?;
+    }
+    let span_m = Span::of(ends).distance_m;
+    within("distance between the ends [m]", span_m, 0.0, 1e5)?;
+    match &setup.kind {
+        LineKind::Light { main, tail } => {
+            within("break load of the rope [N]", main.break_load_n, 1.0, 1e9)?;
+            if let Some(tail) = tail {
+                within("break load of the tail [N]", tail.rope.break_load_n, 1.0, 1e9)?;
+                within("length of the tail [m]", tail.length_m, 0.01, 1000.0)?;
+            }
+        }
+        LineKind::Heavy { weight_npm, axial_stiffness_n, break_load_n, .. } => {
+            within("weight of the cable in water [N/m]", *weight_npm, 0.1, 1e6)?;
+            within("axial stiffness of the cable [N]", *axial_stiffness_n, 1e3, 1e13)?;
+            within("break load of the cable [N]", *break_load_n, 1.0, 1e10)?;
+        }
+    }
+    match setup.initial_length {
+        InitialLength::Outboard(length_m) => within("length of the line [m]", length_m, 0.0, 1e5)?,
+        InitialLength::FromPretension(tension_n) => within("pretension [N]", tension_n, 0.0, 1e9)?,
+    };
+    match &setup.inboard_end {
+        InboardEnd::Winch(winch) => winch.check(),
+        InboardEnd::Bitts => Ok(()),
+    }
+}
