@@ -277,20 +277,13 @@ fn a_tug_that_is_a_vessel_pulls_the_ship_off_on_her_line() {
     let mut session = open("scenarios/live/berthing.toml", &["body.ship.velocity.surge=0"]);
     let towards_quay = |session: &Session| session.simulation().states()[0].velocity_mps.y;
     let mut left_alone = open("scenarios/live/berthing.toml", &["body.ship.velocity.surge=0"]);
-    for tug in ["forward", "after"] {
-        say(
-            &mut session,
-            order(OrderName::PullShip, &format!("{tug}_tug"))
-                .name("line", &format!("{tug}_tow"))
-                .number("direction", -1.57)
-                .number("force", 3e5)
-                .into(),
-        );
+    for tug in ["forward_tug", "after_tug"] {
+        say(&mut session, words(tug, TugWord::Pull));
     }
     go(&mut session, 1800);
     go(&mut left_alone, 1800);
     let [pulled, alone] = [&session, &left_alone].map(towards_quay);
-    // 600 kN for a good minute on 47,000 t and as much added mass is 0.4 m/s and more.
+    // Some 600 kN for a good minute on 47,000 t and as much added mass is 0.4 m/s and more.
     assert!(pulled < alone - 0.3, "{pulled} beside {alone} m/s");
 }
 

@@ -74,6 +74,8 @@ export abstract class TugCard {
   private percent = 25;
   private ordered: TugWord | null = null;
   private shownPower = NaN;
+  /** Somebody chose a place here that no order has had yet. */
+  private chosen = false;
   private sent = { tick: Infinity, at_ms: 0 };
   /** The word of the third button: a tug without a line stands off instead of pulling. */
   private readonly third: TugWord;
@@ -114,7 +116,10 @@ export abstract class TugCard {
               h("option", { value: place }, place === "nearest" ? "nearest place" : place),
             ),
           );
-    this.places?.addEventListener("change", () => this.again());
+    this.places?.addEventListener("change", () => {
+      this.chosen = true;
+      this.again();
+    });
     this.head.append(h("div", { class: "who" }, h("h3", {}, spoken(name)), this.state));
     if (canPull) this.head.append(this.lead.root);
     if (this.places) this.head.append(this.places);
@@ -137,6 +142,7 @@ export abstract class TugCard {
   /** Gives an order. A second press finds what the first one ordered, before any frame has it. */
   private say(order: TugWord): void {
     this.ordered = order;
+    this.chosen = false;
     this.sent = { tick: this.page.live.frame?.tick ?? 0, at_ms: performance.now() };
     void this.page.order({
       do: "tug",
@@ -193,8 +199,7 @@ export abstract class TugCard {
       if (now.power > 0 && now.power !== this.shownPower)
         this.showPower(Math.round(now.power * 100));
       this.shownPower = now.power;
-      if (this.places && now.place && document.activeElement !== this.places)
-        this.places.value = now.place;
+      if (this.places && now.place && !this.chosen) this.places.value = now.place;
     }
     this.orders.show(this.ordered);
     const holder = this.commanded() ? null : this.heldBy();
