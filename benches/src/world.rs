@@ -46,7 +46,7 @@ impl Engine {
     /// Those that differ in what they answer.
     pub(crate) const ALL: [Engine; 3] = [Engine::Coupled, Engine::Paper, Engine::Rapier];
 
-    /// Those that differ in the time they take; rapier2d is the last.
+    /// Those that differ in the time they take.
     pub(crate) const TIMED: [Engine; 5] =
         [Engine::Coupled, Engine::CoupledBrief, Engine::Paper, Engine::PaperBrief, Engine::Rapier];
 

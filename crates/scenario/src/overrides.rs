@@ -1,4 +1,4 @@
-//! Overrides of single keys from the command line, laid over the file before it is checked.
+//! Overrides of single keys from the command line, applied to the file's tables before they are checked.
 
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
@@ -14,7 +14,7 @@ use crate::suggest::nearest;
 /// One key of a scenario and the value that replaces the file's, as `--set KEY=VALUE` gives them.
 ///
 /// The key is a dotted path; an item of a list goes by its number from 0, as in `load.0.force`. The
-/// value is TOML, or else a text without its quotes: `0.5`, `4 kn`, `["0 kN", "-500 kN"]`, `paper`.
+/// value is TOML, or a text without quotes: `0.5`, `4 kn`, `["0 kN", "-500 kN"]`, `paper`.
 ///
 /// ```
 /// use fenderline_scenario::Override;
@@ -34,20 +34,20 @@ impl Override {
     /// Reads `KEY=VALUE`. Errors name it `--set KEY=VALUE`.
     ///
     /// # Errors
-    /// A text without `=`, or a key that is no dotted path.
+    /// A text without `=`, or a key that is not a dotted path.
     pub fn parse(text: &str) -> Result<Override, ScenarioError> {
         let option = format!("--set {text}");
         match text.split_once('=') {
             Some((key, value)) => Override::new(&option, key, value),
-            None => Err(option_error(&option, None, "it has no `=`".to_owned())
+            None => Err(option_error(&option, None, "there is no `=`".to_owned())
                 .with_help("write KEY=VALUE, as in time.step=0.5")),
         }
     }
 
-    /// An override that stands in a command line as `option`, by which errors name it.
+    /// An override of a key by a value. Errors name it by `option`, its text in the command line.
     ///
     /// # Errors
-    /// A key that is no dotted path, or an empty value.
+    /// A key that is not a dotted path, or an empty value.
     pub fn new(option: &str, key: &str, value: &str) -> Result<Override, ScenarioError> {
         let shown = shown(option);
         let path = split_path(key.trim()).ok_or_else(|| {
@@ -69,7 +69,7 @@ impl Override {
         &self.path
     }
 
-    /// The value as it was given: TOML, or else a text without its quotes.
+    /// The value as the user wrote it: TOML, or a text without quotes.
     #[must_use]
     pub fn value_text(&self) -> &str {
         &self.value
@@ -80,14 +80,14 @@ impl Override {
         &self.shown
     }
 
-    /// The value as TOML; a text where it is none.
+    /// The value as TOML; as a text if it is not TOML.
     fn value(&self) -> Result<Spanned<DeValue<'_>>, ScenarioError> {
         match DeValue::parse(&self.value) {
             Ok(value) => Ok(value),
             Err(error) if self.value.starts_with(['[', '{', '"', '\'']) => Err(option_error(
                 &self.shown,
                 None,
-                format!("the value is broken: {}", error.message()),
+                format!("the value is not TOML: {}", error.message()),
             )),
             Err(_) => Ok(Spanned::new(0..0, DeValue::String(self.value.as_str().into()))),
         }
@@ -98,13 +98,13 @@ fn option_error(shown: &str, key: Option<String>, message: String) -> ScenarioEr
     ScenarioError::new(Place::Option { text: shown.to_owned() }, key, message)
 }
 
-/// An option, cut and fit to print.
+/// An option, cut to a length that messages can show.
 fn shown(option: &str) -> String {
     let (kept, is_cut) = crate::sources::first(option, 200);
     if is_cut { format!("{kept}…") } else { kept }
 }
 
-/// The names of a dotted path, in TOML's own reading, quotes and all.
+/// The names of a dotted path. TOML's parser reads it, so that quoted names work as in a file.
 fn split_path(key: &str) -> Option<Vec<String>> {
     const DEEPEST: usize = 16;
     if key.contains(['=', '\n', '\r']) || key.len() > 1000 {
@@ -125,89 +125,87 @@ fn split_path(key: &str) -> Option<Vec<String>> {
     }
 }
 
-/// Lays every override over the document, in their order.
+/// Applies every override to the document, in their order.
 pub(crate) fn apply<'a>(
     sources: &Sources<'a>,
     document: &mut DeTable<'a>,
 ) -> Result<(), ScenarioError> {
     for (index, change) in sources.overrides.iter().enumerate() {
         let span = sources.override_span(index);
-        let laying = Laying { sources, index, value: respan(&change.value()?, &span) };
-        laying.over_table(document, &SCENARIO, "", &change.path)?;
+        let setter = Setter { sources, index, value: respan(&change.value()?, &span) };
+        let (name, deeper) = change.path.split_first().expect("a path has a name");
+        setter.in_table(document, &SCENARIO, "", (name, deeper))?;
     }
     Ok(())
 }
 
-/// One override on its way down the document.
-struct Laying<'s, 'a> {
+/// The next name of a dotted path, and the names after it.
+type Names<'p> = (&'p str, &'p [String]);
+
+/// One override on its way down the document. `at` is the path so far, for messages.
+struct Setter<'s, 'a> {
     sources: &'s Sources<'a>,
     index: usize,
     value: Spanned<DeValue<'a>>,
 }
 
-impl<'a> Laying<'_, 'a> {
-    fn over_table(
+impl<'a> Setter<'_, 'a> {
+    fn in_table(
         self,
         table: &mut DeTable<'a>,
         spec: &TableSpec,
         at: &str,
-        path: &[String],
+        (name, deeper): Names<'_>,
     ) -> Result<(), ScenarioError> {
-        let [name, rest @ ..] = path else { unreachable!("a path has a name at every level") };
         let span = self.sources.override_span(self.index);
         let Some(key) = spec.key(name) else {
             return Err(unknown_key(self.sources, spec, at, name, &span));
         };
         let at = key_path::join(at, name);
-        if rest.is_empty() {
+        let [next, deeper @ ..] = deeper else {
             self.set(table, key.name);
             return Ok(());
-        }
+        };
+        let names = (next.as_str(), deeper);
         match &key.kind {
             Kind::Table(inner) => {
                 let entry = table.entry(Spanned::new(span.clone(), DeString::Borrowed(key.name)));
                 let node =
                     entry.or_insert_with(|| Spanned::new(span, DeValue::Table(DeTable::new())));
                 match node.get_mut() {
-                    DeValue::Table(table) => self.over_table(table, inner, &at, rest),
-                    _ => Err(self.error(&at, format!("`{at}` is not a table in the file"))),
+                    DeValue::Table(table) => self.in_table(table, inner, &at, names),
+                    _ => Err(self.not_a_table(&at)),
                 }
             }
             Kind::Named(inner) => match table.get_mut(key.name).map(Spanned::get_mut) {
-                Some(DeValue::Table(tables)) => self.over_named(tables, inner, &at, rest),
-                _ => Err(self.error(&at, format!("the file has no `{at}` to set a key of"))),
+                Some(DeValue::Table(tables)) => self.in_named(tables, inner, &at, names),
+                _ => Err(self.missing(&at)),
             },
             Kind::List(inner) => match table.get_mut(key.name).map(Spanned::get_mut) {
-                Some(DeValue::Array(nodes)) => self.over_list(nodes, inner, &at, rest),
-                _ => Err(self.error(&at, format!("the file has no `{at}` to set a key of"))),
+                Some(DeValue::Array(nodes)) => self.in_list(nodes, inner, &at, names),
+                _ => Err(self.missing(&at)),
             },
-            _ => {
-                let message = format!("`{at}` holds a value, it has no keys of its own");
-                Err(self.error(&at, message))
-            }
+            _ => Err(self.error(&at, format!("`{at}` holds a value and has no keys of its own"))),
         }
     }
 
-    fn over_named(
+    fn in_named(
         self,
         tables: &mut DeTable<'a>,
         spec: &TableSpec,
         at: &str,
-        path: &[String],
+        (name, deeper): Names<'_>,
     ) -> Result<(), ScenarioError> {
-        let [name, rest @ ..] = path else { unreachable!("a path has a name at every level") };
         let inner_at = key_path::join(at, name);
-        if rest.is_empty() {
+        let [next, deeper @ ..] = deeper else {
             self.set(tables, name);
             return Ok(());
-        }
-        match tables.get_mut(name.as_str()).map(Spanned::get_mut) {
-            Some(DeValue::Table(table)) => self.over_table(table, spec, &inner_at, rest),
-            Some(_) => {
-                Err(self.error(&inner_at, format!("`{inner_at}` is not a table in the file")))
-            }
+        };
+        match tables.get_mut(name).map(Spanned::get_mut) {
+            Some(DeValue::Table(table)) => self.in_table(table, spec, &inner_at, (next, deeper)),
+            Some(_) => Err(self.not_a_table(&inner_at)),
             None => {
-                let error = self.error(&inner_at, format!("the file has no `{inner_at}`"));
+                let error = self.missing(&inner_at);
                 let names = tables.keys().map(|key| &**key.get_ref());
                 Err(match nearest(name, names) {
                     Some(name) => error.with_help(format!("did you mean `{name}`?")),
@@ -217,31 +215,30 @@ impl<'a> Laying<'_, 'a> {
         }
     }
 
-    fn over_list(
+    fn in_list(
         self,
         nodes: &mut [Spanned<DeValue<'a>>],
         spec: &TableSpec,
         at: &str,
-        path: &[String],
+        (name, deeper): Names<'_>,
     ) -> Result<(), ScenarioError> {
-        let [name, rest @ ..] = path else { unreachable!("a path has a name at every level") };
         let (inner_at, count) = (key_path::join(at, name), nodes.len());
         let node = name.parse::<usize>().ok().and_then(|index| nodes.get_mut(index));
         let Some(node) = node else {
             let message = format!("`{inner_at}` does not exist: the file has {count} of `{at}`");
             return Err(self.error(&inner_at, message).with_help("they are numbered from 0"));
         };
-        match (node.get_mut(), rest) {
-            (_, []) => {
-                *node = self.value;
-                Ok(())
-            }
-            (DeValue::Table(table), rest) => self.over_table(table, spec, &inner_at, rest),
-            _ => Err(self.error(&inner_at, format!("`{inner_at}` is not a table in the file"))),
+        let [next, deeper @ ..] = deeper else {
+            *node = self.value;
+            return Ok(());
+        };
+        match node.get_mut() {
+            DeValue::Table(table) => self.in_table(table, spec, &inner_at, (next, deeper)),
+            _ => Err(self.not_a_table(&inner_at)),
         }
     }
 
-    /// Puts the value under a key, which keeps its place in the file if it has one there.
+    /// Puts the value under a key. The key keeps its place in the file if it has one there.
     fn set(self, table: &mut DeTable<'a>, name: &str) {
         let span = self.sources.override_span(self.index);
         match table.get_mut(name) {
@@ -251,6 +248,14 @@ impl<'a> Laying<'_, 'a> {
                 table.insert(key, self.value);
             }
         }
+    }
+
+    fn not_a_table(&self, at: &str) -> ScenarioError {
+        self.error(at, format!("`{at}` is not a table in the file"))
+    }
+
+    fn missing(&self, at: &str) -> ScenarioError {
+        self.error(at, format!("the file has no `{at}`"))
     }
 
     fn error(&self, key: &str, message: String) -> ScenarioError {

@@ -135,8 +135,15 @@ fn published_energy_of_sizes_differs_from_the_integral_of_the_reaction() {
         ("V leg", "1000x1000 B", -0.0158),
     ];
     let library = FenderLibrary::built_in();
-    let sizes: usize = library.families().iter().map(|family| family.sizes.len()).sum();
-    assert_eq!(sizes, stated.len(), "every size is held against what was published");
+    // Of sizes that are not in the list above, what holds for any: far from its published energy a size is derived.
+    for family in library.families() {
+        for size in &family.sizes {
+            let fender = library.fender(&family.name, &size.designation).unwrap();
+            let is_far =
+                fender.energy_difference().is_some_and(|difference| difference.abs() > 0.1);
+            assert!(!is_far || fender.standing != Standing::Found, "{}", size.designation);
+        }
+    }
     for (family, designation, difference) in stated {
         let fender = library.fender(family, designation).unwrap();
         let ours = fender.energy_difference().unwrap();
@@ -164,7 +171,7 @@ fn a_fender_is_its_family_in_its_own_units() {
         let summed_j = summed(&fender.curve, fender.rated_deflection_m);
         assert!((fender.rated_energy_j / summed_j - 1.0).abs() < 1e-7, "{}", family.name);
         assert!(fender.rated_deflection_m <= fender.curve.last().unwrap().0);
-        assert_eq!(fender.standing, Standing::Found);
+        assert_eq!(fender.standing, family.standing, "{}", family.name);
     }
     let cone = library.fender("cone", "1050 F1.1").unwrap();
     assert_eq!(cone.temperature_factors[0], (-30.0, 1.540));
@@ -203,8 +210,11 @@ fn a_look_up_that_fails_names_the_nearest() {
     let error = library.fender("Cones", "1050 F1.1").unwrap_err();
     assert_eq!(error.to_string(), "there is no family of fenders named \"Cones\"");
     assert_eq!(error.help(), "did you mean \"cone\"?");
-    let error = library.fender("arch", "1000").unwrap_err();
-    assert!(error.help().starts_with("there are \"cone\", \"cone SPC\", \"pneumatic\""), "{error}");
+    let error = library.fender("nothing of the kind", "1000").unwrap_err();
+    assert!(error.help().starts_with("there are \""), "{error}");
+    for family in ["cone", "cone SPC", "pneumatic"] {
+        assert!(error.help().contains(&format!("\"{family}\"")), "{error}");
+    }
     let error = library.fender("pneumatic", "3300x6500 50 kPa").unwrap_err();
     assert_eq!(error.help(), "did you mean \"3300x6500 50kPa\"?");
     assert!(error.to_string().contains("size of pneumatic fenders"), "{error}");

@@ -87,11 +87,11 @@ fn mistakes_point_at_the_option() {
     check_refused("pair.0.material=papper", Some("pair.0.material"), "did you mean \"paper\"?");
     check_refused("load.0.moment=1", Some("load"), "the file has no `load`");
     check_refused("contact.method=papr", Some("contact.method"), "did you mean \"paper\"?");
-    check_refused("time.step", None, "it has no `=`");
+    check_refused("time.step", None, "there is no `=`");
     check_refused("time..step=1", None, "is not a key");
     check_refused("=1", None, "is not a key");
     check_refused("time.step=", Some("time.step"), "there is no value");
-    check_refused("time.step=[1", None, "the value is broken");
+    check_refused("time.step=[1", None, "the value is not TOML");
     check_refused("body.tug.outline=[[0, 0], [1, 1]]", Some("body.tug.outline"), "");
 }
 

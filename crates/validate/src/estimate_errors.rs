@@ -8,7 +8,7 @@ use fenderline_sim::hydro::EstimateMethod;
 use fenderline_sim::hydro::vessels;
 
 use super::computed::Values;
-use super::computed::estimates::{MEASURES, ROUTES, SHIPS, compute_route};
+use super::computed::estimates::{MEASURES, ROUTES, ReferenceShip, compute_route};
 use super::published::{Number, Origin, Source};
 
 /// The file.
@@ -66,7 +66,8 @@ fn errors(values: &Values, route: &str) -> Vec<EstimateError> {
         .iter()
         .zip(NAMES)
         .map(|((measure, _), name)| {
-            let of_ship = |ship: &&str| {
+            let of_ship = |ship: ReferenceShip| {
+                let ship = ship.name();
                 let value = format!("estimated/{route}/{ship}/{measure}");
                 let is_its = |number: &&&Number| number.origin == Origin::Computed(value.clone());
                 let number = numbers.iter().find(is_its)?;
@@ -75,7 +76,8 @@ fn errors(values: &Values, route: &str) -> Vec<EstimateError> {
                 let title = number.case.split(',').next().unwrap_or_default();
                 Some((title.to_owned(), error))
             };
-            let all: Vec<(String, f64)> = SHIPS.iter().filter_map(of_ship).collect();
+            let all: Vec<(String, f64)> =
+                ReferenceShip::ALL.into_iter().filter_map(of_ship).collect();
             let mean = |of: fn(f64) -> f64| {
                 all.iter().map(|(_, error)| of(*error)).sum::<f64>() / all.len() as f64
             };

@@ -16,16 +16,52 @@ use super::ships::vessel;
 pub(crate) const ROUTES: [(&str, EstimateMethod); 2] =
     [("yoshimura_masumoto", EstimateMethod::YoshimuraMasumoto), ("clarke", EstimateMethod::Clarke)];
 
-/// The ships that errors are taken over.
-pub(crate) const SHIPS: [&str; 6] =
-    ["kcs", "kvlcc2", "esso_osaka", "s175", "tanker_190", "mariner"];
+/// A ship with references for its manoeuvres, which the errors of the estimates are computed over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ReferenceShip {
+    Kcs,
+    Kvlcc2,
+    EssoOsaka,
+    S175,
+    Tanker190,
+    Mariner,
+}
+
+impl ReferenceShip {
+    pub(crate) const ALL: [ReferenceShip; 6] = [
+        ReferenceShip::Kcs,
+        ReferenceShip::Kvlcc2,
+        ReferenceShip::EssoOsaka,
+        ReferenceShip::S175,
+        ReferenceShip::Tanker190,
+        ReferenceShip::Mariner,
+    ];
+
+    /// The ship's name in `validation/estimated_ships.toml`.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            ReferenceShip::Kcs => "kcs",
+            ReferenceShip::Kvlcc2 => "kvlcc2",
+            ReferenceShip::EssoOsaka => "esso_osaka",
+            ReferenceShip::S175 => "s175",
+            ReferenceShip::Tanker190 => "tanker_190",
+            ReferenceShip::Mariner => "mariner",
+        }
+    }
+
+    /// The name of a second reference in the same file. It does not count in the errors again.
+    fn second_reference(self) -> Option<&'static str> {
+        match self {
+            ReferenceShip::Kvlcc2 => Some("kvlcc2_tests"),
+            ReferenceShip::Mariner => Some("mariner_momentary"),
+            _ => None,
+        }
+    }
+}
 
 /// What is measured, with its unit.
 pub(crate) const MEASURES: [(&str, &str); 4] =
     [("advance", "L"), ("diameter", "L"), ("overshoot_10", "°"), ("overshoot_20", "°")];
-
-/// Other references for ships of [`SHIPS`], which do not count in the errors a second time: their names in the file.
-const ALSO: [(&str, &str); 2] = [("kvlcc2", "kvlcc2_tests"), ("mariner", "mariner_momentary")];
 
 /// A step over the time in which the ship sails her own length.
 const STEP: f64 = 0.005;
@@ -40,10 +76,9 @@ pub(super) fn compute(values: &mut Values) {
 
 /// All measures of all ships by one route.
 pub(crate) fn compute_route(values: &mut Values, name: &str, route: EstimateMethod) {
-    for ship in SHIPS {
+    for ship in ReferenceShip::ALL {
         let measures = measured(&estimate_of(ship, route));
-        let also = ALSO.iter().filter(|(same, _)| *same == ship).map(|(_, other)| *other);
-        for called in std::iter::once(ship).chain(also) {
+        for called in std::iter::once(ship.name()).chain(ship.second_reference()) {
             for ((measure, unit), value) in MEASURES.iter().zip(measures) {
                 values.put(format!("estimated/{name}/{called}/{measure}"), value, unit);
             }
@@ -70,7 +105,7 @@ fn measured(vessel: &Vessel) -> [f64; 4] {
 }
 
 /// She as a user would describe her who has no test of hers.
-pub(super) fn estimate_of(name: &str, route: EstimateMethod) -> Vessel {
+pub(super) fn estimate_of(ship: ReferenceShip, route: EstimateMethod) -> Vessel {
     let of = |known: &Known| estimated_by(route, known).expect("a ship").model;
     let library = |key: &str| {
         let own = vessel(key);
@@ -86,31 +121,30 @@ pub(super) fn estimate_of(name: &str, route: EstimateMethod) -> Vessel {
         };
         Vessel { ship: of(&of_particulars(own.ship.particulars, gear)), ..own }
     };
-    match name {
-        "kcs" => library("kcs"),
-        "kvlcc2" => library("kvlcc2"),
-        "esso_osaka" => library("esso-osaka"),
+    match ship {
+        ReferenceShip::Kcs => library("kcs"),
+        ReferenceShip::Kvlcc2 => library("kvlcc2"),
+        ReferenceShip::EssoOsaka => library("esso-osaka"),
         // Read in the toolbox MSS; the speed is that of 80 rpm.
-        "s175" => {
+        ReferenceShip::S175 => {
             let hull = particulars([175.0, 25.4, 8.5], 21_222.0);
             let gear = gear(6.533, 33.0376, 1.8219);
             other(of(&of_particulars(hull, gear)), 8.3767, 5.0)
         }
         // Length and draught read in the toolbox MSS; beam and volume recalled; propeller and rudder by her own forces,
         // as validation/independent/reference_ships.py has them.
-        "tanker_190" => {
+        ReferenceShip::Tanker190 => {
             let hull = particulars([304.8, 47.17, 18.46], 220_000.0);
             let gear = gear(9.14, 88.8, USUAL_ASPECT);
             other(of(&of_particulars(hull, gear)), 8.2258, 2.33)
         }
         // Length and mass read in the toolbox MSS; beam, draught and propeller recalled; the rudder as the tanker's.
-        "mariner" => {
+        ReferenceShip::Mariner => {
             let volume_m3 = 0.007_98 * 0.5 * 160.93 * 160.93 * 160.93;
             let hull = particulars([160.93, 23.17, 7.47], volume_m3);
             let gear = gear(6.706, 21.6, USUAL_ASPECT);
             other(of(&of_particulars(hull, gear)), 7.7175, 5.0)
         }
-        other => unreachable!("{other} is no reference"),
     }
 }
 

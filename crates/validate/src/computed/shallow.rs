@@ -7,17 +7,17 @@ use fenderline_sim::hydro::vessels::Vessel;
 use fenderline_sim::hydro::{EstimateMethod, Mmg, Model3, Particulars, Water};
 
 use super::Values;
-use super::estimates::{self, estimate_of};
+use super::estimates::{ReferenceShip, estimate_of};
 use super::ships::vessel;
 
 /// Depth over draught, and their names.
 const DEPTHS: [(f64, &str); 3] = [(2.0, "2"), (1.5, "1.5"), (1.2, "1.2")];
-/// The sets of corrections, and their names.
-const SETS: [(CorrectionSet, &str); 4] = [
-    (CorrectionSet::Combined, "combined"),
-    (CorrectionSet::EffectiveAspectRatio, "aspect_ratio"),
-    (CorrectionSet::Ankudinov, "ankudinov"),
-    (CorrectionSet::Taimuri, "taimuri"),
+/// The sets of corrections that are compared.
+const SETS: [CorrectionSet; 4] = [
+    CorrectionSet::Combined,
+    CorrectionSet::EffectiveAspectRatio,
+    CorrectionSet::Ankudinov,
+    CorrectionSet::Taimuri,
 ];
 /// Ships that have a propeller and a rudder, whether all sets are compared for them or the one taken, and whether drift
 /// and overshoot are, too.
@@ -28,34 +28,59 @@ const SHIPS: [(&str, bool, bool); 5] = [
     ("bulk-carrier", false, false),
     ("container-ship", false, false),
 ];
+/// A correction factor: its name in the results, and where it is found.
+type Factor = (&'static str, fn(&Corrections) -> f64);
+
+const Y_V: Factor = ("y_v", |all| all.hull.y_v);
+const Y_R: Factor = ("y_r", |all| all.hull.y_r);
+const Y_VVV: Factor = ("y_vvv", |all| all.hull.y_vvv);
+const N_V: Factor = ("n_v", |all| all.hull.n_v);
+const N_R: Factor = ("n_r", |all| all.hull.n_r);
+const N_VVR: Factor = ("n_vvr", |all| all.hull.n_vvr);
+const X_VR: Factor = ("x_vr", |all| all.hull.x_vr);
+const RESISTANCE: Factor = ("resistance", |all| all.hull.resistance);
+const M_X: Factor = ("m_x", |all| all.mass.surge);
+const M_Y: Factor = ("m_y", |all| all.mass.sway);
+const J_Z: Factor = ("j_z", |all| all.mass.yaw);
+
 /// The factors that are compared, by ship and set.
-const FACTORS: [(&str, usize, &[&str]); 7] = [
+const FACTORS: [(&str, CorrectionSet, &[Factor]); 7] = [
     (
         "tanker",
-        0,
-        &["y_v", "y_r", "y_vvv", "n_v", "n_r", "n_vvr", "x_vr", "resistance", "m_x", "m_y", "j_z"],
+        CorrectionSet::Combined,
+        &[Y_V, Y_R, Y_VVV, N_V, N_R, N_VVR, X_VR, RESISTANCE, M_X, M_Y, J_Z],
     ),
-    ("tanker", 1, &["n_r"]),
-    ("tanker", 2, &["n_r"]),
-    ("tanker", 3, &["n_r"]),
-    ("kvlcc2", 0, &["y_v", "y_r", "n_v", "n_r", "m_y", "j_z"]),
-    ("kvlcc2", 2, &["n_v"]),
-    ("kvlcc2", 3, &["y_v"]),
+    ("tanker", CorrectionSet::EffectiveAspectRatio, &[N_R]),
+    ("tanker", CorrectionSet::Ankudinov, &[N_R]),
+    ("tanker", CorrectionSet::Taimuri, &[N_R]),
+    ("kvlcc2", CorrectionSet::Combined, &[Y_V, Y_R, N_V, N_R, M_Y, J_Z]),
+    ("kvlcc2", CorrectionSet::Ankudinov, &[N_V]),
+    ("kvlcc2", CorrectionSet::Taimuri, &[Y_V]),
 ];
 /// A step over the time in which the ship sails her own length.
 const STEP: f64 = 0.01;
 /// Froude number of the approach of a ship without a speed of her own.
 const FROUDE: f64 = 0.15;
 
+/// The name of a set in the results.
+fn name_of(set: CorrectionSet) -> &'static str {
+    match set {
+        CorrectionSet::Combined => "combined",
+        CorrectionSet::EffectiveAspectRatio => "aspect_ratio",
+        CorrectionSet::Ankudinov => "ankudinov",
+        CorrectionSet::Taimuri => "taimuri",
+    }
+}
+
 pub(super) fn compute(values: &mut Values) {
-    for (name, set, terms) in FACTORS {
+    for (name, set, factors) in FACTORS {
         let ship = if name == "tanker" { tanker() } else { vessel(name).ship.particulars };
-        let (set, set_name) = SETS[set];
+        let set_name = name_of(set);
         for (ratio, depth) in DEPTHS {
             let all = Corrections::of(set, &ship, ratio * ship.draught_m);
-            for term in terms {
-                let name = format!("shallow/{name}/{set_name}/{term}/{depth}");
-                values.put(name, factor(&all, term), "");
+            for (factor, value) in factors {
+                let name = format!("shallow/{name}/{set_name}/{factor}/{depth}");
+                values.put(name, value(&all), "");
             }
         }
     }
@@ -63,7 +88,9 @@ pub(super) fn compute(values: &mut Values) {
     for (name, by_all_sets, whole) in SHIPS {
         let vessel = vessel(name);
         let deep = Measures::of(&vessel, vessel.ship);
-        for &(set, set_name) in if by_all_sets { &SETS[..] } else { &SETS[..1] } {
+        let sets = if by_all_sets { &SETS[..] } else { &[CorrectionSet::Combined] };
+        for &set in sets {
+            let set_name = name_of(set);
             for (ratio, depth) in DEPTHS {
                 let ship = vessel.ship.at_depth_by(set, ratio * vessel.ship.particulars.draught_m);
                 let there = Measures::of(&vessel, ship);
@@ -72,7 +99,7 @@ pub(super) fn compute(values: &mut Values) {
                     values.put(name, there / deep, "");
                 };
                 put("diameter", there.diameter_m, deep.diameter_m);
-                if whole && set == SETS[0].0 {
+                if whole && set == CorrectionSet::Combined {
                     put("drift", there.drift_rad, deep.drift_rad);
                     put("overshoot_20", there.overshoot_20_rad, deep.overshoot_20_rad);
                 }
@@ -83,8 +110,9 @@ pub(super) fn compute(values: &mut Values) {
 
 /// Tactical diameters of ships that are estimated from particulars alone, by the route that the program takes.
 fn estimated(values: &mut Values) {
-    for name in estimates::SHIPS {
-        let vessel = estimate_of(name, EstimateMethod::YoshimuraMasumoto);
+    for ship in ReferenceShip::ALL {
+        let name = ship.name();
+        let vessel = estimate_of(ship, EstimateMethod::YoshimuraMasumoto);
         let deep = Measures::of(&vessel, vessel.ship);
         for (ratio, depth) in DEPTHS {
             let ship = vessel.ship.at_depth(ratio * vessel.ship.particulars.draught_m);
@@ -92,24 +120,6 @@ fn estimated(values: &mut Values) {
             let name = format!("shallow/estimated/{name}/diameter/{depth}");
             values.put(name, there.diameter_m / deep.diameter_m, "");
         }
-    }
-}
-
-/// A factor by the name of its term.
-fn factor(all: &Corrections, term: &str) -> f64 {
-    match term {
-        "y_v" => all.hull.y_v,
-        "y_r" => all.hull.y_r,
-        "y_vvv" => all.hull.y_vvv,
-        "n_v" => all.hull.n_v,
-        "n_r" => all.hull.n_r,
-        "n_vvr" => all.hull.n_vvr,
-        "x_vr" => all.hull.x_vr,
-        "resistance" => all.hull.resistance,
-        "m_x" => all.mass.surge,
-        "m_y" => all.mass.sway,
-        "j_z" => all.mass.yaw,
-        other => unreachable!("no factor is called {other}"),
     }
 }
 

@@ -1,0 +1,99 @@
+//! Keys of the outline and of what is on deck: chocks, bitts and belting.
+
+use crate::choices::{Choice, Choices};
+use crate::keys::{FORWARD_M, LENGTH_M, key};
+use crate::spec::Absent::Refused;
+use crate::spec::{Kind, TableSpec};
+use crate::vessels::shape::OutlineOrigin;
+
+pub(super) static OUTLINE: TableSpec = TableSpec {
+    what: "an outline of a file",
+    doc: "A vessel's outline in the horizontal plane.",
+    keys: &[
+        key(
+            "origin",
+            Kind::Choice(&ORIGINS),
+            Refused,
+            "From where its points are counted.",
+            &["\"midship\""],
+        ),
+        key(
+            "points",
+            Kind::Outline(FORWARD_M),
+            Refused,
+            "Vertices, forward and to starboard, in either direction round; need not be convex.",
+            &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
+        ),
+    ],
+    rules: None,
+};
+
+static ORIGINS: Choices<OutlineOrigin> = Choices(&[
+    Choice {
+        word: "midship",
+        value: OutlineOrigin::Midship,
+        doc: "half the length between perpendiculars, on the centre line",
+    },
+    Choice {
+        word: "after perpendicular",
+        value: OutlineOrigin::AfterPerpendicular,
+        doc: "the after perpendicular, on the centre line",
+    },
+    Choice {
+        word: "centre of gravity",
+        value: OutlineOrigin::CentreOfGravity,
+        doc: "the centre of gravity",
+    },
+]);
+
+pub(super) static DECK_POINT: TableSpec = TableSpec {
+    what: "a point on deck",
+    doc: "Where a line meets the vessel.",
+    keys: &[
+        key(
+            "at",
+            Kind::Point(FORWARD_M),
+            Refused,
+            "Forward and starboard of midship.",
+            &["[140, 5]"],
+        ),
+        key(
+            "height",
+            Kind::Quantity(FORWARD_M),
+            Refused,
+            "Above the still water at her draught.",
+            &["\"12 m\""],
+        ),
+    ],
+    rules: None,
+};
+
+pub(super) static BELTING: TableSpec = TableSpec {
+    what: "a belting",
+    doc: "A straight strip along her side or her bow, facing away from midship.",
+    keys: &[
+        key(
+            "from",
+            Kind::Point(FORWARD_M),
+            Refused,
+            "One end: forward and starboard of midship.",
+            &["[16, -4]"],
+        ),
+        key(
+            "to",
+            Kind::Point(FORWARD_M),
+            Refused,
+            "The other end: forward and starboard of midship.",
+            &["[16, 4]"],
+        ),
+        key(
+            "height",
+            Kind::Quantity(FORWARD_M),
+            Refused,
+            "Its middle above the still water at her draught.",
+            &["\"2 m\""],
+        ),
+        key("extent", Kind::Quantity(LENGTH_M), Refused, "Its extent up and down.", &["\"1.5 m\""]),
+    ],
+    rules: None,
+};

@@ -1,0 +1,35 @@
+//! Keys of the sources of a vessel's numbers.
+
+use crate::keys::{STANDINGS, key};
+use crate::spec::Absent::Refused;
+use crate::spec::{Kind, TableSpec};
+
+pub(super) static SOURCE: TableSpec = TableSpec {
+    what: "a source",
+    doc: "Where some of a vessel's numbers come from.",
+    keys: &[
+        key(
+            "of",
+            Kind::Texts,
+            Refused,
+            "Keys of the vessel, as `beam`, `propeller` or `propeller.wake`: a table stands for all in it that no \
+             other source names more closely.",
+            &["[\"length_bp\", \"beam\", \"rudder\"]"],
+        ),
+        key(
+            "source",
+            Kind::Text,
+            Refused,
+            "Where the numbers come from.",
+            &["\"the trials report, table 2\""],
+        ),
+        key(
+            "standing",
+            Kind::Choice(&STANDINGS),
+            Refused,
+            "How well the source is known.",
+            &["\"found\""],
+        ),
+    ],
+    rules: None,
+};

@@ -1,0 +1,254 @@
+//! Keys of propeller and rudder.
+
+use fenderline_sim::hydro::Series;
+use serde_json::json;
+
+use super::{COEFFICIENT, ESTIMATED, POSITIVE, coefficients};
+use crate::choices::{Choice, Choices};
+use crate::keys::{LENGTH_M, key};
+use crate::spec::Absent::{Means, Refused};
+use crate::spec::{Kind, Quantity, TableSpec};
+use crate::units::measures as unit;
+
+pub(super) static PROPELLER: TableSpec = TableSpec {
+    what: "a propeller of a file",
+    doc: "Propeller, wake and shaft.",
+    keys: &[
+        key("diameter", Kind::Quantity(LENGTH_M), Refused, "Diameter.", &["\"8.5 m\""]),
+        key(
+            "full",
+            Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-3, high: 1e3 }),
+            Means("by Froude's law from the vessel of `coefficients_of`; needed without it"),
+            "Full revolutions.",
+            &["\"95 rpm\""],
+        ),
+        key(
+            "reversal",
+            Kind::Quantity(Quantity { measure: &unit::TIME, low: 0.1, high: 3600.0 }),
+            Means("40 s, assumed"),
+            "Time from full ahead to full astern.",
+            &["\"60 s\""],
+        ),
+        key(
+            "thrust",
+            Kind::Table(&THRUST),
+            Means("that of the series"),
+            "Thrust coefficient in the first quadrant, K_T = k0 + k1 J + k2 J².",
+            &[],
+        ),
+        key(
+            "series",
+            Kind::Choice(&SERIES),
+            Means("B4-70 of pitch 0.8, and said so"),
+            "The series propeller for what `thrust` does not cover, and for torque.",
+            &["\"B4-70 pitch 1.0\""],
+        ),
+        key(
+            "thrust_deduction",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.5, high: 0.99 }),
+            Means(ESTIMATED),
+            "t_P, of thrust ahead.",
+            &["0.22"],
+        ),
+        key(
+            "thrust_deduction_astern",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.5, high: 0.99 }),
+            Means(ESTIMATED),
+            "t_P, of thrust astern.",
+            &["0.3"],
+        ),
+        key(
+            "wake",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.5, high: 0.99 }),
+            Means(ESTIMATED),
+            "w₀, effective wake fraction straight ahead.",
+            &["0.35"],
+        ),
+        key(
+            "wake_change",
+            Kind::Table(&WAKE_CHANGE),
+            Means("estimated where `wake` is, else none; said so"),
+            "How the wake changes in a turn.",
+            &[],
+        ),
+        key(
+            "place",
+            Kind::Quantity(COEFFICIENT),
+            Means(ESTIMATED),
+            "x'_P, place of the propeller over the length, forward of midship.",
+            &["-0.48"],
+        ),
+    ],
+    rules: None,
+};
+
+static THRUST: TableSpec = TableSpec {
+    what: "a thrust coefficient",
+    doc: "K_T = k0 + k1 J + k2 J².",
+    keys: coefficients! { "k0": "At bollard.", "k1": "Over J.", "k2": "Over J²." },
+    rules: None,
+};
+
+static SERIES: Choices<Series> = Choices(&[
+    Choice {
+        word: "B4-70 pitch 0.8",
+        value: Series::B4Pitch08,
+        doc: "Wageningen B4-70, pitch ratio 0.8",
+    },
+    Choice {
+        word: "B4-70 pitch 1.0",
+        value: Series::B4Pitch10,
+        doc: "Wageningen B4-70, pitch ratio 1.0",
+    },
+]);
+
+static WAKE_CHANGE: TableSpec = TableSpec {
+    what: "a change of the wake",
+    doc: "(1 − w)/(1 − w₀) = 1 + (1 − e^{−C₁|β_P|})(C₂ − 1), Yasukawa & Yoshimura (2015).",
+    keys: &[
+        key("c1", Kind::Quantity(POSITIVE), Refused, "C₁.", &["2.0"]),
+        key("c2_below", Kind::Quantity(POSITIVE), Refused, "C₂ for β_P below 0.", &["1.1"]),
+        key("c2_above", Kind::Quantity(POSITIVE), Refused, "C₂ for β_P above 0.", &["1.6"]),
+    ],
+    rules: None,
+};
+
+pub(super) static RUDDER: TableSpec = TableSpec {
+    what: "a rudder of a file",
+    doc: "Rudder, what hull and propeller make of it, and its steering gear.",
+    keys: &[
+        key(
+            "area",
+            Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-6, high: 1e4 }),
+            Means("`area_ratio` says it"),
+            "Movable area.",
+            &["\"60 m^2\""],
+        ),
+        key(
+            "area_ratio",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1e3 }),
+            Means("`area` says it"),
+            "Length times draught over the movable area.",
+            &["54.86"],
+        ),
+        key(
+            "span",
+            Kind::Quantity(LENGTH_M),
+            Means("`propeller_to_span` and `aspect_ratio` say it"),
+            "Span.",
+            &["\"9 m\""],
+        ),
+        key(
+            "propeller_to_span",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.01, high: 1.0 }),
+            Means("`span` says it"),
+            "η: diameter of the propeller over span.",
+            &["0.8"],
+        ),
+        key(
+            "aspect_ratio",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 20.0 }),
+            Means("`span` says it, or `lift_gradient` is given"),
+            "Λ: span² over area.",
+            &["1.8"],
+        ),
+        key(
+            "lift_gradient",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.01, high: 10.0 }),
+            Means(ESTIMATED),
+            "f_α.",
+            &["2.747"],
+        ),
+        key(
+            "wake_ratio",
+            Kind::Quantity(POSITIVE),
+            Means(ESTIMATED),
+            "ε: wake at the rudder over wake at the propeller.",
+            &["1.09"],
+        ),
+        key(
+            "race_gain",
+            Kind::Quantity(POSITIVE),
+            Means(ESTIMATED),
+            "κ: how much of the race's speed reaches the rudder.",
+            &["0.5"],
+        ),
+        key(
+            "straightening",
+            Kind::Table(&STRAIGHTENING),
+            Means(ESTIMATED),
+            "γ_R: flow straightening.",
+            &[],
+        ),
+        key(
+            "straightening_place",
+            Kind::Quantity(COEFFICIENT),
+            Means(ESTIMATED),
+            "l'_R: effective place of the rudder over the length.",
+            &["-0.71"],
+        ),
+        key(
+            "resistance_deduction",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.99, high: 0.99 }),
+            Means(ESTIMATED),
+            "t_R.",
+            &["0.387"],
+        ),
+        key(
+            "hull_gain",
+            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.99, high: 9.9 }),
+            Means(ESTIMATED),
+            "a_H: force that steering puts on the hull, over the rudder's own.",
+            &["0.312"],
+        ),
+        key(
+            "hull_place",
+            Kind::Quantity(COEFFICIENT),
+            Means(ESTIMATED),
+            "x'_H: place of that force over the length.",
+            &["-0.464"],
+        ),
+        key(
+            "place",
+            Kind::Quantity(COEFFICIENT),
+            Means(ESTIMATED),
+            "x'_R: place of the rudder over the length.",
+            &["-0.5"],
+        ),
+        key(
+            "rate",
+            Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-4, high: 10.0 }),
+            Means(
+                "by Froude's law from the vessel of `coefficients_of`; without it 2.32 deg/s, assumed",
+            ),
+            "Rate of the steering gear.",
+            &["\"2.5 deg/s\""],
+        ),
+        key(
+            "stop",
+            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: 0.01, high: 1.57 }),
+            Means("35 deg, assumed"),
+            "Its stop to either side.",
+            &["\"35 deg\""],
+        ),
+    ],
+    rules: Some(|| {
+        json!({
+            "allOf": [{ "oneOf": [{ "required": ["area"] }, { "required": ["area_ratio"] }] }],
+            "oneOf": [
+                { "required": ["span"], "properties": { "propeller_to_span": false, "aspect_ratio": false } },
+                { "required": ["propeller_to_span"] }
+            ]
+        })
+    }),
+};
+
+static STRAIGHTENING: TableSpec = TableSpec {
+    what: "a flow straightening",
+    doc: "γ_R by the side from which the water comes.",
+    keys: &[
+        key("below", Kind::Quantity(POSITIVE), Refused, "For β_R below 0.", &["0.395"]),
+        key("above", Kind::Quantity(POSITIVE), Refused, "For β_R above 0.", &["0.64"]),
+    ],
+    rules: None,
+};

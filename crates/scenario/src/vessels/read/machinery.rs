@@ -1,0 +1,191 @@
+//! Propeller, rudder, thrusters and azimuth units, and the speed of approach.
+
+use std::f64::consts::TAU;
+
+use fenderline_sim::hydro::actuator::RateLimited;
+use fenderline_sim::hydro::vessels::Figure;
+use fenderline_sim::hydro::{Particulars, SternCoefficients, SternGear, TunnelThruster};
+use fenderline_sim::{AzimuthSetup, ThrusterSetup};
+
+use super::{Reading, figure};
+use crate::assemble;
+use crate::checked::{Item, Table};
+use crate::error::ScenarioError;
+use crate::vessels::data::{Shaft, VesselData};
+use crate::vessels::figures::digits;
+
+type Read<T> = Result<T, ScenarioError>;
+
+/// Acceleration of gravity (m/s²) in the Froude numbers of vessel files: published trials round it so.
+const FROUDE_GRAVITY_MPS2: f64 = 9.81;
+
+/// Rate of a steering gear of which nothing is said (rad/s): 2.32 degrees a second, IMO's 65 degrees in 28 s.
+const USUAL_RATE_RADPS: f64 = 2.32 * TAU / 360.0;
+
+/// A rudder's stop of which nothing is said (rad): 35 degrees.
+const USUAL_STOP_RAD: f64 = 35.0 * TAU / 360.0;
+
+/// From full ahead to full astern where nothing is said (s).
+const USUAL_REVERSAL_S: f64 = 40.0;
+
+impl Reading<'_, '_> {
+    pub(super) fn stern_gear(
+        &self,
+        ship: &Particulars,
+        own: &SternCoefficients,
+    ) -> Read<Option<SternGear>> {
+        let table = self.table;
+        let (propeller, rudder) = match (table.item("propeller"), table.item("rudder")) {
+            (Some(propeller), Some(rudder)) => (propeller.table(), rudder.table()),
+            (None, None) => return Ok(None),
+            (Some(alone), None) | (None, Some(alone)) => {
+                let other = if alone.name == "rudder" { "propeller" } else { "rudder" };
+                let path = table.path_of(alone.name);
+                let message = format!("`{path}` needs `{other}` beside it");
+                return Err(self.sources.error(&alone.key_span, &path, message));
+            }
+        };
+        let propeller_m = *propeller.given("diameter").number();
+        let rudder_m2 = match (rudder.item_if_any("area"), rudder.item_if_any("area_ratio")) {
+            (Some(_), Some(item)) => return Err(self.together(rudder, item, "area")),
+            (Some(area), None) => *area.number(),
+            (None, Some(ratio)) => ship.length_m * ship.draught_m / ratio.number(),
+            (None, None) => return Err(self.missing(rudder, "area", "or give `area_ratio`")),
+        };
+        let (to_span, aspect) =
+            (rudder.item_if_any("propeller_to_span"), rudder.item_if_any("aspect_ratio"));
+        let (propeller_to_span, aspect_ratio) = match rudder.item_if_any("span") {
+            Some(span) => {
+                if let Some(item) = to_span.or(aspect) {
+                    return Err(self.together(rudder, item, "span"));
+                }
+                let span_m = span.number();
+                (propeller_m / span_m, span_m * span_m / rudder_m2)
+            }
+            None => {
+                let need = |name, help| self.missing(rudder, name, help);
+                let to_span = to_span.ok_or_else(|| need("span", "or give `propeller_to_span`"))?;
+                let aspect = aspect.map(|item| *item.number());
+                if aspect.is_none() && own.lift_gradient.is_none() {
+                    return Err(need("aspect_ratio", "or give `lift_gradient`"));
+                }
+                (*to_span.number(), aspect.unwrap_or(1.0))
+            }
+        };
+        Ok(Some(SternGear { propeller_m, rudder_m2, propeller_to_span, aspect_ratio, own: *own }))
+    }
+
+    pub(super) fn approach_mps(
+        &self,
+        base: Option<(&VesselData, f64)>,
+        ship: &Particulars,
+        scaled: &mut Vec<Figure>,
+    ) -> Read<Option<f64>> {
+        let table = self.table;
+        match (table.item_if_any("speed"), table.item_if_any("froude")) {
+            (Some(_), Some(item)) => Err(self.together(table, item, "speed")),
+            (Some(speed), None) => Ok(Some(*speed.number())),
+            (None, Some(froude)) => {
+                Ok(Some(froude.number() * (FROUDE_GRAVITY_MPS2 * ship.length_m).sqrt()))
+            }
+            (None, None) => Ok(base.and_then(|(base, time_scale)| {
+                let speed_mps = base.approach_mps? / time_scale;
+                scaled.push(figure("speed", &format!("{} m/s", digits(speed_mps))));
+                Some(speed_mps)
+            })),
+        }
+    }
+
+    pub(super) fn rudder(
+        &self,
+        base: Option<(&VesselData, f64)>,
+        scaled: &mut Vec<Figure>,
+        assumed: &mut Vec<Figure>,
+    ) -> RateLimited {
+        let Some(gear) = self.table.item("rudder").map(Item::table) else {
+            return RateLimited { value: 0.0, rate_per_s: 0.0, stop: 0.0 };
+        };
+        let stop = gear.number_if_any("stop").unwrap_or_else(|| {
+            assumed.push(figure("rudder.stop", "35°"));
+            USUAL_STOP_RAD
+        });
+        let rate_per_s = match (gear.item("rate"), base) {
+            (Some(rate), _) => *rate.number(),
+            (None, Some((base, time_scale))) => {
+                let rate = base.rudder.rate_per_s * time_scale;
+                scaled.push(figure("rudder.rate", &format!("{}°/s", digits(rate.to_degrees()))));
+                rate
+            }
+            (None, None) => {
+                assumed.push(figure("rudder.rate", "2.32°/s"));
+                USUAL_RATE_RADPS
+            }
+        };
+        RateLimited { value: 0.0, rate_per_s, stop }
+    }
+
+    pub(super) fn shaft(
+        &self,
+        base: Option<(&VesselData, f64)>,
+        scaled: &mut Vec<Figure>,
+        assumed: &mut Vec<Figure>,
+    ) -> Read<Option<Shaft>> {
+        let Some(propeller) = self.table.item("propeller").map(Item::table) else {
+            return Ok(None);
+        };
+        let reversal_s = propeller.number_if_any("reversal").unwrap_or_else(|| {
+            assumed.push(figure("propeller.reversal", "40 s"));
+            USUAL_REVERSAL_S
+        });
+        let of_base = base.and_then(|(base, time_scale)| Some(base.shaft?.full_rps * time_scale));
+        let full_rps = match (propeller.item("full"), of_base) {
+            (Some(full), _) => full.number() / TAU,
+            (None, Some(full_rps)) => {
+                let text = format!("{} rpm", digits(60.0 * full_rps));
+                scaled.push(figure("propeller.full", &text));
+                full_rps
+            }
+            (None, None) => {
+                return Err(self.missing(propeller, "full", "write full = \"95 rpm\""));
+            }
+        };
+        Ok(Some(Shaft { full_rps, reversal_s }))
+    }
+
+    pub(super) fn thrusters(&self, ship: &Particulars) -> Read<Vec<ThrusterSetup>> {
+        let read = |(name, table): &(String, Table)| {
+            let along = table.given("along");
+            let along_m = *along.number();
+            if along_m.abs() > 0.6 * ship.length_m {
+                let message =
+                    format!("{along_m} m from midship is not in a ship of {} m", ship.length_m);
+                return Err(self.at(table, along, &message));
+            }
+            Ok(ThrusterSetup {
+                name: name.clone(),
+                tunnel: TunnelThruster { bollard_n: *table.given("force").number(), along_m },
+                lag_s: *table.given("lag").number(),
+            })
+        };
+        let thrusters = self.table.given("thruster").named().iter().map(read);
+        let mut thrusters: Vec<ThrusterSetup> = thrusters.collect::<Read<_>>()?;
+        // Their forces are added up in this order, whatever that of the file.
+        thrusters.sort_by(|one, other| one.name.cmp(&other.name));
+        Ok(thrusters)
+    }
+
+    pub(super) fn azimuths(&self, ship: &Particulars) -> Read<Vec<AzimuthSetup>> {
+        let tables = self.table.given("azimuth").named();
+        for (_, table) in tables {
+            for (name, most_m) in [("along", 0.6 * ship.length_m), ("across", 0.5 * ship.beam_m)] {
+                let place = table.given(name);
+                let place_m = *place.number();
+                if place_m.abs() > most_m {
+                    let message = format!("{place_m} m is not under a ship of her size");
+                    return Err(self.at(table, place, &message));
+                }
+            }
+        }
+        Ok(assemble::azimuths(tables))
+    }
+}

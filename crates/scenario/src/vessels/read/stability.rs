@@ -1,0 +1,67 @@
+//! What heave, roll and pitch are computed from.
+
+use fenderline_sim::attitude::{HydrostaticParticulars, Hydrostatics, oscillator_estimates};
+use fenderline_sim::constants::SEA_WATER_KGPM3;
+use fenderline_sim::hydro::Particulars;
+use fenderline_sim::hydro::vessels::Source;
+
+use super::Reading;
+use crate::error::ScenarioError;
+use crate::vessels::data::Stability;
+use crate::vessels::figures::digits;
+
+type Read<T> = Result<T, ScenarioError>;
+
+impl Reading<'_, '_> {
+    pub(super) fn stability(&self, ship: &Particulars) -> Read<Option<Stability>> {
+        let Some(item) = self.table.item("stability") else { return Ok(None) };
+        let table = item.table();
+        let number = |name: &str| *table.given(name).number();
+        let stability = Stability {
+            gm_m: number("gm"),
+            gravity_above_keel_m: number("gravity_above_keel"),
+            waterplane_m2: number("waterplane_area"),
+        };
+        hydrostatics(&stability, ship, SEA_WATER_KGPM3)
+            .map_err(|error| self.at(self.table, item, &error))?;
+        // A box has the highest metacentre of all: KB at most the draught, BM = I/∇.
+        let most_m = ship.draught_m
+            + ship.length_m * ship.beam_m * ship.beam_m * ship.beam_m / (12.0 * ship.volume_m3);
+        let above_keel_m = stability.gm_m + stability.gravity_above_keel_m;
+        if above_keel_m > most_m {
+            let message = format!(
+                "a metacentre {} m above the keel, but no hull of her size has it above {} m",
+                digits(above_keel_m),
+                digits((10.0 * most_m).round() / 10.0)
+            );
+            return Err(self.at(table, table.given("gm"), &message));
+        }
+        Ok(Some(stability))
+    }
+}
+
+/// Heave, roll and pitch in water of a density (kg/m³).
+///
+/// # Errors
+/// A ship that does not float upright.
+pub(crate) fn hydrostatics(
+    stability: &Stability,
+    ship: &Particulars,
+    water_kgpm3: f64,
+) -> Result<Hydrostatics, fenderline_sim::attitude::AttitudeError> {
+    Hydrostatics::of(&HydrostaticParticulars {
+        mass_kg: water_kgpm3 * ship.volume_m3,
+        length_m: ship.length_m,
+        beam_m: ship.beam_m,
+        draught_m: ship.draught_m,
+        waterplane_m2: stability.waterplane_m2,
+        gm_m: stability.gm_m,
+        water_kgpm3,
+    })
+}
+
+/// How heave, roll and pitch are estimated, where they are, in sea water.
+pub(super) fn oscillators(stability: Option<&Stability>, ship: &Particulars) -> Option<Source> {
+    let of_sea = |stability| hydrostatics(stability, ship, SEA_WATER_KGPM3).ok();
+    stability.and_then(of_sea).map(|of| oscillator_estimates(&of))
+}
