@@ -23,19 +23,26 @@ def page(validation_json: str) -> str:
         parts.append(f"## {subject}\n")
         numbers = [row for row in found["numbers"] if row["subject"] == subject]
         if numbers:
-            parts.append(table(
+            parts.append(without_empty_notes(
                 ["case", "standing", "reference", "ours", "unit", "error", "tolerance", "within", "note"],
                 [[r["case"], r["standing"], short(r["published"]), short(r["ours"]), r["unit"], error(r), tolerance(r), yes(r), r["note"] or ""] for r in numbers],
             ))
         statements = [row for row in found["said"] if row["subject"] == subject]
         if statements:
-            parts.append(table(
+            parts.append(without_empty_notes(
                 ["case", "the source says", "holds if", "ours", "unit", "holds", "note"],
                 [[r["case"], r["says"], r["holds_if"], short(r["ours"]), r["unit"], yes(r), r["note"] or ""] for r in statements],
             ))
         sources = list(dict.fromkeys(row["source"] for row in numbers + statements))
         parts.append("Sources: " + "; ".join(sources) + ".\n")
     return "\n".join(parts)
+
+
+def without_empty_notes(head: list[str], rows: list[list[str]]) -> str:
+    """The table, without its last column where no row has a note."""
+    if any(row[-1] for row in rows):
+        return table(head, rows)
+    return table(head[:-1], [row[:-1] for row in rows])
 
 
 def short(value) -> str:

@@ -31,20 +31,20 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 usage: cargo xtask test                   everything that a change must pass
        cargo xtask attack [together] [SECONDS] [SEED] [PART]...
-                                          all hostile checks, or some, for so long (600 s): one after the other,
-                                          or each for so long at once
-       cargo xtask fuzz [SECONDS]         each fuzz target for so long (20 s)
+                                          all hostile checks, or some, for SECONDS (600): one after the other,
+                                          or all together, each for SECONDS
+       cargo xtask fuzz [SECONDS]         each fuzz target for SECONDS (20)
        cargo xtask bench [clip|step|border|accuracy|mmg|berth|callgrind]...
-                                          times and answers against the peers, instructions a step
-                                          (all seven)
+                                          times and results beside those of peers, and
+                                          instructions per step (all seven)
        cargo xtask book                   the book of docs/, into target/book
        cargo xtask c [SEQUENCES]          the C examples and guide, and random calls (100000)
-       cargo xtask circles                no files of a crate that use each other in a circle
+       cargo xtask circles                fails where files of a crate use each other in a circle
        cargo xtask finite-elements        fenders by finite elements: studies, comparison, tables, data files
        cargo xtask hosts                  FMUs in FMPy, libcosim and ecos, which come from PyPI
-       cargo xtask passivity [EPISODES]   random hits on fender faces: none may make energy (100000)
+       cargo xtask passivity [EPISODES]   random impacts on fenders: none may gain energy (100000)
        cargo xtask live-load [SECONDS]    the live server with 8 clients and 50 hostile ones (20 s)
-       cargo xtask pages                  the pages: checked, built, driven in a browser
+       cargo xtask pages                  the live server's pages: checked, built, driven in a browser
        cargo xtask nautical               sentences for chart programs, each read by two parsers
        cargo xtask state-hashes [REVISION]
                                           a hash of all numbers that each scenario writes, beside those of a revision";

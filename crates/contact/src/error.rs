@@ -1,4 +1,4 @@
-//! Errors that a host or user can make; each leaves everything as it was.
+//! Errors in a host's or user's input. After an error nothing has changed.
 
 use alloc::string::String;
 use core::fmt;
@@ -15,7 +15,7 @@ pub enum ModelError {
         field: &'static str,
         /// Its value.
         value: f64,
-        /// What it must be.
+        /// The values that are allowed.
         must: &'static str,
     },
     /// A mass matrix that is not symmetric or not positive definite.
@@ -30,14 +30,14 @@ pub enum ModelError {
         /// The key.
         key: u64,
     },
-    /// A pair names a body or material that is not there.
+    /// A pair or fender names a body or material that does not exist.
     UnknownId {
-        /// What was looked for.
+        /// The kind of part: body or material.
         what: &'static str,
         /// Its index.
         index: u32,
     },
-    /// A pair of a body with itself, of two fixed bodies, or named twice.
+    /// A pair of a body with itself, a pair of two fixed bodies, or a duplicate pair.
     BadPair {
         /// The two bodies.
         bodies: [String; 2],
@@ -66,7 +66,7 @@ impl fmt::Display for ModelError {
 
 impl core::error::Error for ModelError {}
 
-/// A step that cannot be taken. Memory is bit for bit as it was.
+/// A step that failed. The memory is unchanged.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StepError {
@@ -77,12 +77,12 @@ pub enum StepError {
         /// States given.
         states: usize,
     },
-    /// Δt is not a positive finite number.
+    /// Δt is out of range: 1e-9 s to 1e6 s, or 0 for a pause.
     BadTimeStep {
         /// The value given (s).
         step_s: f64,
     },
-    /// A number of a state is infinite, NaN or beyond what the engine takes.
+    /// A number of a state or load is infinite, NaN or out of range.
     BadState {
         /// Name of the body.
         body: String,
@@ -91,12 +91,12 @@ pub enum StepError {
         /// Its value.
         value: f64,
     },
-    /// The step overflows: a load on next to no mass, or a step far too long for what is stiff there.
+    /// The step overflows: the load is far too large for a body's mass, or the step far too long for a stiff contact.
     NotFinite {
-        /// Name of a body that would be nowhere.
+        /// Name of a body with a non-finite result.
         body: String,
     },
-    /// Memory was made for another model.
+    /// The memory belongs to another model.
     WrongModel,
 }
 
@@ -109,7 +109,7 @@ impl fmt::Display for StepError {
             StepError::BadTimeStep { step_s } => {
                 write!(
                     f,
-                    "the time step is {} s: 1e-9 s to 1e6 s is taken, and 0 for a pause",
+                    "the time step is {} s: it must be 1e-9 s to 1e6 s, or 0 for a pause",
                     DisplayNumber(*step_s)
                 )
             }
@@ -119,7 +119,7 @@ impl fmt::Display for StepError {
             StepError::NotFinite { body } => {
                 write!(
                     f,
-                    "the step overflows: it is far too long for body `{body}`, or that far too light for its load"
+                    "the step overflows: it is far too long for body `{body}`, or the body far too light for its load"
                 )
             }
             StepError::WrongModel => write!(f, "this memory belongs to another model"),
@@ -129,46 +129,45 @@ impl fmt::Display for StepError {
 
 impl core::error::Error for StepError {}
 
-/// A snapshot that cannot be restored. Memory is bit for bit as it was.
+/// A snapshot that cannot be restored. The memory is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RestoreError {
-    /// The bytes do not begin as a snapshot does.
+    /// The bytes do not begin with the mark of a snapshot.
     NotASnapshot,
-    /// A version that this build does not read.
+    /// A version that this library does not read.
     Version {
         /// The version found.
         found: u32,
     },
     /// A snapshot of another model.
     OtherModel,
-    /// Bytes missing or left over.
+    /// Missing or surplus bytes.
     Length,
-    /// The check sum does not fit: the bytes were changed.
+    /// The checksum does not match: the bytes were changed.
     Checksum,
-    /// A value that no memory can hold.
+    /// A value that is impossible in a memory.
     Content,
 }
 
 impl fmt::Display for RestoreError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            RestoreError::NotASnapshot => write!(f, "these bytes are no snapshot"),
+            RestoreError::NotASnapshot => write!(f, "these bytes are not a snapshot"),
             RestoreError::Version { found } => {
-                write!(f, "snapshot version {found} is not one that this version reads")
+                write!(f, "snapshot version {found} is not supported")
             }
             RestoreError::OtherModel => write!(f, "the snapshot belongs to another model"),
-            RestoreError::Length => write!(f, "the snapshot is cut short or has bytes left over"),
-            RestoreError::Checksum => write!(f, "the snapshot's check sum does not fit"),
-            RestoreError::Content => write!(f, "the snapshot holds a value that cannot be"),
+            RestoreError::Length => write!(f, "the snapshot is truncated or has surplus bytes"),
+            RestoreError::Checksum => write!(f, "the snapshot's checksum does not match"),
+            RestoreError::Content => write!(f, "the snapshot contains an impossible value"),
         }
     }
 }
 
 impl core::error::Error for RestoreError {}
 
-/// A number as messages show it: the shortest form that reads back to it, by powers of ten where its digits would run
-/// away.
+/// A number for messages: the shortest text that parses to the same number, with an exponent where it would be long.
 ///
 /// ```
 /// use fenderline_contact::DisplayNumber;

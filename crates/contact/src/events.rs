@@ -1,4 +1,4 @@
-//! Events: what a user should know of, told when it begins and not again while it lasts.
+//! Events: each is reported when its cause begins, and not again while it lasts.
 
 use alloc::vec::Vec;
 
@@ -13,7 +13,7 @@ use crate::report::{Event, EventKind};
 use crate::touch::Touch;
 
 /// Events for the old patches of a pair that no new one continues, or more than one does.
-pub(crate) fn tell_ends_and_splits(
+pub(crate) fn report_ends_and_splits(
     model: &Model,
     events: &mut Vec<Event>,
     patches: &[Patch],
@@ -22,7 +22,7 @@ pub(crate) fn tell_ends_and_splits(
     old_places: &[PlaceMemory],
 ) {
     if own.len() <= 1 && patches.len() == 1 {
-        return; // one patch that goes on
+        return; // one patch that continues
     }
     for m in own {
         let place = place_of(m, old_places);
@@ -35,9 +35,9 @@ pub(crate) fn tell_ends_and_splits(
     }
 }
 
-/// Events of one patch; those that last are told once. Returns the flags to remember.
+/// Events of one patch; lasting ones are reported once. Returns the flags to remember.
 #[inline(always)]
-pub(crate) fn tell_of_patch(
+pub(crate) fn report_patch(
     model: &Model,
     events: &mut Vec<Event>,
     patch: &Patch,
@@ -52,56 +52,61 @@ pub(crate) fn tell_of_patch(
         Inherited::Merged(_) => note(model, events, a, b, EventKind::PatchesMerged),
         Inherited::One(_) | Inherited::Part(_) => {}
     }
-    let told = old.map_or(0, |m| m.flags);
+    let reported = old.map_or(0, |m| m.flags);
     if let Some(face) = face {
-        return tell_of_fender(model, events, patch, face.id, touch.depth_m, told);
+        return report_fender(model, events, patch, face.id, touch.depth_m, reported);
     }
-    // Most of them are less than half of any body.
+    // Shortcut for most patches: they are smaller than half of any body.
     if !patch.contained && patch.area_m2 <= 0.5 * model.ranked.smallest_m2() {
         return 0;
     }
-    tell_of_deep_overlap(model, events, patch, told)
+    report_deep_overlap(model, events, patch, reported)
 }
 
-/// One body within the other, or half of it.
+/// One body lies within the other, or half of it does.
 #[inline(never)]
-fn tell_of_deep_overlap(model: &Model, events: &mut Vec<Event>, patch: &Patch, told: u32) -> u32 {
+fn report_deep_overlap(
+    model: &Model,
+    events: &mut Vec<Event>,
+    patch: &Patch,
+    reported: u32,
+) -> u32 {
     let (a, b) = (patch.candidate.a, patch.candidate.b);
     let smaller_m2 = lesser(model.ranked[a as usize].area_m2, model.ranked[b as usize].area_m2);
-    // To a billionth: a body that lies in several pieces of another is summed from them.
+    // The tolerance is for bodies that lie in several pieces of another: their area is a sum.
     let contained = patch.contained || patch.area_m2 >= smaller_m2 * (1.0 - 1e-9);
     let deep = patch.area_m2 > 0.5 * smaller_m2;
     let flags = u32::from(contained) * PatchMemory::CONTAINED + u32::from(deep) * PatchMemory::DEEP;
     let kinds = [EventKind::Contained, EventKind::DeepOverlap];
-    tell_news(model, events, patch, flags & !told, kinds);
+    report_new(model, events, patch, flags & !reported, kinds);
     flags
 }
 
-/// A fender beyond its rated deflection, and one in its stop.
+/// A fender is beyond its rated deflection, or in its stop.
 #[inline(never)]
-fn tell_of_fender(
+fn report_fender(
     model: &Model,
     events: &mut Vec<Event>,
     patch: &Patch,
     id: FenderId,
     deflection_m: f64,
-    told: u32,
+    reported: u32,
 ) -> u32 {
     let fender = &model.fenders()[id.0 as usize];
     let travel_m = fender.stop.map_or(fender.projection_m, |stop| stop.from_m);
     let over = deflection_m > fender.rated_deflection_m;
     let failed = deflection_m > travel_m;
-    // Once a contact: a fender that has failed is not told again when it comes back.
+    // Once per contact: a failed fender is not reported again when its deflection returns.
     let now = u32::from(over) * PatchMemory::CONTAINED + u32::from(failed) * PatchMemory::DEEP;
-    let flags = now | (told & (PatchMemory::CONTAINED | PatchMemory::DEEP));
+    let flags = now | (reported & (PatchMemory::CONTAINED | PatchMemory::DEEP));
     let kinds = [EventKind::FenderRatingExceeded(id), EventKind::FenderFailed(id)];
-    tell_news(model, events, patch, flags & !told, kinds);
+    report_new(model, events, patch, flags & !reported, kinds);
     flags
 }
 
 /// The events of the flags that are new.
 #[inline]
-fn tell_news(
+fn report_new(
     model: &Model,
     events: &mut Vec<Event>,
     patch: &Patch,
@@ -117,7 +122,7 @@ fn tell_news(
     }
 }
 
-/// Books an event of the bodies of two ranks.
+/// Adds an event of the bodies of two ranks.
 #[cold]
 #[inline(never)]
 pub(crate) fn note(model: &Model, events: &mut Vec<Event>, a: u32, b: u32, kind: EventKind) {

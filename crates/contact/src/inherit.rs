@@ -7,7 +7,7 @@
 use alloc::vec::Vec;
 
 use crate::candidates::Candidate;
-use crate::events::{note, tell_ends_and_splits};
+use crate::events::{note, report_ends_and_splits};
 use crate::inherited::Inherited;
 use crate::memory::{Past, PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
@@ -63,7 +63,7 @@ impl Inheritance {
                 own.iter().for_each(|_| note(model, events, a, b, EventKind::ContactEnded));
                 own = &[];
             }
-            tell_ends_and_splits(model, events, of_pair, places, own, past.places);
+            report_ends_and_splits(model, events, of_pair, places, own, past.places);
             for patch in of_pair {
                 let inherited = match own {
                     [] => Inherited::Nothing,

@@ -1,4 +1,4 @@
-//! What the engine remembers from step to step.
+//! The engine's state from one step to the next.
 
 use alloc::vec::Vec;
 
@@ -11,34 +11,33 @@ use crate::state::BodyState;
 use crate::unloading::PLAYS;
 use crate::vec2::{Rotation, Vec2};
 
-/// All mutable state of a contact problem: plain data. Copy it to branch a run, compare it, save it
-/// with [`Memory::snapshot`] and get it back with [`Memory::restore`].
+/// All mutable state of a contact problem, as plain data. Copy it to branch a run, compare it, save it with
+/// [`Memory::snapshot`] and restore it with [`Memory::restore`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Memory {
-    /// The model this belongs to.
+    /// Fingerprint of the model to which it belongs.
     pub(crate) fingerprint: u64,
-    /// Touching patches, sorted by pair and patch.
+    /// Contact patches, sorted by pair and patch.
     pub(crate) patches: Vec<PatchMemory>,
-    /// Where those of them lay that have places, sorted in the same way.
+    /// Locations of the patches that have one, sorted likewise.
     pub(crate) places: Vec<PlaceMemory>,
-    /// Where the clip begins, for pieces that are near one another, sorted.
+    /// Starting points for the clip of pieces that are near each other, sorted.
     pub(crate) hints: Vec<HintMemory>,
-    /// States of the last step by rank; empty before the first.
+    /// Input states of the last step by rank; empty before the first.
     pub(crate) last_states: Vec<BodyState>,
-    /// Time from the last step to the next (s); 0 before the first.
+    /// Time from the last step to the next (s); 0 before the first step.
     pub(crate) last_step_s: f64,
-    /// Ranks, in order, of the bodies of which the host has said that it put them where it shows them next.
+    /// Sorted ranks of the bodies that the host has marked as teleported in its next input.
     pub(crate) placed: Vec<u32>,
-    /// By rank, after a step of the coupled method: how long before its position the velocity that the engine left of
-    /// a body belongs to, which is half of its last sub-step (s); [`NOT_BEHIND`] of what does not float. See
-    /// [`crate::coupled::bodies`].
+    /// By rank, after a step of the coupled method: the time by which the engine's velocity of a body precedes its
+    /// position, half of its last sub-step (s); [`NOT_BEHIND`] for fixed bodies. See [`crate::coupled::bodies`].
     pub(crate) behind_s: Vec<f64>,
 }
 
-/// Of bodies of whose velocities it is not known that they belong to another time than their positions.
+/// For bodies whose velocity is taken to belong to the time of their position.
 pub(crate) const NOT_BEHIND: f64 = -1.0;
 
-/// What a patch of contact remembers (§3.3 and §3.4 of the paper).
+/// State of a contact patch (§3.3 and §3.4 of the paper).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PatchMemory {
     /// Ranks of the two bodies, number of the face (0: none) and of the patch.
@@ -46,54 +45,54 @@ pub(crate) struct PatchMemory {
     pub(crate) b: u32,
     pub(crate) face: u32,
     pub(crate) patch: u32,
-    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is told once,
-    /// [`PatchMemory::APPROACHING`] and [`PatchMemory::SLIPPING`].
+    /// [`PatchMemory::CONTAINED`] and [`PatchMemory::DEEP`], so that each is reported once,
+    /// [`PatchMemory::APPROACHING`], [`PatchMemory::PRESSED_OUT`] and [`PatchMemory::SLIPPING`].
     pub(crate) flags: u32,
     /// S^{n−1} (m²).
     pub(crate) area_m2: f64,
-    /// The material points that were at C, in each body's frame (m).
+    /// The material points of both bodies that were at C, in each body's frame (m).
     pub(crate) point_in_a_m: Vec2,
     pub(crate) point_in_b_m: Vec2,
-    /// The last good normal (A's outward one) in A's frame, and how B was turned there: it is seldom asked for in
-    /// B's.
+    /// The last valid normal (A's outward one) in A's frame, and the rotation of B there, from which the normal in B's
+    /// frame is computed when needed.
     pub(crate) normal_in_a: Vec2,
     pub(crate) b_in_a: Rotation,
     /// Δs (m).
     pub(crate) shear_m: f64,
-    /// By the paper's method V_n⁰ and V_t⁰, the relative velocity when the contact began. By the
-    /// coupled method the largest V_n since it last changed sign, and nothing (m/s).
+    /// By the paper's method V_n⁰ and V_t⁰, the relative velocity when the contact began (m/s). By the coupled method
+    /// the first is the largest V_n since it last changed sign, and the second is unused.
     pub(crate) v_normal_0_mps: f64,
     pub(crate) v_tangential_0_mps: f64,
-    /// N and T of the last (sub-)step, where the coupled solve begins (N).
+    /// N and T of the last (sub-)step: warm start of the coupled solve (N).
     pub(crate) normal_force_n: f64,
     pub(crate) tangential_force_n: f64,
-    /// Factor on the law, as it was when the contact began.
+    /// Factor on the fender's reaction, set when the contact began.
     pub(crate) factor: f64,
-    /// What the bodies have lost to the normal force and not got back, by the coupled method (J): the
-    /// most that it may give them.
+    /// Energy that the normal force has absorbed from the bodies and not returned, by the coupled method (J): the most
+    /// that it may return.
     pub(crate) taken_j: f64,
-    /// What the shear spring has taken from the bodies and still stores, by the coupled method (J): the
-    /// most that it may give them.
+    /// Energy that the shear spring has absorbed from the bodies and still stores, by the coupled method (J): the most
+    /// that it may return.
     pub(crate) sheared_j: f64,
-    /// The area whose growth the damper has answered, by the coupled method (m²): see [`crate::law::damper`].
+    /// The overlap area up to which the damper has acted, by the coupled method (m²): see [`crate::law::damper`].
     pub(crate) damped_m2: f64,
     /// T of each play of a fender's unloading law (J); 0 without one.
     pub(crate) tops_j: [f64; PLAYS],
 }
 
 impl PatchMemory {
-    /// One body within the other; on a face, beyond the rated deflection.
+    /// One body lies within the other; at a fender: beyond the rated deflection.
     pub(crate) const CONTAINED: u32 = 1;
-    /// Half of a body within the other; on a face, into the stop.
+    /// Half of a body lies within the other; at a fender: in the stop.
     pub(crate) const DEEP: u32 = 2;
-    /// V_n was positive at the last (sub-)step's start.
+    /// V_n was positive at the start of the last (sub-)step.
     pub(crate) const APPROACHING: u32 = 4;
-    /// A body was put into the other and is pressed out.
+    /// A body was placed in the other and is being pushed out.
     pub(crate) const PRESSED_OUT: u32 = 8;
-    /// By the coupled method: it slides, and has not been turned back.
+    /// By the coupled method: the contact slides, and sliding has not reversed.
     pub(crate) const SLIPPING: u32 = 16;
 
-    /// Of a patch with this normal, at this point: all that the laws do not say.
+    /// Geometry of a patch with this normal at this point; the laws fill in the rest.
     #[inline(always)]
     pub(crate) fn of(patch: &Patch, point_in_a_m: Vec2, normal_in_a: Vec2) -> PatchMemory {
         PatchMemory {
@@ -110,7 +109,7 @@ impl PatchMemory {
         }
     }
 
-    /// The last good normal in B's frame.
+    /// The last valid normal in B's frame.
     pub(crate) fn normal_in_b(&self) -> Vec2 {
         self.b_in_a.apply_inverse(self.normal_in_a)
     }
@@ -125,8 +124,8 @@ impl PatchMemory {
     }
 }
 
-/// Where a patch of bodies of several pieces lay: which patch is which when there are several. Apart from
-/// [`PatchMemory`], as most patches are of convex bodies.
+/// Location of a patch of bodies with several pieces, by which patches are matched between steps. Separate from
+/// [`PatchMemory`] because most patches are of convex bodies and have none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct PlaceMemory {
     pub(crate) a: u32,
@@ -137,7 +136,7 @@ pub(crate) struct PlaceMemory {
 }
 
 impl PlaceMemory {
-    /// Adds the places of these patches, as far as they have any, to what the next (sub-)step begins with.
+    /// Appends the locations of these patches, where they have one, to the next (sub-)step's list.
     #[inline]
     pub(crate) fn add_all(patches: &[Patch], places: &[Place], into: &mut Vec<PlaceMemory>) {
         if places.is_empty() {
@@ -159,13 +158,13 @@ impl PlaceMemory {
     }
 }
 
-/// The place of an old patch in a sorted list of them, where it has one.
+/// Looks up the location of an old patch; `None` where it has none.
 pub(crate) fn place_of(patch: &PatchMemory, places: &[PlaceMemory]) -> Option<Place> {
     let found = places.binary_search_by_key(&patch.key(), PlaceMemory::key);
     found.ok().map(|index| places[index].place)
 }
 
-/// A box along the axes of a frame.
+/// An axis-aligned box in a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Extent {
     pub(crate) low_m: Vec2,
@@ -182,7 +181,7 @@ impl Extent {
     }
 }
 
-/// A clip's starting place for one piece of each body.
+/// The clip's starting point for one piece of each body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct HintMemory {
     pub(crate) a: u32,
@@ -203,8 +202,8 @@ impl HintMemory {
     }
 }
 
-/// What a (sub-)step begins with: what the last one left of some candidates, each list sorted, and how long
-/// ago that began (s); 0 before the first.
+/// The past of a (sub-)step: memory that the last one left for some candidates, each list sorted, and the time since it
+/// began (s), 0 before the first.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Past<'m> {
     pub(crate) patches: &'m [PatchMemory],
@@ -216,8 +215,8 @@ pub(crate) struct Past<'m> {
 }
 
 impl<'m> Past<'m> {
-    /// Takes off what belongs to candidates before `next`; all where there is none. Both keep all places, which are
-    /// looked up.
+    /// Splits off the memory of the candidates before `next`, or all where that is `None`. Both parts keep all
+    /// locations, which are looked up by key.
     pub(crate) fn before(&mut self, next: Option<(u32, u32, u32)>) -> Past<'m> {
         let Some(next) = next else { return *self };
         let patches = self.patches.iter().take_while(|m| m.candidate() < next).count();
@@ -230,13 +229,13 @@ impl<'m> Past<'m> {
 }
 
 impl Memory {
-    /// All of it.
+    /// The whole memory as the past of a step.
     pub(crate) fn past<'m>(&'m self, displaced: &'m Displaced) -> Past<'m> {
         let Memory { patches, places, hints, last_step_s, .. } = self;
         Past { patches, places, hints, last_step_s: *last_step_s, displaced }
     }
 
-    /// Memory of bodies that have never touched.
+    /// The memory of bodies that have never touched.
     #[must_use]
     pub fn new(model: &Model) -> Memory {
         Memory {
@@ -251,14 +250,14 @@ impl Memory {
         }
     }
 
-    /// Number of patches that touched in the last step.
+    /// Number of contact patches in the last step.
     #[must_use]
     pub fn touching_patches(&self) -> usize {
         self.patches.len()
     }
 
-    /// Says that the next step comes `elapsed_s` after the last one rather than the whole Δt that was
-    /// given then: for integrators that look ahead within a step, on a copy of the memory.
+    /// Sets the time since the last step, in place of its Δt: for integrators with several stages per step, such as
+    /// Runge-Kutta, which call the engine within a step on a copy of the memory.
     ///
     /// # Panics
     /// If `elapsed_s` is not positive and finite.
@@ -267,8 +266,7 @@ impl Memory {
         self.last_step_s = elapsed_s;
     }
 
-    /// Becomes a copy of `other` without allocating where the buffers are large enough: for
-    /// integrators that look ahead.
+    /// Becomes a copy of `other`, without allocation where the buffers are large enough.
     pub fn copy_from(&mut self, other: &Memory) {
         self.fingerprint = other.fingerprint;
         self.patches.clone_from(&other.patches);
@@ -280,13 +278,13 @@ impl Memory {
         self.behind_s.clone_from(&other.behind_s);
     }
 
-    /// The host has put a body where the next step shows it: its contacts start afresh there
-    /// ([`crate::EventKind::Teleported`]), and where it is put into another one it is pressed out slowly
-    /// ([`crate::EventKind::PlacedInOverlap`]). Without a word of the host that is found out where the way is longer than a
-    /// tenth of the body's radius.
+    /// Marks the next input state of a body as a teleport: the host sets it to a new place rather than moving it there. Its
+    /// contacts begin anew ([`crate::EventKind::Teleported`]), and out of another body it is pushed slowly
+    /// ([`crate::EventKind::PlacedInOverlap`]). Without this call the engine detects a teleport where the displacement
+    /// differs by more than a tenth of the body's radius from that of its velocities.
     ///
     /// # Panics
-    /// Where the model has no such body.
+    /// If the model has no such body.
     pub fn mark_teleported(&mut self, model: &Model, body: BodyId) {
         let rank = model.rank_of[body.0 as usize];
         if let Err(at) = self.placed.binary_search(&rank) {
@@ -294,7 +292,7 @@ impl Memory {
         }
     }
 
-    /// Classifies a body's input pose by its last state and what the host said of it.
+    /// Classifies a body's input pose by its last state and the host's mark.
     #[inline(always)]
     pub(crate) fn pose_change(
         &self,

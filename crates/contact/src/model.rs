@@ -1,4 +1,4 @@
-//! The constant part of a contact problem: bodies, materials and who may touch whom.
+//! The constant part of a contact problem: bodies, materials, fenders and the pairs that may touch.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -15,28 +15,28 @@ use crate::pair::{Bounds, RankedPair};
 use crate::ranked::Ranked;
 use crate::reaction::FenderLaw;
 
-/// How a body answers a force, as the limiter of eq. 9–26 sees it.
+/// Mass and inertia of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mobility {
-    /// A quay or a fender on it: infinite mass, inverse mass zero.
+    /// A fixed body, such as a quay: infinite mass.
     Fixed,
-    /// A floating body.
+    /// A floating body with the same mass in all directions.
     Free {
         /// Displacement plus the smallest added mass (§3.1 of the paper) (kg).
         mass_kg: f64,
         /// Moment of inertia about the vertical through the centre of gravity (kg·m²).
         yaw_inertia_kgm2: f64,
     },
-    /// A floating body with its full mass matrix, for the coupled method. The paper's method takes
-    /// the smaller of surge and sway in every direction.
+    /// A floating body with its full mass matrix, for the coupled method. The paper's method uses the smaller of
+    /// surge and sway in all directions.
     FullMatrix {
         /// Rigid body and added mass over surge, sway and yaw, about the centre of gravity,
         /// symmetric (kg, kg·m, kg·m²).
         matrix: [[f64; 3]; 3],
     },
-    /// A floating body whose mass differs between surge and sway, and whose momentum the engine turns with
-    /// it where it moves the body itself (Kirchhoff's equations, Munk's moment among them): the host's loads
-    /// then hold no Coriolis or centripetal terms. Otherwise as [`Mobility::FullMatrix`].
+    /// A floating body whose mass differs between surge and sway. Where the engine moves it, the engine adds the
+    /// Coriolis and centripetal terms (Kirchhoff's equations, with the Munk moment), and the host's loads must not
+    /// contain them. Otherwise as [`Mobility::FullMatrix`].
     SurgeSway {
         /// Displacement and added mass in surge (kg).
         surge_kg: f64,
@@ -65,13 +65,13 @@ impl Mobility {
     }
 }
 
-/// A body as the engine knows it.
+/// A body: a ship, a tug, a quay.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Name, used in errors.
     pub name: String,
-    /// Fixes the order of all sums and the content of snapshots, whatever the order in which
-    /// bodies are added; unique in a model.
+    /// Determines the order of all sums and the content of snapshots, so that the order in which bodies are added does
+    /// not matter; unique in a model.
     pub key: u64,
     /// Outline in the body's frame, origin at the centre of gravity.
     pub outline: Outline,
@@ -79,17 +79,17 @@ pub struct Body {
     pub mobility: Mobility,
 }
 
-/// Two bodies that may touch, and with which material.
+/// Two bodies that may touch, and the material between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
     /// The two bodies, in any order.
     pub bodies: [BodyId; 2],
-    /// Their common material.
+    /// The material of their contacts.
     pub material: MaterialId,
 }
 
-/// Bodies, materials and pairs, checked; constant while it is stepped. Mutable state lives in
-/// [`crate::Memory`], so that one model serves many runs at once.
+/// Bodies, materials, fenders and pairs, checked and constant. Mutable state is in [`crate::Memory`], so many runs can
+/// share one model.
 ///
 /// ```
 /// use fenderline_contact::*;
@@ -121,9 +121,9 @@ pub struct Model {
     bodies: Vec<Body>,
     materials: Vec<Material>,
     fenders: Vec<Fender>,
-    /// Fenders by the rank of their bodies, then by key: a face's number is its place here plus 1.
+    /// Fenders by the rank of their bodies, then by key. A face's number is its index here plus 1.
     pub(crate) faces: Vec<RankedFender>,
-    /// Number of each fender's face.
+    /// Face number of each fender.
     face_of_fender: Vec<u32>,
     /// Bodies in the order of their keys.
     pub(crate) ranked: Ranked,
@@ -135,10 +135,10 @@ pub struct Model {
     pub(crate) pair_bounds: Vec<Bounds>,
     /// Material of all other pairs.
     pub(crate) all_other_pairs: Option<MaterialId>,
-    /// Distinguishes models, for memory and snapshots.
+    /// Hash that identifies the model, for memory and snapshots.
     pub(crate) fingerprint: u64,
-    /// Distinguishes besides models whose bodies or materials were added in another order, for workspaces: these
-    /// have ids.
+    /// Hash that also depends on the order in which bodies and materials were added, for workspaces, which contain their
+    /// indices.
     pub(crate) layout: u64,
 }
 
@@ -171,13 +171,13 @@ impl Model {
         &self.materials
     }
 
-    /// The bodies of these ranks.
+    /// The indices of the bodies of two ranks.
     #[inline(always)]
     pub(crate) fn ids_of(&self, ranks: [u32; 2]) -> [BodyId; 2] {
         ranks.map(|rank| self.id_of[rank as usize])
     }
 
-    /// Number of a fender's face; 0 for none.
+    /// Face number of a fender; 0 for none.
     pub(crate) fn face_of(&self, fender: Option<FenderId>) -> u32 {
         fender.map_or(0, |FenderId(id)| self.face_of_fender[id as usize])
     }
@@ -202,7 +202,7 @@ impl ModelBuilder {
         MaterialId(self.materials.len() as u32 - 1)
     }
 
-    /// Adds a fender. It touches the outlines of all bodies that its own body makes a pair with.
+    /// Adds a fender. It touches the outlines of all bodies that form a pair with its own body.
     pub fn fender(&mut self, fender: Fender) -> FenderId {
         self.fenders.push(fender);
         FenderId(self.fenders.len() as u32 - 1)
@@ -214,13 +214,13 @@ impl ModelBuilder {
         self
     }
 
-    /// Lets every pair of bodies touch that no call of [`ModelBuilder::pair`] names.
+    /// Lets all pairs of bodies touch that no call of [`ModelBuilder::pair`] names.
     pub fn all_other_pairs(&mut self, material: MaterialId) -> &mut ModelBuilder {
         self.all_other_pairs = Some(material);
         self
     }
 
-    /// Checks everything.
+    /// Checks all parts and builds the model.
     ///
     /// # Errors
     /// [`ModelError`], naming the body, the fender or the pair.
@@ -289,7 +289,7 @@ fn check_mass(body: &Body, field: &'static str, value: f64) -> Result<(), ModelE
     Err(ModelError::OutOfRange { owner: body.name.clone(), field, value, must })
 }
 
-/// Beyond this products of masses, stiffnesses and areas could overflow.
+/// Larger values could overflow in products of masses, stiffnesses and areas.
 const LARGEST_MASS: f64 = 1e30;
 const LARGEST_STIFFNESS: f64 = 1e18;
 
@@ -332,7 +332,7 @@ fn rank(bodies: &[Body]) -> Result<(Vec<u32>, Vec<BodyId>), ModelError> {
     Ok((rank_of, order.into_iter().map(BodyId).collect()))
 }
 
-/// Checks the fenders and puts them in their order.
+/// Checks the fenders and sorts them.
 fn rank_fenders(
     fenders: &[Fender],
     materials: &[Material],
@@ -359,7 +359,7 @@ fn rank_fenders(
     Ok(faces)
 }
 
-/// The number of each fender's face.
+/// The face number of each fender.
 fn numbers_of(faces: &[RankedFender]) -> Vec<u32> {
     let mut numbers = vec![0; faces.len()];
     for (number, face) in (1..).zip(faces) {
@@ -411,7 +411,7 @@ fn bad_pair(first: &Body, second: &Body, why: &'static str) -> ModelError {
     ModelError::BadPair { bodies: [first.name.clone(), second.name.clone()], why }
 }
 
-/// FNV-1a over all that the meaning of a memory depends on, in the order of the keys.
+/// FNV-1a over all parts that the meaning of a memory depends on, in the order of the keys.
 fn fingerprint(model: &Model) -> u64 {
     let mut hash = Fnv1a::default();
     hash.word(model.ranked.len() as u64);
@@ -468,7 +468,7 @@ fn fingerprint(model: &Model) -> u64 {
     hash.finish()
 }
 
-/// The same over the ids besides that what is kept by rank has.
+/// The fingerprint combined with the indices of bodies and materials.
 fn layout(model: &Model) -> u64 {
     let mut hash = Fnv1a::default();
     hash.word(model.fingerprint);

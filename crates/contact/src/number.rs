@@ -1,26 +1,25 @@
-//! The lesser and the greater of two numbers, with the same bits on every machine.
+//! Minimum, maximum and clamp with the same bits on every machine.
 //!
-//! `f64::min`, `f64::max` and `f64::clamp` do not promise which of −0 and +0 they give: x86 and ARM differ, and
-//! the sign goes on into angles, quotients, snapshots and printed tables. These compare, as IEEE 754 says how, and
-//! nothing else: of equal numbers they give the second, so that the order of the arguments in the source decides.
-//! They are one instruction where those of `std`, which look for NaN too, are three.
+//! `f64::min`, `f64::max` and `f64::clamp` do not specify which of −0 and +0 they return: x86 and ARM differ, and the sign
+//! propagates to angles, quotients, snapshots and printed tables. These functions only compare: of equal numbers they
+//! return the second, so that the order of the arguments decides. They take one instruction; those of `std`, which also
+//! handle NaN, take three.
 
-/// The lesser of two numbers; `q` where they are equal (so `lesser(0.0, -0.0)` is −0), or where one of them is NaN.
+/// The smaller of two numbers; `q` where they are equal (`lesser(0.0, -0.0)` is −0) or one of them is NaN.
 #[inline(always)]
 #[must_use]
 pub fn lesser(p: f64, q: f64) -> f64 {
     if p < q { p } else { q }
 }
 
-/// The greater of two numbers; `q` where they are equal (so `greater(-0.0, 0.0)` is +0), or where one of them is NaN.
+/// The larger of two numbers; `q` where they are equal (`greater(-0.0, 0.0)` is +0) or one of them is NaN.
 #[inline(always)]
 #[must_use]
 pub fn greater(p: f64, q: f64) -> f64 {
     if p > q { p } else { q }
 }
 
-/// `value`, or the bound that it lies beyond. A value that equals a bound stays as it is, its sign of zero too; so
-/// does NaN.
+/// `value` clamped to `low..=high`. A value equal to a bound keeps its sign of zero; NaN stays NaN.
 ///
 /// # Panics
 /// In a build with debug assertions unless `low <= high`: no value lies between them.

@@ -1,4 +1,4 @@
-//! A memory as bytes: versioned, little-endian, with the model's fingerprint and a check sum.
+//! A memory as bytes: versioned, little-endian, with the model's fingerprint and a checksum.
 //!
 //! | bytes | content |
 //! |---|---|
@@ -6,13 +6,13 @@
 //! | 4 | version |
 //! | 8 | fingerprint of the model |
 //! | 8 | Δt of the last step |
-//! | 4, 4, 4, 4, 4 | numbers of states, patches, hints, bodies placed and times |
+//! | 4, 4, 4, 4, 4 | numbers of states, patches, hints, teleported bodies and times |
 //! | 48 each | states, by rank |
 //! | 252 each | patches |
 //! | 40 each | hints |
-//! | 4 each | ranks of bodies that the host has said it put somewhere |
-//! | 8 each | how long before the positions the velocities belong to, by rank |
-//! | 8 | FNV-1a of all before |
+//! | 4 each | ranks of bodies that the host has marked as teleported |
+//! | 8 each | time by which the velocity precedes the position, by rank |
+//! | 8 | FNV-1a of all bytes before |
 //!
 //! Everything is in the order of the bodies' keys: the bytes do not depend on the order in which
 //! bodies were added to the model.

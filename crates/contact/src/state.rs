@@ -1,4 +1,4 @@
-//! What the host tells of each body, every step.
+//! The state of a body, which the host passes to each step.
 
 use crate::vec2::{Pose, Vec2};
 
@@ -31,7 +31,7 @@ impl BodyState {
         (self.velocity_mps, self.yaw_rate_radps)
     }
 
-    /// Nought where it is the same to the bit.
+    /// Zero if the two states are equal bit for bit.
     #[inline(always)]
     pub(crate) fn apart(&self, other: &BodyState) -> u64 {
         let bits = |state: &BodyState| {
@@ -49,10 +49,10 @@ impl BodyState {
         bits(self).iter().zip(bits(other)).fold(0, |apart, (one, two)| apart | (one ^ two))
     }
 
-    /// Neither goes nor turns.
+    /// Whether the body neither moves nor turns.
     #[inline]
     pub(crate) fn is_at_rest(&self) -> bool {
-        // All bits but the signs are nought: asked of all three at once.
+        // All bits but the signs are zero; one test for all three numbers.
         let Vec2 { x, y } = self.velocity_mps;
         (x.to_bits() | y.to_bits() | self.yaw_rate_radps.to_bits()) << 1 == 0
     }

@@ -4,7 +4,7 @@ use crate::admit;
 use crate::bodies::{Bodies, Displaced, PoseChange, set_pose};
 use crate::broad;
 use crate::error::StepError;
-use crate::events::tell_of_patch;
+use crate::events::report_patch;
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherited::Inherited;
@@ -183,7 +183,7 @@ impl Stage<'_> {
         let tangential_force_n =
             paper::limited_tangential_n(shear.force_n, normal_force_n, &v, &mass, gamma, step_s);
 
-        let flags = tell_of_patch(model, &mut results.events, patch, face, &touch, inherited, old);
+        let flags = report_patch(model, &mut results.events, patch, face, &touch, inherited, old);
         let contact = Contact {
             shear_m: shear.shear_m,
             normal_force_n,

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use crate::coupled::constraint::{Constraint, Forces, Laws};
 use crate::coupled::dynamics::kick_s;
 use crate::coupled::press_out::{Placement, opening_mps};
-use crate::events::{note, tell_of_patch};
+use crate::events::{note, report_patch};
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
 use crate::inherited::Inherited;
@@ -193,7 +193,7 @@ pub(crate) fn assemble(
     constraint.set_laws(&touch, &laws, forces);
 
     // Events, diagnostics and memory.
-    let flags = tell_of_patch(model, aside.events, patch, face, &touch, heritage.inherited, old)
+    let flags = report_patch(model, aside.events, patch, face, &touch, heritage.inherited, old)
         | (u32::from(approaching) * PatchMemory::APPROACHING)
         | (u32::from(pressed_out) * PatchMemory::PRESSED_OUT);
     if pressed_out && displaced {

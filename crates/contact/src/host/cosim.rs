@@ -1,4 +1,4 @@
-//! The host's memory and one step, top to bottom.
+//! A co-simulation host: its memory, and one step from top to bottom.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -8,9 +8,11 @@ use crate::coupled::advance_from_engine_states;
 use crate::error::StepError;
 use crate::host::inertia;
 use crate::host::lead::{self, Lead, Start, is_steady};
-use crate::host::mass_check::Answers;
+use crate::host::past_step::PastStep;
+use crate::host::record::BodyRecord;
 use crate::host::settings::{HostIntegration, HostSettings};
-use crate::host::steering::{self, Velocity, Way};
+use crate::host::steering;
+use crate::host::velocity::{Offset, Velocity};
 use crate::host::workspace::HostWorkspace;
 use crate::host::{observer, predictor};
 use crate::material::BodyId;
@@ -21,18 +23,17 @@ use crate::pause::pause;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// The coupled method for a host that integrates its bodies by itself, with a step that may vary, shows states
-/// that may be some steps old, and need not tell its loads.
+/// The coupled method for a co-simulation host: it integrates the bodies itself, with a step that may vary, may pass
+/// states that are some steps old, and need not report its loads.
 ///
-/// The host answers wrench W and its own load by M(v′ − v)/Δt = W + load, with the mass matrix of the
-/// model in the body's attitude at the step's start. The wrenches of [`CoSimHost::step`] make its
-/// positions follow the engine's sub-stepped motion, whatever Δt: the same rebound, the same depth at
-/// rest. While bodies touch and the step is always the same, the velocities of the host are means over a step, and
-/// its places those of the engine. In a contact in which the step changes the velocities are the engine's, and the
-/// places are off by up to half the acceleration times Δt², which is made good in some 10 s.
+/// The host integrates M(v′ − v)/Δt = W + load, with the wrench W from the engine and the model's mass matrix M in the
+/// body's heading at the start of the step. The wrenches of [`CoSimHost::step`] make its positions follow the engine's
+/// sub-stepped motion for any Δt: the same rebound, the same depth at rest. With a constant step the host's positions
+/// during a contact are those of the engine, and its velocities are means over a step. Where the step changes during a
+/// contact the velocities are those of the engine, and the positions differ by up to ½ a Δt², which decays in some 10 s.
 ///
-/// All state is plain data, as [`Memory`] is: copy it to branch a run, compare it, save it with
-/// [`CoSimHost::snapshot`] and get it back with [`CoSimHost::restore`].
+/// All state is plain data, as in [`Memory`]: copy it to branch a run, compare it, save it with
+/// [`CoSimHost::snapshot`] and restore it with [`CoSimHost::restore`].
 ///
 /// ```
 /// use fenderline_contact::*;
@@ -49,13 +50,13 @@ use crate::state::BodyState;
 /// let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
 /// let mut host = CoSimHost::new(&model, settings);
 /// let mut work = HostWorkspace::new(&model);
-/// // A tug of 1000 t at 2 m/s towards a quay, γ = 0.1; the host shows her one step late.
+/// // A tug of 1000 t moves towards a quay at 2 m/s, γ = 0.1. The states passed are one step old.
 /// let quay = BodyState { position_m: vec2(11.0, 0.0), ..Default::default() };
 /// let mut tug = BodyState { velocity_mps: vec2(2.0, 0.0), ..Default::default() };
-/// let mut shown = tug;
+/// let mut delayed = tug;
 /// for _ in 0..200 {
-///     let wrenches = host.step(&model, &mut work, &[shown, quay], None, 0.1)?;
-///     shown = tug;
+///     let wrenches = host.step(&model, &mut work, &[delayed, quay], None, 0.1)?;
+///     delayed = tug;
 ///     tug.position_m += tug.velocity_mps * 0.1;
 ///     tug.velocity_mps += wrenches[0].force_n * (0.1 / 1e6);
 /// }
@@ -67,37 +68,12 @@ pub struct CoSimHost {
     pub(super) settings: HostSettings,
     pub(super) memory: Memory,
     /// In the order in which bodies were added.
-    pub(super) bodies: Vec<Followed>,
-    /// What was given in the last steps, at most `delay_steps` + 1 of them, the oldest first; body by
-    /// body within a step.
-    pub(super) given: Vec<Given>,
-    /// The length of the last step that was one; 0 before the first (s).
+    pub(super) bodies: Vec<BodyRecord>,
+    /// Wrenches and loads of the last steps, at most `delay_steps` + 1 of them, the oldest first; body by body within a
+    /// step.
+    pub(super) past_steps: Vec<PastStep>,
+    /// Length of the last step that was not a pause; 0 before the first (s).
     pub(super) last_step_s: f64,
-}
-
-/// What is remembered of one body.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Followed {
-    /// The last state shown.
-    pub(super) shown: BodyState,
-    /// The last load observed.
-    pub(super) observed: Wrench,
-    /// Whether it answers wrenches as its mass says.
-    pub(super) answers: Answers,
-    /// The host has said that it puts the body where it shows it next.
-    pub(super) placed: bool,
-    /// What contact did to the engine's motion that the host's has not got yet; nothing where nothing
-    /// touched the body.
-    pub(super) ahead: Option<Lead>,
-}
-
-/// What one body was given for one step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Given {
-    pub(super) step_s: f64,
-    pub(super) wrench: Wrench,
-    /// The load that the host told, where it did.
-    pub(super) told: Option<Wrench>,
 }
 
 impl CoSimHost {
@@ -107,13 +83,13 @@ impl CoSimHost {
         CoSimHost {
             settings,
             memory: Memory::new(model),
-            bodies: vec![Followed::default(); model.bodies().len()],
-            given: Vec::new(),
+            bodies: vec![BodyRecord::default(); model.bodies().len()],
+            past_steps: Vec::new(),
             last_step_s: 0.0,
         }
     }
 
-    /// Forgets all that happened: the next step is the first.
+    /// Resets the host: the next step is the first.
     pub fn reset(&mut self, model: &Model) {
         *self = CoSimHost::new(model, self.settings);
     }
@@ -123,21 +99,21 @@ impl CoSimHost {
         self.settings = other.settings;
         self.memory.copy_from(&other.memory);
         self.bodies.clone_from(&other.bodies);
-        self.given.clone_from(&other.given);
+        self.past_steps.clone_from(&other.past_steps);
         self.last_step_s = other.last_step_s;
     }
 
-    /// The host has put a body where the next step shows it: its contacts start afresh, no load is read from it, and
-    /// where it lies within another one it is pressed out slowly. See [`Memory::mark_teleported`].
+    /// Marks the next input state of a body as a teleport: its contacts begin anew, no load is inferred from the
+    /// displacement, and out of another body it is pushed slowly. See [`Memory::mark_teleported`].
     ///
     /// # Panics
-    /// Where the model has no such body.
+    /// If the model has no such body.
     pub fn mark_teleported(&mut self, model: &Model, body: BodyId) {
         self.memory.mark_teleported(model, body);
         self.bodies[body.0 as usize].placed = true;
     }
 
-    /// What is known of the host.
+    /// The host's properties.
     #[must_use]
     pub fn settings(&self) -> HostSettings {
         self.settings
@@ -149,54 +125,52 @@ impl CoSimHost {
         &self.memory
     }
 
-    /// One step of the host: from the states it shows, `delay_steps` old, to the wrench that each body
-    /// is to be given for the step of `step_s` seconds that begins now; earth-fixed, about the centre of
-    /// gravity, in the order in which bodies were added.
+    /// One step of the host. Takes the states that it passes, `delay_steps` old, and returns the wrench on each body for
+    /// the step of `step_s` seconds that begins now: earth-fixed, about the centre of gravity, in the order in which
+    /// bodies were added.
     ///
-    /// `told_loads` are all other forces of this step, as in [`crate::advance`]. With `None` they are
-    /// taken to be as they were when last observed: M Δv/Δt of the host less what it was given, Coriolis
-    /// and centripetal terms among it; zero until two states were shown. A load that begins suddenly
-    /// is known one step later, and `delay_steps` besides.
+    /// `reported_loads` are all other forces of this step, as in [`crate::advance`]. With `None` the engine uses the load
+    /// that it last observed: M Δv/Δt of the host minus the wrench that it was given, Coriolis and centripetal terms
+    /// included; zero until two states are known. A sudden load is known one step later, plus `delay_steps`.
     ///
-    /// A fixed body's wrench is the mean contact wrench of the step. That of a floating one comes up to
-    /// a step later, so that positions agree; the impulse over the whole contact is the same.
+    /// The wrench on a fixed body is the mean contact wrench of the step. That on a floating body comes up to a step
+    /// later, so that positions agree; the impulse over the whole contact is the same.
     ///
-    /// A forward Euler host goes its next step whatever it is given: one that begins nearer to a contact
-    /// than it goes in a step begins within it. No load that is not yet known can be answered; with a
-    /// long Δt and delay a body at rest may be driven deep before it is.
+    /// A forward Euler host moves in its next step regardless of the wrench: if it starts nearer to a contact than it
+    /// moves in a step, it will be inside it. A load that is not yet known cannot be balanced: with a long Δt and a
+    /// delay, a sudden load may push a body deep into a contact.
     ///
-    /// In a step of 0 s, of a host that is paused, nothing goes on, and the wrenches are those of the last step.
+    /// A step of 0 s is a pause: nothing changes, and the wrenches are those of the last step.
     ///
-    /// A body that answers the wrenches of a hit otherwise than its mass in the model says is told of once
-    /// ([`crate::EventKind::MassMismatch`]): its rebound is right nevertheless, its depth at rest within a tenth.
+    /// A body that does not respond to a hit as its mass in the model says is reported once
+    /// ([`crate::EventKind::MassMismatch`]). Its rebound is right nevertheless, its depth at rest within a tenth.
     ///
-    /// Where a body's shown position is not where its velocity leads, the host has put it elsewhere:
-    /// no load is read from that, and its contacts start afresh
-    /// ([`crate::EventKind::Teleported`]).
+    /// Where a body's position is not where its velocity leads, the host has teleported it: no load is inferred from that,
+    /// and its contacts begin anew ([`crate::EventKind::Teleported`]).
     ///
     /// # Errors
-    /// As [`crate::step()`], for states, loads and Δt, and where what is reckoned from them leaves what the engine
-    /// takes; this host is then as it was, and `work` keeps the results of the last good step.
+    /// As [`crate::step`], for states, loads and Δt, and where values computed from them are out of the engine's range.
+    /// This host is then unchanged, and `work` keeps the results of the last good step.
     pub fn step<'w>(
         &mut self,
         model: &Model,
         work: &'w mut HostWorkspace,
-        states_shown: &[BodyState],
-        told_loads: Option<&[Wrench]>,
+        delayed_states: &[BodyState],
+        reported_loads: Option<&[Wrench]>,
         step_s: f64,
     ) -> Result<&'w [Wrench], StepError> {
-        admit::admit(model, &self.memory, states_shown, step_s)?;
-        if let Some(loads) = told_loads {
-            admit::admit_loads(model, states_shown, loads)?;
+        admit::admit(model, &self.memory, delayed_states, step_s)?;
+        if let Some(loads) = reported_loads {
+            admit::admit_loads(model, delayed_states, loads)?;
         }
-        self.observe(model, work, states_shown);
-        self.predict(model, work, told_loads);
+        self.observe(model, work, delayed_states);
+        self.predict(model, work, reported_loads);
         if step_s == 0.0 {
-            self.stand_still(model, work, told_loads)?;
+            self.pause_step(model, work, reported_loads)?;
             return Ok(&work.wrenches);
         }
-        self.set_out(model, work, step_s);
-        self.leave_velocities(model, work);
+        self.compute_starts(model, work, step_s);
+        self.mark_engine_velocities(model, work);
         let (starts, loads, memory) = (&work.starts, &work.loads_now, &mut self.memory);
         if let Err(error) =
             advance_from_engine_states(model, memory, &mut work.engine, starts, loads, step_s)
@@ -204,49 +178,48 @@ impl CoSimHost {
             memory.behind_s.clone_from(&work.behind_s);
             return Err(error);
         }
-        work.tell_of_masses();
+        work.report_mass_mismatches();
         work.engine.peak_wrenches_into(&mut work.peaks);
         self.steer(model, work, step_s);
-        self.remember(work, told_loads, step_s);
+        self.remember(work, reported_loads, step_s);
         core::mem::swap(&mut work.present_now, &mut work.present);
         core::mem::swap(&mut work.loads_now, &mut work.loads);
         Ok(&work.wrenches)
     }
 
-    /// Whole steps that are remembered.
-    pub(super) fn steps_given(&self) -> usize {
-        self.given.len() / self.bodies.len().max(1)
+    /// Number of past steps that are remembered.
+    pub(super) fn past_step_count(&self) -> usize {
+        self.past_steps.len() / self.bodies.len().max(1)
     }
 
-    /// Loads as far as they can be told from the states shown, into `work.next`.
-    fn observe(&self, model: &Model, work: &mut HostWorkspace, states_shown: &[BodyState]) {
+    /// Loads observed from the input states, into `work.next`.
+    fn observe(&self, model: &Model, work: &mut HostWorkspace, delayed_states: &[BodyState]) {
         work.next.clone_from(&self.bodies);
-        work.differ.clear();
-        // The state shown before this one is the initial state as well until the oldest wrench
-        // remembered is the one given between the two.
-        let two_states = self.steps_given() > self.settings.delay_steps as usize;
-        for (index, (next, &shown)) in work.next.iter_mut().zip(states_shown).enumerate() {
-            if two_states {
-                let given = &self.given[index];
+        work.mass_mismatches.clear();
+        // Until the oldest remembered wrench is the one between the last two input states, both are the initial state.
+        let has_two_states = self.past_step_count() > self.settings.delay_steps as usize;
+        for (index, (next, &input)) in work.next.iter_mut().zip(delayed_states).enumerate() {
+            if has_two_states {
+                let given = &self.past_steps[index];
                 let body = &model.bodies()[index];
                 if next.placed
-                    || observer::was_moved(
+                    || observer::was_teleported(
                         self.settings.integration,
                         body,
-                        &next.shown,
-                        &shown,
+                        &next.input,
+                        &input,
                         given,
                     )
                 {
                     next.ahead = None;
                     next.answers.forget();
                 } else if given.step_s > 0.0
-                    && let Some(load) = observer::load(body, &next.shown, &shown, given)
+                    && let Some(load) = observer::load(body, &next.input, &input, given)
                 {
                     next.observed = load;
-                    let load = given.told.unwrap_or(load);
-                    if next.answers.note(body, (&next.shown, &shown), given, &load) {
-                        work.differ.push(BodyId(index as u32));
+                    let load = given.reported_load.unwrap_or(load);
+                    if next.answers.note(body, (&next.input, &input), given, &load) {
+                        work.mass_mismatches.push(BodyId(index as u32));
                     }
                 }
             }
@@ -254,52 +227,52 @@ impl CoSimHost {
                 next.ahead = None;
                 next.placed = false;
             }
-            next.shown = shown;
+            next.input = input;
         }
     }
 
-    /// A step of no length: nothing but what the host shows later is another step older by then.
-    fn stand_still(
+    /// A step of 0 s. It still counts as a step of the host's delay.
+    fn pause_step(
         &mut self,
         model: &Model,
         work: &mut HostWorkspace,
-        told_loads: Option<&[Wrench]>,
+        reported_loads: Option<&[Wrench]>,
     ) -> Result<(), StepError> {
         pause(model, &self.memory, &mut work.engine, &work.present_now, None)?;
-        work.tell_of_masses();
+        work.report_mass_mismatches();
         work.make_room_for_results(self.bodies.len());
-        self.remember(work, told_loads, 0.0);
+        self.remember(work, reported_loads, 0.0);
         core::mem::swap(&mut work.present_now, &mut work.present);
         core::mem::swap(&mut work.loads_now, &mut work.loads);
         Ok(())
     }
 
-    /// The host's present and its loads, into `work.present_now` and `work.loads_now`.
-    fn predict(&self, model: &Model, work: &mut HostWorkspace, told_loads: Option<&[Wrench]>) {
+    /// The host's present states and its loads, into `work.present_now` and `work.loads_now`.
+    fn predict(&self, model: &Model, work: &mut HostWorkspace, reported_loads: Option<&[Wrench]>) {
         let bodies = self.bodies.len();
         let delay_steps = self.settings.delay_steps as usize;
-        let forgotten = self.steps_given().saturating_sub(delay_steps);
-        let since_shown = &self.given[forgotten * bodies..];
+        let forgotten = self.past_step_count().saturating_sub(delay_steps);
+        let since_input = &self.past_steps[forgotten * bodies..];
         work.present_now.clear();
         work.loads_now.clear();
         for (index, next) in work.next.iter().enumerate() {
-            let mut state = next.shown;
-            for given in since_shown.iter().skip(index).step_by(bodies) {
-                let load = given.told.unwrap_or(next.observed);
+            let mut state = next.input;
+            for given in since_input.iter().skip(index).step_by(bodies) {
+                let load = given.reported_load.unwrap_or(next.observed);
                 let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
                 let integration = self.settings.integration;
                 state = predictor::next(integration, inverse, &state, given, &load);
             }
             work.present_now.push(state);
-            work.loads_now.push(told_loads.map_or(next.observed, |loads| loads[index]));
+            work.loads_now.push(reported_loads.map_or(next.observed, |loads| loads[index]));
         }
     }
 
-    /// Where the engine begins, into `work.starts` and `work.leads`.
-    fn set_out(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
+    /// The states from which the engine starts, into `work.starts` and `work.leads`.
+    fn compute_starts(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
         let is_steady = is_steady(self.last_step_s, step_s);
         let integration = self.settings.integration;
-        // A forward Euler host that was steered exactly has the engine a step ahead.
+        // The engine is one step ahead of a forward Euler host that follows it exactly.
         let early_s = match integration {
             HostIntegration::ForwardEuler => self.last_step_s,
             HostIntegration::SemiImplicit => 0.0,
@@ -310,7 +283,7 @@ impl CoSimHost {
             let (present, ahead) = (work.present_now[index], work.next[index].ahead);
             if is_steady && ahead.is_none_or(|lead| lead.exact) {
                 let lead = match ahead {
-                    None => self.to_the_engines_time(model, work, index, step_s),
+                    None => self.to_engine_time(model, work, index, step_s),
                     Some(lead) => {
                         let inverse = &model.ranked.rest(model.rank_of[index] as usize).inverse;
                         let load = &work.loads_now[index];
@@ -323,14 +296,15 @@ impl CoSimHost {
             }
             let start = lead::start_varying(ahead.as_ref(), &present, early_s);
             let velocity = Velocity::of(&present).plus(start.velocity);
-            work.starts.push(velocity.of_a_body_at(&start.way.from(&present)));
+            work.starts.push(velocity.of_body_at(&start.offset.applied_to(&present)));
             work.leads.push(start);
         }
     }
 
-    /// What brings the velocity of a body that goes by its host's steady steps alone, the mean over the last of them, to
-    /// where the engine takes it to belong: the middle of its own last sub-step, or, before any, the body's place.
-    fn to_the_engines_time(
+    /// The velocity change that shifts the time of a velocity. Without contact a host with steady steps has the mean
+    /// velocity of its last step; the engine expects the velocity at the middle of its own last sub-step or, before
+    /// any, at the time of the position.
+    fn to_engine_time(
         &self,
         model: &Model,
         work: &HostWorkspace,
@@ -344,9 +318,10 @@ impl CoSimHost {
         inertia::kick(inverse, present, load, 0.5 * step_s - left_s)
     }
 
-    /// Says of which bodies the velocities are those that the engine left: of those that are steered exactly. What
-    /// another step owes of the others' would be paid in this one, by a wrench many times the contact's.
-    fn leave_velocities(&mut self, model: &Model, work: &mut HostWorkspace) {
+    /// Marks in the memory the bodies that have the engine's velocities: those that follow it exactly. For the others a
+    /// correction that belongs to another step's length would be applied in this one, by a wrench many times that of
+    /// the contact.
+    fn mark_engine_velocities(&mut self, model: &Model, work: &mut HostWorkspace) {
         let behind_s = &mut self.memory.behind_s;
         work.behind_s.clone_from(behind_s);
         if behind_s.is_empty() {
@@ -359,15 +334,15 @@ impl CoSimHost {
         }
     }
 
-    /// The step is done.
-    fn remember(&mut self, work: &HostWorkspace, told_loads: Option<&[Wrench]>, step_s: f64) {
+    /// Remembers a step that succeeded.
+    fn remember(&mut self, work: &HostWorkspace, reported_loads: Option<&[Wrench]>, step_s: f64) {
         let bodies = self.bodies.len();
-        if self.steps_given() > self.settings.delay_steps as usize {
-            self.given.drain(..bodies);
+        if self.past_step_count() > self.settings.delay_steps as usize {
+            self.past_steps.drain(..bodies);
         }
         for (index, &wrench) in work.wrenches.iter().enumerate() {
-            let told = told_loads.map(|loads| loads[index]);
-            self.given.push(Given { step_s, wrench, told });
+            let reported_load = reported_loads.map(|loads| loads[index]);
+            self.past_steps.push(PastStep { step_s, wrench, reported_load });
         }
         self.bodies.clone_from(&work.next);
         if step_s > 0.0 {
@@ -375,8 +350,8 @@ impl CoSimHost {
         }
     }
 
-    /// Wrenches for the host from the way that the engine went, into `work.wrenches`; and how far its motion
-    /// is ahead of the host's.
+    /// Wrenches for the host from the engine's displacement, into `work.wrenches`; updates how far the engine is ahead of
+    /// the host.
     fn steer(&self, model: &Model, work: &mut HostWorkspace, step_s: f64) {
         work.find_touching(model);
         work.wrenches.clear();
@@ -408,25 +383,25 @@ impl CoSimHost {
         }
     }
 
-    /// The velocity with which a host whose step varies is to end a step, and what the engine is ahead then.
+    /// The velocity at which a host with a varying step is to end the step; updates how far the engine is then ahead.
     fn follow(
         &self,
-        next: &mut Followed,
+        next: &mut BodyRecord,
         start: &Start,
         end: &BodyState,
         (present, touches): (&BodyState, bool),
         step_s: f64,
     ) -> Velocity {
         let due_s = next.ahead.map_or(0.0, |lead| lead.due_s);
-        if !touches && lead::is_near(start.way) {
-            next.ahead = lead::paid_off(start.velocity, due_s, step_s);
+        if !touches && lead::is_near(start.offset) {
+            next.ahead = lead::decayed(start.velocity, due_s, step_s);
             let left = next.ahead.map_or(Velocity::default(), |lead| lead.velocity);
             return Velocity::of(end).minus(left);
         }
         let left = lead::closed(start, step_s);
         let after = Velocity::of(end).minus(left);
         let arrival = steering::arrival(self.settings.integration, present, after, step_s);
-        next.ahead = Some(lead::apart(left, Way::between(&arrival, end)));
+        next.ahead = Some(lead::apart(left, Offset::between(&arrival, end)));
         after
     }
 }

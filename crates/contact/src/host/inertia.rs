@@ -1,6 +1,6 @@
-//! A body's mass matrix in its attitude, as the host's equations have it.
+//! A body's mass matrix at its heading, as the host integrates with it.
 
-use crate::host::steering::Velocity;
+use crate::host::velocity::Velocity;
 use crate::mass::InverseMatrix;
 use crate::model::Mobility;
 use crate::report::Wrench;
@@ -15,7 +15,7 @@ pub(super) fn impulse_for(mobility: &Mobility, state: &BodyState, v: Velocity) -
             Wrench { force_n: v.linear_mps * *mass_kg, moment_nm: v.yaw_radps * *yaw_inertia_kgm2 }
         }
         Mobility::FullMatrix { .. } | Mobility::SurgeSway { .. } => {
-            let matrix = mobility.matrix().expect("it floats");
+            let matrix = mobility.matrix().expect("a floating body");
             let rotation = Rotation::from_angle(state.heading_rad);
             let own = rotation.apply_inverse(v.linear_mps);
             let along = |row: &[f64; 3]| row[0] * own.x + row[1] * own.y + row[2] * v.yaw_radps;

@@ -1,28 +1,28 @@
-//! Does a body answer wrenches as its mass in the model says?
+//! Checks that a body accelerates under the wrenches as its mass in the model says.
 //!
-//! Seen in a hit: M Δv over all of a contact is the impulse given, where loads did next to nothing meanwhile. A
-//! contact counts where it came from a step without a wrench and ended in one, took less than a minute, gave the body a speed
-//! worth the name, and had the same loads before as after, which were a small part of it. A ship at rest, or
-//! one that is pushed harder all of a sudden, tells nothing of her mass.
+//! Over a whole contact M Δv equals the impulse of the wrenches, where the loads' impulse is small. A contact is
+//! evaluated if it begins after and ends before a step without a wrench, takes less than a minute, changes the body's
+//! speed noticeably, and the loads are a small share of its impulse. A ship at rest, or one whose load changes suddenly,
+//! gives no information about her mass.
 
-use crate::host::cosim::Given;
 use crate::host::inertia;
-use crate::host::steering::Velocity;
+use crate::host::past_step::PastStep;
+use crate::host::velocity::Velocity;
 use crate::model::{Body, Mobility};
 use crate::number::greater;
 use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::Vec2;
 
-/// Longest contact that tells something (s), and least speed that it gives (m/s).
+/// Longest contact that is evaluated (s), and smallest change of speed (m/s).
 const LONGEST_S: f64 = 60.0;
 const LEAST_MPS: f64 = 0.02;
 
-/// Largest share of the contact's impulse that loads may have, and by which the answer may be off.
+/// Largest share of the loads in the contact's impulse, and largest relative error of the body's response.
 const LOADS: f64 = 0.1;
 const OFF: f64 = 0.2;
 
-/// What is remembered of a body's answers.
+/// The response of a body to the wrenches since it was last free of contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Answers {
     /// Velocity and load at the end of the last step without a wrench, where there was one.
@@ -30,21 +30,21 @@ pub(super) struct Answers {
     /// Σ W Δt (N·s) and Σ Δt (s) since.
     pub(super) impulse_ns: Vec2,
     pub(super) time_s: f64,
-    /// That it differs was told.
-    pub(super) told: bool,
+    /// A mismatch was reported.
+    pub(super) reported: bool,
 }
 
 impl Answers {
-    /// Goes on with a step of the host, from one state shown to the next; true where the body is found to answer
-    /// otherwise, which is so once.
+    /// Adds a step of the host, from one input state to the next. Returns true where a mismatch is found, which is at
+    /// most once.
     pub(super) fn note(
         &mut self,
         body: &Body,
         (before, after): (&BodyState, &BodyState),
-        given: &Given,
+        given: &PastStep,
         load: &Wrench,
     ) -> bool {
-        if self.told || body.mobility == Mobility::Fixed {
+        if self.reported || body.mobility == Mobility::Fixed {
             return false;
         }
         if given.wrench != Wrench::default() {
@@ -52,17 +52,17 @@ impl Answers {
             self.time_s += given.step_s;
             return false;
         }
-        self.told = self.differs(body, before, load.force_n);
-        let told = self.told;
+        self.reported = self.differs(body, before, load.force_n);
+        let reported = self.reported;
         *self = Answers {
             began: Some((Velocity::of(after), load.force_n)),
-            told,
+            reported,
             ..Answers::default()
         };
-        told
+        reported
     }
 
-    /// After a contact has ended.
+    /// Evaluates a contact that has ended.
     fn differs(&self, body: &Body, now: &BodyState, load_n: Vec2) -> bool {
         let Some((velocity, load_before_n)) = self.began else { return false };
         let impulse_ns = self.impulse_ns.length();
@@ -76,8 +76,8 @@ impl Answers {
         change.linear_mps.length() > LEAST_MPS && (share - 1.0).abs() > OFF
     }
 
-    /// The host has moved the body: what came before tells nothing.
+    /// Starts anew, after the host has teleported the body.
     pub(super) fn forget(&mut self) {
-        *self = Answers { told: self.told, ..Answers::default() };
+        *self = Answers { reported: self.reported, ..Answers::default() };
     }
 }

@@ -1,14 +1,14 @@
-//! Hosts that show old states and tell no loads: a co-simulation master, say, or the loop of a game, that
-//! moves its bodies by itself, shows them some steps late and keeps its loads to itself.
+//! Hosts that integrate the bodies themselves. A [`DirectHost`] passes present states and all loads. A [`CoSimHost`], a
+//! co-simulation master or the loop of a game, may pass states that are some steps old and need not report its loads.
 //!
-//! One step, in the order of [`CoSimHost::step`]:
+//! One step of a [`CoSimHost`]:
 //!
-//! 1. [`observer`]: from two states shown and the wrench given between them, the load;
-//! 2. [`predictor`]: from the state shown, with the wrenches given since, the host's present;
-//! 3. [`steering`]: where the engine has to begin, for a host that integrates as this one does;
+//! 1. [`observer`]: the load, from two input states and the wrench between them;
+//! 2. [`predictor`]: the host's present state, from the input state and the wrenches since;
+//! 3. [`steering`]: the state from which the engine starts, which depends on how the host integrates;
 //! 4. [`crate::advance`];
-//! 5. [`steering`]: the wrench that makes the host's own integration land where the engine did; of a host whose
-//!    step varies [`lead`]: the wrench that takes it along with the engine, whatever step comes next.
+//! 5. [`steering`]: the wrench with which the host's own integration ends where the engine did; or, where the host's step
+//!    varies, [`lead`]: the wrench that keeps it with the engine whatever the next step is.
 
 mod cosim;
 mod direct;
@@ -16,10 +16,13 @@ mod inertia;
 mod lead;
 mod mass_check;
 mod observer;
+mod past_step;
 mod predictor;
+mod record;
 mod settings;
 mod snapshot;
 mod steering;
+mod velocity;
 mod workspace;
 
 pub use cosim::CoSimHost;

@@ -1,27 +1,27 @@
-//! The load observer: W_ext = M (v_n − v_{n−1})/Δt − W_{n−1}, from two states that the host showed and
-//! the wrench that it was given between them. All that is not contact is in it.
+//! The load observer: W_ext = M (v_n − v_{n−1})/Δt − W_{n−1}, from two input states and the wrench between them. It
+//! contains all forces but contact.
 
 use crate::admit::LARGEST_LOAD;
-use crate::host::cosim::Given;
 use crate::host::inertia;
+use crate::host::past_step::PastStep;
 use crate::host::settings::HostIntegration;
-use crate::host::steering::Velocity;
+use crate::host::velocity::Velocity;
 use crate::model::{Body, Mobility};
 use crate::number::greater;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// Share of the body's radius that it may be away from where its velocity leads; as for the engine's
-/// own memory of contacts.
+/// Largest deviation of a body's position from the path that its velocity gives, as a share of its radius. The engine's
+/// contact memory uses the same share.
 const ALLOWANCE: f64 = 0.1;
 
-/// The load between two states; zero for a fixed body. `None` where it is larger than any that a host
-/// could tell: then the host has set the velocity anew, and that is no load.
+/// The load between two states; zero for a fixed body. `None` where it is larger than any load that the engine accepts:
+/// then the host has set the velocity, and there is no load to observe.
 pub(super) fn load(
     body: &Body,
     before: &BodyState,
     after: &BodyState,
-    given: &Given,
+    given: &PastStep,
 ) -> Option<Wrench> {
     if body.mobility == Mobility::Fixed {
         return Some(Wrench::default());
@@ -35,13 +35,13 @@ pub(super) fn load(
     (largest <= LARGEST_LOAD).then_some(Wrench { force_n, moment_nm })
 }
 
-/// Did the host put the body elsewhere between two states?
-pub(super) fn was_moved(
+/// Whether the host teleported the body between two states.
+pub(super) fn was_teleported(
     integration: HostIntegration,
     body: &Body,
     before: &BodyState,
     after: &BodyState,
-    given: &Given,
+    given: &PastStep,
 ) -> bool {
     let velocity_mps = match integration {
         HostIntegration::ForwardEuler => before.velocity_mps,

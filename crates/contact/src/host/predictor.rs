@@ -1,19 +1,19 @@
-//! The predictor: a state shown, carried on as the host itself carried it on since.
+//! The predictor: integrates an old input state to the present, as the host did.
 
-use crate::host::cosim::Given;
 use crate::host::inertia;
+use crate::host::past_step::PastStep;
 use crate::host::settings::HostIntegration;
-use crate::host::steering::Velocity;
+use crate::host::velocity::Velocity;
 use crate::mass::InverseMatrix;
 use crate::report::Wrench;
 use crate::state::BodyState;
 
-/// One step of the host, with the wrench that it was given and its load.
+/// One past step of the host, with its wrench and its load.
 pub(super) fn next(
     integration: HostIntegration,
     inverse: &InverseMatrix,
     state: &BodyState,
-    given: &Given,
+    given: &PastStep,
     load: &Wrench,
 ) -> BodyState {
     let sum = Wrench {
@@ -26,5 +26,5 @@ pub(super) fn next(
         HostIntegration::ForwardEuler => before,
         HostIntegration::SemiImplicit => after,
     };
-    after.of_a_body_at(&mean.carry(state, given.step_s))
+    after.of_body_at(&mean.carry(state, given.step_s))
 }

@@ -1,6 +1,6 @@
-//! What is known of a host.
+//! Properties of a co-simulation host.
 
-/// How the host goes from a state to the next with the wrench it was given.
+/// How the host integrates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum HostIntegration {
     /// Positions with the old velocities, then the velocities.
@@ -10,11 +10,11 @@ pub enum HostIntegration {
     SemiImplicit,
 }
 
-/// What is known of a host.
+/// Properties of a co-simulation host.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HostSettings {
-    /// Age of the states that the host shows, in its steps: 0 where it shows the present ones. In its
-    /// first steps such a host shows its initial states until they are that old.
+    /// Age of the states that the host passes, in steps; 0 for present states. In its first steps such a host passes its
+    /// initial states until they are that old.
     pub delay_steps: u32,
     /// The host's integrator.
     pub integration: HostIntegration,

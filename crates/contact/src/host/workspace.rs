@@ -1,9 +1,9 @@
-//! Buffers and results of a step for a following host.
+//! Buffers and results of a step for hosts that integrate the bodies themselves.
 
 use alloc::vec::Vec;
 
-use crate::host::cosim::Followed;
 use crate::host::lead::Start;
+use crate::host::record::BodyRecord;
 use crate::material::BodyId;
 use crate::model::Model;
 use crate::report::{Contact, Event, EventKind, Wrench};
@@ -14,22 +14,22 @@ use crate::workspace::Workspace;
 #[derive(Clone, Debug)]
 pub struct HostWorkspace {
     pub(super) engine: Workspace,
-    /// Body by body what is to be remembered, if the step succeeds.
-    pub(super) next: Vec<Followed>,
-    /// The host's present in the step under way, and in the last good one.
+    /// Records of the bodies, kept if the step succeeds.
+    pub(super) next: Vec<BodyRecord>,
+    /// Present states of the host, in the current step and in the last good one.
     pub(super) present_now: Vec<BodyState>,
     pub(super) present: Vec<BodyState>,
-    /// Where the engine begins, and how far that is from the host's present.
+    /// States from which the engine starts, and their offsets from the host's present states.
     pub(super) starts: Vec<BodyState>,
     pub(super) leads: Vec<Start>,
-    /// Loads of the step under way, and of the last good one.
+    /// Loads of the current step, and of the last good one.
     pub(super) loads_now: Vec<Wrench>,
     pub(super) loads: Vec<Wrench>,
     pub(super) touching: Vec<bool>,
-    /// What a memory said of its bodies' velocities before the step.
+    /// Copy of the memory's `behind_s` from before the step.
     pub(super) behind_s: Vec<f64>,
-    /// Bodies that were found to answer otherwise than their masses say.
-    pub(super) differ: Vec<BodyId>,
+    /// Bodies whose response does not match their mass.
+    pub(super) mass_mismatches: Vec<BodyId>,
     pub(super) wrenches: Vec<Wrench>,
     pub(super) peaks: Vec<Wrench>,
 }
@@ -50,15 +50,15 @@ impl HostWorkspace {
             loads: Vec::with_capacity(count),
             touching: Vec::with_capacity(count),
             behind_s: Vec::with_capacity(count),
-            differ: Vec::new(),
+            mass_mismatches: Vec::new(),
             wrenches: Vec::with_capacity(count),
             peaks: Vec::with_capacity(count),
         }
     }
 
-    /// The events of bodies with other masses.
-    pub(super) fn tell_of_masses(&mut self) {
-        for &body in &self.differ {
+    /// Adds the events of mass mismatches.
+    pub(super) fn report_mass_mismatches(&mut self) {
+        for &body in &self.mass_mismatches {
             self.engine
                 .results
                 .events
@@ -76,20 +76,20 @@ impl HostWorkspace {
         }
     }
 
-    /// The wrenches of the last step, one a body: what moves it.
+    /// The wrenches of the last step, one per body: the host adds them to its forces.
     #[must_use]
     pub fn wrenches(&self) -> &[Wrench] {
         &self.wrenches
     }
 
-    /// The greatest wrench of contact on each body within the last step, one a body, in the engine's motion: see
-    /// [`Workspace::peak_wrenches_into`]. Size fenders by it, and move the body by [`HostWorkspace::wrenches`].
+    /// The largest contact wrench on each body within the last step, in the engine's motion: see
+    /// [`Workspace::peak_wrenches_into`]. Use it to size structures; use [`HostWorkspace::wrenches`] to move the bodies.
     #[must_use]
     pub fn peak_wrenches(&self) -> &[Wrench] {
         &self.peaks
     }
 
-    /// No results yet, where there are none of so many bodies.
+    /// Zero results where there are none for this number of bodies.
     pub(super) fn make_room_for_results(&mut self, bodies: usize) {
         for results in [&mut self.wrenches, &mut self.peaks] {
             if results.len() != bodies {
@@ -99,14 +99,14 @@ impl HostWorkspace {
         }
     }
 
-    /// The states that the last step took for the host's present, one a body: as the host will show
-    /// them when they are old enough.
+    /// The present states of a [`crate::CoSimHost`] that the last step computed, one per body. The host will pass them
+    /// when they are old enough.
     #[must_use]
     pub fn estimated_states(&self) -> &[BodyState] {
         &self.present
     }
 
-    /// The loads that the last step reckoned with, told or observed, one a body.
+    /// The loads of the last step, reported or observed, one per body.
     #[must_use]
     pub fn loads(&self) -> &[Wrench] {
         &self.loads

@@ -1,30 +1,28 @@
 //! The damper of the normal law, cṠ (eq. 2–3 of the paper), between the sub-steps of the coupled method.
 //!
-//! A force of a sub-step stands for the time κ from the middle of the last sub-step to the middle of this one. So the
-//! damper answers what the overlap grows by between these two: with A the area in the middle of this sub-step and A'
-//! in that of the last one its force is c(A − A')/κ. Its impulses add up to c times the area, whatever the sub-steps
-//! are and however they change, to nothing when the contact has ended, and none of it is late: with the growth of the
-//! last sub-step alone it would lag by half a sub-step, and over the time of a step that had many of them it would be
-//! next to nothing.
+//! The force of a sub-step acts over the time κ from the middle of the last sub-step to the middle of this one. So the
+//! damper acts on the growth of the overlap between these two times: with the area A in the middle of this sub-step and
+//! A' in the middle of the last one, its force is c(A − A')/κ. Its impulses add up to c times the area for any lengths of
+//! the sub-steps, and to zero over a whole contact. The growth over the last sub-step alone would lag by half a sub-step.
 
 use crate::material::Material;
 use crate::number::lesser;
 
-/// The area that the damper has answered until now.
+/// The overlap area up to which the damper has acted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Answered {
-    /// None: the overlap began within the last sub-step.
+    /// Zero: the overlap began within the last sub-step.
     Nothing,
     /// A' (m²).
     Area(f64),
-    /// It is not known how the bodies came to where they are: what there is of the overlap has been answered.
+    /// The present area: it is unknown how the overlap came about.
     AllThereIs,
 }
 
-/// An overlap when a sub-step begins.
+/// An overlap at the start of a sub-step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Growth {
-    /// S (m²), and what it grows by with the distance closed (m).
+    /// S (m²), and its growth per distance closed (m).
     pub(crate) area_m2: f64,
     pub(crate) chord_m: f64,
     /// V_n (m/s).
@@ -34,8 +32,8 @@ pub(crate) struct Growth {
 
 /// c(A − A')/κ for a sub-step of length h (N), and A (m²).
 ///
-/// An overlap that began anywhere in the last sub-step is answered as far as its speed goes, so that no first touch is
-/// harder than its speed; what is left comes with the next sub-step.
+/// For an overlap that began within the last sub-step the force is limited to that of its speed, so that no first touch
+/// is harder than its speed gives; the remainder acts in the next sub-step.
 pub(crate) fn damper(material: &Material, growth: &Growth, (h, kick_s): (f64, f64)) -> (f64, f64) {
     let Growth { area_m2, chord_m, closing_mps, answered } = *growth;
     let rate_m2ps = chord_m * closing_mps;
@@ -64,9 +62,9 @@ mod tests {
         restitution: 1.0,
     };
 
-    /// A side of 2 m that goes in at 0.5 m/s, from a touch anywhere in the first sub-step on.
+    /// A side 2 m wide penetrates at 0.5 m/s, from a first touch anywhere in the first sub-step.
     #[test]
-    fn its_impulse_is_that_of_the_area_however_the_sub_steps_change() {
+    fn the_impulse_is_that_of_the_area_for_any_sub_steps() {
         for touched_s in [0.01, 0.05, 0.09] {
             let (mut t, mut before_s, mut impulse_ns) = (touched_s, 0.1, 0.0);
             let mut answered = Answered::Nothing;

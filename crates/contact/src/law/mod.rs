@@ -1,4 +1,4 @@
-//! Stage 4, law: what a contact would push and drag with, were nothing to limit it.
+//! Stage 4, force laws: normal and tangential force of a contact before the momentum limit.
 
 pub(crate) mod damper;
 pub(crate) mod friction;

@@ -8,8 +8,8 @@ use crate::number::greater;
 use crate::report::ForceParts;
 use crate::touch::Touch;
 
-/// What a contact would push with, were nothing to limit it: N = max(0, spring + stop + damper) (N),
-/// with the damper cṠ from the growth of the overlap.
+/// The normal force before the momentum limit: N = max(0, spring + stop + damper) (N), with the damper cṠ from the
+/// growth of the overlap.
 ///
 /// Eq. 2–3 print −(kS − c dS/dt): with c > 0 that damper pulls the bodies together and makes a
 /// bounce leave faster than it came. A contact does not pull either, hence the maximum.
@@ -32,8 +32,7 @@ pub(crate) fn damper_n(
     material.damping_nspm2 * ((area_m2 - area_before_m2) / elapsed_s)
 }
 
-/// The factor on a contact's spring and stop: that of its fender at the speed and angle at which it
-/// began, kept since.
+/// The factor on a contact's spring and stop: its fender's, at the speed and angle at which the contact began.
 #[inline]
 pub(crate) fn factor(
     model: &Model,

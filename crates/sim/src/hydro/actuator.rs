@@ -1,28 +1,28 @@
-//! Between the order and the machinery: small states with one exact step each.
+//! Dynamics between an order and the machinery: rate limits and first-order lags.
 //!
-//! Every step is exact for any Δt: two steps of Δt/2 under one order end where one of Δt does.
+//! Every step is exact for any Δt: two steps of Δt/2 under the same order give the result of one step of Δt.
 
 use fenderline_contact::number::bounded;
 
 use std::f64::consts::{PI, TAU};
 
-/// Something that follows its order at a constant rate: a rudder, a shaft.
+/// An actuator that follows its order at a constant rate: a rudder, a shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RateLimited {
-    /// Where it is, in the quantity's own unit.
+    /// Current value, in the unit of the quantity.
     pub value: f64,
-    /// How fast it moves, per second.
+    /// Rate of change, per second.
     pub rate_per_s: f64,
-    /// Its stop to either side of zero.
+    /// Stop on either side of zero.
     pub stop: f64,
 }
 
-/// What became of an order.
+/// Whether an order was limited.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// Taken as given.
+    /// The order was followed.
     Taken,
-    /// Beyond the stop; the stop was ordered instead.
+    /// The order was beyond the stop and was limited to it.
     Clamped,
 }
 
@@ -32,8 +32,7 @@ impl RateLimited {
         RateLimited { value: 0.0, rate_per_s: rate_degps.to_radians(), stop: stop_deg.to_radians() }
     }
 
-    /// Moves towards the order for `step_s`. An order that is not a number counts as clamped and leaves it
-    /// where it is.
+    /// Moves towards the order for `step_s`. A NaN order counts as clamped and moves nothing.
     pub fn step(&mut self, order: f64, step_s: f64) -> Order {
         if order.is_nan() {
             return Order::Clamped;
@@ -45,21 +44,20 @@ impl RateLimited {
     }
 }
 
-/// An azimuth that turns at a constant rate: all the way round and by the shorter way, or between stops.
+/// A direction that turns at a constant rate: without stops by the shorter way, or between stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slewing {
-    /// Where it points, in (−π, π] (rad).
+    /// Current direction in (−π, π] (rad).
     pub angle_rad: f64,
-    /// How fast it turns (rad/s).
+    /// Rate of turn (rad/s).
     pub rate_radps: f64,
-    /// Its stop to either side (rad); `None`: it turns all the way round.
+    /// Stop on either side (rad); `None` if it turns without limit.
     pub stop_rad: Option<f64>,
 }
 
 impl Slewing {
-    /// Turns towards the order for `step_s`; straight behind it, to starboard. An order beyond the stop
-    /// turns it to the stop, and with stops it never turns over the stern. An order that is not a finite
-    /// number leaves it where it is.
+    /// Turns towards the order for `step_s`; for an order exactly opposite, to starboard. An order beyond the stop turns it to
+    /// the stop; with stops it never turns through the stern. A non-finite order moves nothing.
     pub fn step(&mut self, order_rad: f64, step_s: f64) -> Order {
         if !order_rad.is_finite() {
             return Order::Clamped;
@@ -67,10 +65,10 @@ impl Slewing {
         let ordered_rad = wrapped(order_rad);
         let stop_rad = self.stop_rad.unwrap_or(PI);
         let target_rad = bounded(ordered_rad, -stop_rad, stop_rad);
-        let way_rad = target_rad - self.angle_rad;
-        let way_rad = if self.stop_rad.is_none() { wrapped(way_rad) } else { way_rad };
+        let turn_rad = target_rad - self.angle_rad;
+        let turn_rad = if self.stop_rad.is_none() { wrapped(turn_rad) } else { turn_rad };
         let reach_rad = self.rate_radps * step_s;
-        self.angle_rad = wrapped(self.angle_rad + bounded(way_rad, -reach_rad, reach_rad));
+        self.angle_rad = wrapped(self.angle_rad + bounded(turn_rad, -reach_rad, reach_rad));
         if target_rad == ordered_rad { Order::Taken } else { Order::Clamped }
     }
 }
@@ -81,17 +79,17 @@ fn wrapped(angle_rad: f64) -> f64 {
     if rest_rad <= -PI { rest_rad + TAU } else { rest_rad }
 }
 
-/// Something that follows its order with a first-order lag: a thruster, a tug's pull.
+/// An actuator that follows its order with a first-order lag: a thruster, a tug's force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lag {
-    /// Where it is, in the quantity's own unit.
+    /// Current value, in the unit of the quantity.
     pub value: f64,
-    /// Time constant (s); 0 follows at once.
+    /// Time constant (s); 0 for no lag.
     pub time_constant_s: f64,
 }
 
 impl Lag {
-    /// Closes 1 − e^{−Δt/τ} of the difference to the order.
+    /// Reduces the difference to the order by the factor e^{−Δt/τ}.
     pub fn step(&mut self, order: f64, step_s: f64) {
         if self.time_constant_s <= 0.0 {
             self.value = order;
@@ -128,7 +126,7 @@ pub enum Telegraph {
 }
 
 impl Telegraph {
-    /// Every step, from full astern to full ahead at sea.
+    /// All positions, from full astern to full ahead at sea.
     pub const ALL: [Telegraph; 10] = [
         Telegraph::FullAstern,
         Telegraph::HalfAstern,
@@ -142,8 +140,8 @@ impl Telegraph {
         Telegraph::NavigationFull,
     ];
 
-    /// Revolutions as a part of those at sea. Typical of slow-running ships, not of any one of them: a
-    /// vessel with a table of her own uses that.
+    /// Revolutions over those at full ahead at sea. Typical values for slow-running engines; a vessel with a table of her own
+    /// uses that.
     pub fn revolutions_ratio(self) -> f64 {
         match self {
             Telegraph::FullAstern => -0.70,

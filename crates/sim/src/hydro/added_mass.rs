@@ -1,7 +1,7 @@
 //! Added mass in surge, sway and yaw from main particulars.
 //!
-//! Everything here is an estimate, to be shown as such. Clarke's formula was read in a public toolbox; the
-//! regression on Motora's charts in public programs. Both are held against potential flow by `fenderline validate`
+//! Everything here is an estimate, and is reported as one. Clarke's formula was read in a public toolbox, the regression
+//! on Motora's charts in public programs. `fenderline validate` compares both with potential flow
 //! (validation/added_mass.toml).
 
 use std::f64::consts::PI;
@@ -21,7 +21,7 @@ pub struct AddedMass {
 }
 
 impl AddedMass {
-    /// From MMG coefficients: masses over ½ρL²d, moment of inertia over ½ρL⁴d.
+    /// From MMG coefficients: masses divided by ½ρL²d, moment of inertia by ½ρL⁴d.
     pub fn from_mmg(ship: &Particulars, surge: f64, sway: f64, yaw: f64) -> AddedMass {
         AddedMass {
             surge_m3: surge * ship.mass_unit_m3(),
@@ -30,7 +30,7 @@ impl AddedMass {
         }
     }
 
-    /// Every part multiplied: what shallow water does to it.
+    /// Each component multiplied by a factor, as in shallow water.
     pub fn scaled(&self, surge: f64, sway: f64, yaw: f64) -> AddedMass {
         AddedMass {
             surge_m3: self.surge_m3 * surge,
@@ -40,8 +40,8 @@ impl AddedMass {
     }
 }
 
-/// Regression of Zhou, Sheng & Feng (1983) on Motora's charts, as several public programs have it that agree (sway and
-/// yaw: nikpau/mmgdynamics); no print was read.
+/// Regression of Zhou, Sheng & Feng (1983) on Motora's charts, as in several public programs that agree (sway and
+/// yaw: nikpau/mmgdynamics); the paper was not read.
 ///
 /// # Errors
 /// [`HydroError::NegativeAddedMass`] where the hull is outside the charts.
@@ -72,7 +72,7 @@ pub fn zhou_added_mass(ship: &Particulars) -> Result<AddedMass, HydroError> {
 }
 
 /// Clarke, Gedling & Hine (1983), read in clarke83.m of the MSS toolbox: added mass in sway (m³) and in yaw (m⁵),
-/// both over the density:
+/// both divided by the density:
 /// −Y'v̇ = π(T/L)²[1 + 0.16 Cb B/T − 5.1 (B/L)²] by ½ρL³ and
 /// −N'ṙ = π(T/L)²[1/12 + 0.017 Cb B/T − 0.33 B/L] by ½ρL⁵.
 ///

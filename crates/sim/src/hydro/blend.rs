@@ -1,15 +1,14 @@
-//! One hull force for every way of moving: the MMG polynomial under way, the low-speed form elsewhere.
+//! One hull force for all directions of motion: the MMG polynomial under way, the low-speed form otherwise.
 //!
-//! The weight of the polynomial depends on the *direction* of the motion alone:
-//! c = u/√(u² + v² + (rL/2)²) is the cosine between the ship's motion and straight ahead, the yaw taken
-//! with the speed of the ends of the ship. The polynomial counts alone for c ≥ 0.8, which holds throughout a
-//! 35° turn or a 20/20 zig-zag of the ships here, not at all for c ≤ 0.4, and by a smooth step between.
+//! The weight of the polynomial depends only on the *direction* of the motion. With c = u/√(u² + v² + (rL/2)²), the
+//! cosine of the angle between the motion and straight ahead (yaw counted by the speed of the ship's ends), it is 1 for
+//! c ≥ 0.8, 0 for c ≤ 0.4, and a smooth step between. In a 35° turn or a 20/20 zig-zag of the ships in the library c stays
+//! above 0.8.
 //!
-//! Why direction and not speed: both forms are homogeneous of degree two in (u, v, r). With a weight of
-//! degree zero their mixture is so too. It is then zero at rest, steep nowhere (its slope is at most in
-//! proportion to the speed), and needs no speed at which one form would take over from the other: the
-//! polynomial keeps its meaning at dead slow ahead, and a ship that crabs or turns on the spot at any speed
-//! has the cross-flow form. A polynomial in v', r' has no meaning there: r' grows without end as U falls.
+//! Direction is used and not speed, because both forms are homogeneous of degree two in (u, v, r): with a weight of degree
+//! zero their sum is so too. The sum is zero at rest, its slope is at most proportional to the speed, and there is no
+//! transition speed: the polynomial applies down to dead slow ahead, and a ship that crabs or turns on the spot has the
+//! cross-flow form at any speed. A polynomial in v', r' is not valid there, as r' is unbounded for small U.
 
 use super::added_mass::AddedMass;
 use super::low_speed::LowSpeedHull;
@@ -17,15 +16,15 @@ use super::mmg::{Polynomial, coriolis};
 use super::particulars::Particulars;
 use super::quantities::{Force, Velocity, Water, smooth_step};
 
-/// c below which the low-speed form counts alone, and above which the polynomial does.
+/// c up to which only the low-speed form is used, and c from which on only the polynomial is.
 const COSINES: [f64; 2] = [0.4, 0.8];
 
-/// Hull coefficients for every way of moving.
+/// Hull coefficients for all directions of motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hull {
     /// The polynomial under way, for a ship that has one.
     pub under_way: Option<Polynomial>,
-    /// Everything else.
+    /// The low-speed form, for all other motions.
     pub low_speed: LowSpeedHull,
 }
 
@@ -50,7 +49,7 @@ impl Hull {
         };
         let Some(polynomial) = &self.under_way else { return low_speed() };
         let weight = polynomial_weight(velocity, ship.length_m);
-        // Most steps need only one of the two.
+        // Most steps need only one of the two forms.
         if weight == 1.0 {
             return polynomial.force(velocity, ship, added, water);
         }
@@ -61,7 +60,7 @@ impl Hull {
     }
 }
 
-/// How much the polynomial counts, 0 to 1; 0 at rest.
+/// Weight of the polynomial, 0 to 1; 0 at rest.
 pub fn polynomial_weight(velocity: &Velocity, length_m: f64) -> f64 {
     let (u, v) = (velocity.surge_mps, velocity.sway_mps);
     let ends_mps = 0.5 * length_m * velocity.yaw_radps;

@@ -1,4 +1,4 @@
-//! Particulars and conditions that no ship can have, or that a formula must not be used for.
+//! Errors: particulars and conditions out of range, or outside the validity of a formula.
 
 use std::fmt;
 
@@ -6,28 +6,28 @@ use fenderline_contact::DisplayNumber;
 
 use crate::range::OutOfRange;
 
-/// What is wrong with a ship's particulars or with the water she is in.
+/// An error in a ship's particulars or in her conditions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum HydroError {
     /// A quantity is not a number within its range, both ends included.
     OutOfRange {
-        /// Which, with its unit.
+        /// The quantity, with its unit.
         quantity: &'static str,
         /// Its value.
         value: f64,
-        /// The least that is possible.
+        /// Lower limit.
         low: f64,
-        /// The greatest that is possible.
+        /// Upper limit.
         high: f64,
     },
-    /// A regression gives a negative added mass for these particulars: it is outside its range.
+    /// A regression gives a negative added mass: the particulars are outside its range.
     NegativeAddedMass {
-        /// Whose regression.
+        /// The regression.
         formula: &'static str,
-        /// Which coefficient.
+        /// The coefficient.
         coefficient: &'static str,
-        /// What it comes to.
+        /// Its value.
         value: f64,
     },
     /// The water is no deeper than the draught.
@@ -37,9 +37,9 @@ pub enum HydroError {
         /// Draught (m).
         draught_m: f64,
     },
-    /// A speed at which the formula has no answer: at or above the critical Froude number of depth.
+    /// A depth Froude number at or above 1, where the formula is not defined.
     Supercritical {
-        /// Froude number of depth, V/√(gh).
+        /// Depth Froude number V/√(gh).
         froude: f64,
     },
 }
@@ -61,7 +61,7 @@ impl fmt::Display for HydroError {
             }
             HydroError::Supercritical { froude } => write!(
                 f,
-                "the Froude number of depth is {froude:.3}: the formula ends below the critical speed"
+                "the depth Froude number is {froude:.3}, but the formula is defined only below 1"
             ),
         }
     }
@@ -69,7 +69,7 @@ impl fmt::Display for HydroError {
 
 impl std::error::Error for HydroError {}
 
-/// The value, where it lies within the range; NaN does not.
+/// Returns the value if it is within the range; NaN is not.
 pub(super) fn within(
     quantity: &'static str,
     value: f64,

@@ -1,12 +1,13 @@
-//! From the friction of a model to that of the ship.
+//! Frictional resistance: from model scale to full scale.
 //!
-//! Coefficients of a model in a tank hold her friction, which is over its share of a ship's: the Reynolds number is a
-//! hundred times smaller. In turns that matters little; how far a ship runs on is in proportion to it.
+//! The resistance coefficient of a tank model is larger than that of the ship, because its Reynolds number is about a
+//! hundred times smaller. The difference matters little in turns, but the stopping distance is inversely proportional to
+//! the resistance.
 
 use super::error::{HydroError, within};
 use super::mmg::{Mmg, Polynomial};
 
-/// Kinematic viscosity of fresh water at 15 °C, of a tank (m²/s).
+/// Kinematic viscosity of the fresh water of a tank at 15 °C (m²/s).
 const TANK_M2PS: f64 = 1.139e-6;
 /// Kinematic viscosity of sea water at 15 °C (m²/s).
 pub(super) const SEA_M2PS: f64 = 1.189e-6;
@@ -22,12 +23,13 @@ pub fn ittc_1957(reynolds: f64) -> Result<f64, HydroError> {
 }
 
 impl Mmg {
-    /// The same ship with her own friction instead of that of the model whose resistance she has, both at the Froude
-    /// number of a speed (m/s): the difference of the ITTC 1957 line on the wetted surface 1.7Ld + ∇/d (UFC 4-159-03,
-    /// eq. 18 and 19, read). No form factor and no roughness, which would take more and add some.
+    /// The ship with her full-scale friction, from coefficients with a model's resistance. The correction is the difference of
+    /// the ITTC 1957 line between model and ship at the Froude number of a speed (m/s), on the wetted surface 1.7Ld + ∇/d
+    /// (UFC 4-159-03, eq. 18 and 19, read). Form factor and roughness allowance are neglected; they have opposite
+    /// effects.
     ///
     /// # Errors
-    /// [`HydroError::OutOfRange`] for a speed or a length of model that none has, or where no resistance would be left.
+    /// [`HydroError::OutOfRange`] for a speed or a model length out of range, or if no resistance would be left.
     pub fn with_ships_friction(
         &self,
         model_length_m: f64,
@@ -42,8 +44,7 @@ impl Mmg {
         let wetted_m2 = 1.7 * side_m2 + ship.volume_m3 / ship.draught_m;
         let less = (model - own) * wetted_m2 / side_m2;
         let mut changed = *self;
-        let left =
-            within("what is left of the resistance", -self.hull.low_speed.ahead - less, 1e-6, 1.0)?;
+        let left = within("remaining resistance", -self.hull.low_speed.ahead - less, 1e-6, 1.0)?;
         changed.hull.low_speed.ahead = -left;
         changed.hull.low_speed.astern += less;
         match &mut changed.hull.under_way {
@@ -63,10 +64,10 @@ impl Mmg {
 mod tests {
     use super::*;
 
-    /// Morrall's worked example: Re 5.62·10⁶, C_F 3.325·10⁻³. Half a unit of the last digit of C_F, and as much again for
-    /// that of Re, whose rounding moves C_F by 0.5·10⁻⁶.
+    /// Morrall's worked example: Re 5.62·10⁶, C_F 3.325·10⁻³. The tolerance is half a unit of the last digit of C_F, plus as
+    /// much for the rounding of Re.
     #[test]
-    fn the_line_gives_the_printed_example() {
+    fn the_ittc_line_gives_the_published_example() {
         let ours = ittc_1957(5.62e6).expect("in range");
         assert!((ours - 3.325e-3).abs() < 1.0e-6, "{ours}");
         assert!(ittc_1957(10.0).is_err());

@@ -1,29 +1,27 @@
-//! The ship in the water: hull, propellers, rudders and thrusters as pure functions, and a fast model of
-//! manoeuvring in three degrees of freedom.
+//! Hydrodynamics of a ship: hull, propeller, rudder and thruster forces as pure functions, and a manoeuvring model in
+//! three degrees of freedom.
 //!
-//! The whole in one page:
-//!
-//! | what | where |
+//! | subject | item |
 //! |---|---|
 //! | main particulars, checked | [`Particulars`] |
 //! | added mass from particulars | [`zhou_added_mass`], [`clarke_added_mass`] |
 //! | hull under way: MMG polynomials in v', r' or in β, r' | [`Polynomial`] |
 //! | hull at low speed, astern, crabbing: cross-flow drag | [`LowSpeedHull`], [`CrossFlow`] |
-//! | one hull force without a jump | [`Hull`] |
+//! | continuous hull force from both | [`Hull`] |
 //! | propeller in four quadrants | [`Propeller`] |
-//! | rudder behind a propeller that does anything | [`Rudder`] |
+//! | rudder behind a propeller, in all conditions | [`Rudder`] |
 //! | tunnel and azimuth thrusters | [`TunnelThruster`], [`AzimuthThruster`] |
-//! | rudder machine, shaft, lag, telegraph | [`actuator`] |
-//! | all of it on one ship | [`Mmg`], [`Mmg::forces`] |
+//! | steering gear, shaft, lag, telegraph | [`actuator`] |
+//! | the complete model of a ship | [`Mmg`], [`Mmg::forces`] |
 //! | shallow water: corrections of hull, propeller, rudder and added mass; squat, current | [`shallow`], [`Squat`] |
 //! | equations of motion, two integrators | [`Model3`] |
-//! | where a ship's numbers come from | [`vessels`] |
-//! | what is not known of a ship, from her main particulars | [`estimated`] |
+//! | sources of a ship's data | [`vessels`] |
+//! | estimates of unknown coefficients from main particulars | [`estimated`] |
 //! | turning circle, zig-zag, crash stop, crabbing, bollard pull | [`manoeuvres`] |
 //!
 //! Conventions: SI; x forward, y to starboard, yaw and rudder positive to starboard, everything about
-//! midship; velocity is that *through the water*. Every force is a continuous function of velocity,
-//! revolutions and rudder, through rest and through all quadrants (`tests/hydro_continuity.rs`).
+//! midship; velocities are *through the water*. Every force is a continuous function of velocity,
+//! revolutions and rudder angle, at rest and in all quadrants (`tests/hydro_continuity.rs`).
 //!
 //! ```
 //! use fenderline_scenario::VesselLibrary;

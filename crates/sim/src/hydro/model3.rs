@@ -1,20 +1,20 @@
-//! A ship in three degrees of freedom, about midship: fast, no allocation, in still water.
+//! The equations of motion of a ship in three degrees of freedom, about midship, in water without current.
 //!
 //! (m + m_x)u̇ = X + m v r + x_G m r², (m + m_y)v̇ + x_G m ṙ = Y − m u r and
-//! (I_z + x_G² m + J_z)ṙ + x_G m v̇ = N − x_G m u r, with X, Y, N of [`Mmg::forces`], which hold the
-//! Coriolis terms of the added mass.
+//! (I_z + x_G² m + J_z)ṙ + x_G m v̇ = N − x_G m u r, with X, Y, N of [`Mmg::forces`], which include
+//! the Coriolis terms of the added mass.
 
 use super::mmg::Mmg;
 use super::quantities::{Controls, Force, Velocity, Water};
 
-/// Where a ship is and how she moves.
+/// Position, heading and velocity of a ship.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Midship north of the origin (m).
     pub north_m: f64,
     /// Midship east of the origin (m).
     pub east_m: f64,
-    /// Heading, clockwise from north; it is not wrapped (rad).
+    /// Heading, clockwise from north, not wrapped (rad).
     pub heading_rad: f64,
     /// Velocity in her own axes.
     pub velocity: Velocity,
@@ -25,7 +25,7 @@ type Acceleration = [f64; 3];
 /// Rates of the six states, in the order of [`Motion`].
 type Rates = [f64; 6];
 
-/// An [`Mmg`] with its mass matrix, ready to be stepped.
+/// An [`Mmg`] model with its mass matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model3 {
     ship: Mmg,
@@ -38,7 +38,7 @@ pub struct Model3 {
 }
 
 impl Model3 {
-    /// Makes ready. The particulars must have been checked: a ship without volume has no inverse.
+    /// Computes the mass matrix. The particulars must have been checked.
     pub fn new(ship: Mmg, water: Water) -> Model3 {
         let density = water.density_kgpm3;
         let (hull, added) = (&ship.particulars, &ship.added_mass);
@@ -58,17 +58,17 @@ impl Model3 {
         }
     }
 
-    /// The ship within.
+    /// The manoeuvring model.
     pub fn ship(&self) -> &Mmg {
         &self.ship
     }
 
-    /// The water she is in.
+    /// The water.
     pub fn water(&self) -> Water {
         self.water
     }
 
-    /// Semi-implicit Euler: velocities first, then the place with the new ones.
+    /// One step of semi-implicit Euler: velocities first, then the position with the new velocities.
     pub fn semi_implicit(
         &self,
         motion: &Motion,
@@ -91,7 +91,7 @@ impl Model3 {
         }
     }
 
-    /// Classical Runge–Kutta with controls and other forces held over the step.
+    /// One step of classical Runge–Kutta, with controls and other forces constant over the step.
     pub fn runge_kutta(
         &self,
         motion: &Motion,
@@ -108,7 +108,7 @@ impl Model3 {
         moved(motion, &mean, step_s)
     }
 
-    /// Accelerations (m/s², m/s², rad/s²) under the ship's own forces and others at midship.
+    /// Accelerations (m/s², m/s², rad/s²) under the ship's forces and other forces at midship.
     pub fn acceleration(
         &self,
         velocity: &Velocity,

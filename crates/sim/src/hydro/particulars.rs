@@ -2,7 +2,7 @@
 
 use super::error::{HydroError, within};
 
-/// Main particulars as they are given. [`Particulars::check`] refuses what no ship can have.
+/// Main particulars. [`Particulars::check`] rejects values out of range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particulars {
     /// Length between perpendiculars L (m).
@@ -24,7 +24,7 @@ impl Particulars {
     /// gyradius of 0.25 L (the usual assumption of the MMG method).
     ///
     /// # Errors
-    /// As [`Particulars::check`].
+    /// See [`Particulars::check`].
     pub fn from_block(
         length_m: f64,
         beam_m: f64,
@@ -43,10 +43,10 @@ impl Particulars {
         .check()
     }
 
-    /// The same particulars, where a ship can have them.
+    /// Checks the particulars and returns them.
     ///
     /// # Errors
-    /// [`HydroError::OutOfRange`], naming the first that is impossible: dimensions that are not positive,
+    /// [`HydroError::OutOfRange`], naming the first value out of range: dimensions that are not positive,
     /// a block coefficient outside 0.1 to 1, a beam above the length, a centre of gravity outside the
     /// ship, a gyradius outside 0.05 to 0.6 L.
     pub fn check(self) -> Result<Particulars, HydroError> {
@@ -71,12 +71,12 @@ impl Particulars {
         self.volume_m3 / (self.length_m * self.beam_m * self.draught_m)
     }
 
-    /// ½ L² d (m³): what MMG coefficients of mass are multiplied with, before the density.
+    /// ½ L² d (m³): the factor of MMG mass coefficients, without the density.
     pub fn mass_unit_m3(&self) -> f64 {
         0.5 * self.length_m * self.length_m * self.draught_m
     }
 
-    /// ½ L⁴ d (m⁵): the same for moments of inertia.
+    /// ½ L⁴ d (m⁵): the factor of MMG coefficients of moments of inertia, without the density.
     pub fn inertia_unit_m5(&self) -> f64 {
         self.mass_unit_m3() * self.length_m * self.length_m
     }

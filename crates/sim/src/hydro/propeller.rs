@@ -1,25 +1,24 @@
-//! A propeller in all four quadrants of advance and revolutions.
+//! A propeller in all four quadrants of speed of advance and revolutions.
 //!
 //! With vp = 0.7πnD and va the speed of advance, β_p = atan2(va, vp) and
-//! T = ½ρ c_T(β_p)(va² + vp²) πD²/4, Q likewise with another D. In this form nothing is divided by n
-//! or by va: thrust is continuous through zero revolutions and zero speed.
+//! T = ½ρ c_T(β_p)(va² + vp²) πD²/4, Q likewise with another D. This form has no division by n or
+//! va: thrust is continuous through zero revolutions and zero speed.
 //!
-//! c_T is the ship's own polynomial K_T = k₀ + k₁J + k₂J² where it was measured (0 ≤ β_p ≤ 30°), the
-//! four-quadrant series of a Wageningen B4-70 where nothing is known of the ship's own propeller
-//! (β_p < −25° or > 60°, and everything astern), and a smooth mixture between. The mixture is ours.
-//! c_Q is the series' everywhere, as no torque is published with the manoeuvring models.
+//! c_T is the ship's polynomial K_T = k₀ + k₁J + k₂J² in the measured range (0 ≤ β_p ≤ 30°), the four-quadrant series of a
+//! Wageningen B4-70 for β_p < −25° or > 60° and all revolutions astern, and a smooth interpolation between, which is
+//! an addition of this project. c_Q is always from the series, as no torque is published with the manoeuvring models.
 
 use std::f64::consts::PI;
 
 use super::propeller_series::{B4_70_PITCH_0_8, B4_70_PITCH_1_0, Harmonics};
 use super::quantities::{Water, smooth_step};
 
-/// sin β_p between which the own polynomial comes in (−25° to 0°).
+/// sin β_p of the lower transition from the series to the polynomial (−25° to 0°).
 const OWN_FROM: [f64; 2] = [-0.422_618_261_740_699_44, 0.0];
-/// sin β_p between which it goes out again (30° to 60°).
+/// sin β_p of the upper transition from the polynomial to the series (30° to 60°).
 const OWN_TO: [f64; 2] = [0.5, 0.866_025_403_784_438_6];
 
-/// The series propeller that stands for the quadrants in which the ship's own was not measured.
+/// The series propeller for quadrants without measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Series {
     /// Wageningen B4-70, pitch ratio 0.8.
@@ -42,7 +41,7 @@ impl Series {
 pub struct Propeller {
     /// Diameter D (m).
     pub diameter_m: f64,
-    /// Own K_T polynomial [k₀, k₁, k₂] over J in the first quadrant; the series' where it is not known.
+    /// K_T polynomial [k₀, k₁, k₂] over J in the first quadrant; `None` to use the series.
     pub thrust_polynomial: Option<[f64; 3]>,
     /// The series for the other quadrants and for torque.
     pub series: Series,
@@ -58,7 +57,7 @@ impl Propeller {
         self.pressure_area(&flow, water) * self.thrust_coefficient(flow.cos, flow.sin)
     }
 
-    /// Torque that the shaft has to give (N m), at a speed of advance (m/s) and revolutions (1/s).
+    /// Torque of the shaft (N m), at a speed of advance (m/s) and revolutions (1/s).
     pub fn torque_nm(&self, advance_mps: f64, shaft_rps: f64, water: Water) -> f64 {
         let flow = self.flow(advance_mps, shaft_rps);
         if flow.speed_squared == 0.0 {
@@ -87,7 +86,7 @@ impl Propeller {
             return series_thrust(self.series, cos, sin);
         };
         let own = own_weight(cos, sin);
-        // The series costs thirty times what the polynomial does, and is not wanted most of the time.
+        // The series costs thirty times as much as the polynomial, and most steps do not need it.
         if own == 1.0 {
             return polynomial_coefficient(polynomial, cos, sin);
         }
@@ -105,14 +104,14 @@ struct Flow {
     sin: f64,
 }
 
-/// Weight of the ship's own polynomial, smooth over β_p.
+/// Weight of the ship's polynomial, smooth over β_p.
 fn own_weight(cos: f64, sin: f64) -> f64 {
     if cos <= 0.0 {
         return 0.0;
     }
-    let comes = smooth_step((sin - OWN_FROM[0]) / (OWN_FROM[1] - OWN_FROM[0]));
-    let goes = smooth_step((sin - OWN_TO[0]) / (OWN_TO[1] - OWN_TO[0]));
-    comes * (1.0 - goes)
+    let rise = smooth_step((sin - OWN_FROM[0]) / (OWN_FROM[1] - OWN_FROM[0]));
+    let fall = smooth_step((sin - OWN_TO[0]) / (OWN_TO[1] - OWN_TO[0]));
+    rise * (1.0 - fall)
 }
 
 /// 8K_T/(π(J² + (0.7π)²)), which is a quadratic form in cos β_p and sin β_p: J = 0.7π tan β_p.
@@ -131,9 +130,8 @@ fn series_torque(series: Series, cos: f64, sin: f64) -> f64 {
     -1e-3 * series_sum(series.harmonics(), 2, cos, sin)
 }
 
-/// Σ A cos kβ + B sin kβ with A and B in a column and the next, harmonics by their recurrence.
-///
-/// Even and odd harmonics go by 2β each: two chains that do not wait for each other.
+/// Σ A cos kβ + B sin kβ, with A in a column and B in the next. The harmonics follow from a recurrence by 2β: even and odd
+/// ones are separate chains, which the processor computes in parallel.
 fn series_sum(harmonics: &Harmonics, column: usize, cos: f64, sin: f64) -> f64 {
     let (cos_2, sin_2) = (cos * cos - sin * sin, 2.0 * sin * cos);
     let turned = |(c, s): (f64, f64)| (c * cos_2 - s * sin_2, s * cos_2 + c * sin_2);

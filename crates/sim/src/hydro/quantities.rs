@@ -23,7 +23,7 @@ impl Velocity {
         (self.surge_mps * self.surge_mps + self.sway_mps * self.sway_mps).sqrt()
     }
 
-    /// Drift angle β = atan2(−v, u) (rad): positive where the ship slides to port. 0 at rest.
+    /// Drift angle β = atan2(−v, u) (rad), positive if the ship slides to port; 0 at rest.
     pub fn drift_rad(&self) -> f64 {
         libm::atan2(-self.sway_mps, self.surge_mps)
     }
@@ -71,7 +71,7 @@ impl Mul<f64> for Force {
     }
 }
 
-/// The water: what every force is proportional to.
+/// The water, by its density.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Water {
     /// Density (kg/m³).
@@ -85,7 +85,7 @@ impl Water {
     pub const FRESH: Water = Water { density_kgpm3: 1000.0 };
 }
 
-/// What the bridge has set and the machinery has reached.
+/// The current rudder angle and shaft revolutions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Controls {
     /// Shaft revolutions, positive ahead (1/s).
@@ -94,7 +94,7 @@ pub struct Controls {
     pub rudder_rad: f64,
 }
 
-/// 3t² − 2t³ between 0 and 1, flat outside: no kink at either end.
+/// Smooth step 3t² − 2t³ between 0 and 1, constant outside.
 pub(super) fn smooth_step(t: f64) -> f64 {
     let t = bounded(t, 0.0, 1.0);
     t * t * (3.0 - 2.0 * t)

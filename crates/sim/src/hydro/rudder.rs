@@ -1,25 +1,24 @@
-//! A rudder behind a propeller that may drive ahead, stand still or turn astern.
+//! A rudder behind a propeller in all conditions: propeller ahead, stopped or astern.
 //!
-//! Ahead it is the rudder of the MMG standard method (Yasukawa & Yoshimura 2015), in the form of u_R that
-//! stays finite at bollard. The rest is ours, chosen so that nothing jumps, and not validated:
+//! Ahead it is the rudder of the MMG standard method (Yasukawa & Yoshimura 2015), in the form of u_R that is finite at
+//! bollard pull. The rest is an addition of this project, chosen for continuous forces, and not validated:
 //!
-//! - The race's speed over the water around it is ±(√(u_P² + 8|T|/(πρD²)) − |u_P|), of the thrust's sign.
-//! - Where the water leaves the disc over the rudder, that is multiplied with κ as in the method. Where the
-//!   propeller sucks the water past the rudder, with the induced speed that actuator-disc theory gives half
-//!   a diameter on the intake side, ½(1 − 1/√2) = 0.146 of the race's.
-//! - Drift enters as Uβ up to about 40° and as −v beyond, so that the rudder does not jump where β does, astern.
-//! - In reversed flow the rudder works as in flow from ahead, which flatters it.
+//! - The speed of the propeller race relative to the surrounding water is ±(√(u_P² + 8|T|/(πρD²)) − |u_P|), with the sign of the thrust.
+//! - If the race passes over the rudder, that speed is multiplied by κ, as in the method. If the rudder is on the intake
+//!   side, the factor is that of actuator-disc theory half a diameter upstream, ½(1 − 1/√2) = 0.146.
+//! - Drift enters as Uβ up to about 40° and as −v beyond, because β is discontinuous astern.
+//! - In reversed flow the rudder has the same lift as in flow from ahead, which is optimistic.
 
 use std::f64::consts::PI;
 
 use super::quantities::{Force, Velocity, Water, smooth_step};
 
-/// Induced speed half a diameter upstream of a disc, of the race's speed far downstream.
+/// Induced speed half a diameter upstream of the disc, over that far downstream.
 const INTAKE: f64 = 0.5 * (1.0 - std::f64::consts::FRAC_1_SQRT_2);
-/// cos β from which drift counts as −v alone, and from which as Uβ.
+/// cos β up to which drift enters as −v, and from which on as Uβ.
 const DRIFT_COSINES: [f64; 2] = [0.26, 0.77];
 
-/// A rudder and what its hull and propeller make of it, by the MMG method.
+/// A rudder with its interaction coefficients with hull and propeller, by the MMG method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rudder {
     /// Movable area A_R (m²).
@@ -28,25 +27,25 @@ pub struct Rudder {
     pub lift_gradient: f64,
     /// Propeller diameter over rudder span η.
     pub propeller_to_span: f64,
-    /// Wake at the rudder over wake at the propeller ε.
+    /// Wake ratio ε: 1 − w at the rudder over 1 − w at the propeller.
     pub wake_ratio: f64,
-    /// How much of the race's speed reaches the rudder κ.
+    /// Share κ of the race's speed that reaches the rudder.
     pub race_gain: f64,
     /// Flow straightening γ_R for β_R below and above 0.
     pub straightening: [f64; 2],
-    /// l'_R: effective place of the rudder in β_R = β − l'_R r', over L.
+    /// l'_R: effective position of the rudder in β_R = β − l'_R r', over L.
     pub straightening_place: f64,
     /// Steering resistance deduction t_R.
     pub resistance_deduction: f64,
-    /// Force that steering puts on the hull a_H, over the rudder's own.
+    /// a_H: lateral force on the hull due to steering, over that of the rudder.
     pub hull_gain: f64,
-    /// Place x'_H of that force, over L.
+    /// x'_H: position of that force, over L.
     pub hull_place: f64,
-    /// Place x'_R of the rudder, over L (−0.5 at the after perpendicular).
+    /// x'_R: position of the rudder, over L (−0.5 at the after perpendicular).
     pub place: f64,
 }
 
-/// What the propeller sends to the rudder.
+/// The propeller race that meets the rudder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Race {
     /// Speed of advance u_P = u(1 − w) (m/s).
@@ -77,7 +76,7 @@ impl Rudder {
         }
     }
 
-    /// F_N = ½ρ A_R f_α U_R² sin(δ − atan2(v_R, u_R)), written without the angle.
+    /// F_N = ½ρ A_R f_α U_R² sin(δ − atan2(v_R, u_R)), without computing the angle.
     fn normal_force_n(
         &self,
         velocity: &Velocity,
@@ -97,8 +96,8 @@ impl Rudder {
             * (along_mps * sin - across_mps * cos)
     }
 
-    /// u_R (m/s): the method's ε√(η(u_P + κΔ)² + (1−η)u_P²), extended to parts of unlike sign by
-    /// (p|p| + q|q|)/√(p² + q²), which is the same where they agree.
+    /// u_R (m/s): the method's ε√(η(u_P + κΔ)² + (1−η)u_P²), extended to the case where the two parts
+    /// have different signs by (p|p| + q|q|)/√(p² + q²), which is equal to it for equal signs.
     fn inflow_along_mps(&self, race: &Race, water: Water) -> f64 {
         let advance_mps = race.advance_mps;
         let loading =
@@ -116,9 +115,9 @@ impl Rudder {
         self.wake_ratio * signed / squared.sqrt()
     }
 
-    /// v_R = γ_R(Uβ − l_R r) (m/s), γ_R by the side from which the water comes.
+    /// v_R = γ_R(Uβ − l_R r) (m/s), with γ_R for the side from which the water comes.
     ///
-    /// γ_R is chosen by the sign of β_R, for which v_R is continuous; some sources choose it by β_P.
+    /// γ_R is selected by the sign of β_R, which makes v_R continuous; some sources select it by β_P.
     fn inflow_across_mps(&self, velocity: &Velocity, length_m: f64) -> f64 {
         let speed_mps = velocity.speed_mps();
         if speed_mps == 0.0 {
@@ -140,8 +139,8 @@ impl Rudder {
     }
 }
 
-/// 1 where all the water that goes through the disc leaves it over the rudder, 0 where it comes past the
-/// rudder to the disc; between the two where thrust and advance are of unlike sign.
+/// 1 if all the water through the disc passes over the rudder, 0 if the rudder is on the intake side; between them if thrust
+/// and speed of advance have different signs.
 fn share_over_rudder(advance_mps: f64, loading: f64) -> f64 {
     let advance_squared = advance_mps * advance_mps;
     let sum = advance_squared + loading.abs();

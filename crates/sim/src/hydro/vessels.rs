@@ -1,5 +1,5 @@
-//! A ship's numbers with where they come from and how sure they are. The numbers themselves are data, in
-//! `vessels/` at the root of the repository.
+//! A ship's data with their sources and how well these are known. The data themselves are in `vessels/` at the root of
+//! the repository.
 
 use fenderline_contact::number::bounded;
 
@@ -7,23 +7,23 @@ use super::actuator::RateLimited;
 use super::estimate::{EstimateMethod, RatioOutOfRange};
 use super::mmg::Mmg;
 
-/// How well the source of a number or of a formula is known, the surest first.
+/// How well the source of a number or a formula is known, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Standing {
     /// Read in a public source.
     Found,
-    /// Computed from others.
+    /// Computed from other numbers.
     Derived,
-    /// To be checked against the document before it is relied on.
+    /// From memory: to be checked against the document.
     Recalled,
-    /// Nobody's but ours.
+    /// Assumed by this project.
     Assumed,
-    /// A user's own.
+    /// Given by the user.
     Given,
 }
 
 impl Standing {
-    /// Its word in files and in print.
+    /// The word for it in files and reports.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -36,12 +36,12 @@ impl Standing {
     }
 }
 
-/// A number of a ship, to be shown.
+/// A number of a ship, for reports.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
-    /// Its key, or its symbol.
+    /// Key or symbol.
     pub name: String,
-    /// Its value with its unit.
+    /// Value with unit.
     pub text: String,
 }
 
@@ -62,23 +62,23 @@ impl Figure {
     }
 }
 
-/// Where one group of a ship's numbers comes from.
+/// The source of a group of a ship's numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
-    /// Which numbers.
+    /// The group.
     pub group: String,
     /// The numbers.
     pub figures: Vec<Figure>,
-    /// Where from: a document, or the formula that gave them.
+    /// The document, or the formula that gave them.
     pub source: String,
     /// How well that is known.
     pub standing: Standing,
-    /// They are not the ship's own but come from a formula, whose standing this is: not validated for her.
+    /// True if the numbers come from a formula, not from data of the ship. `standing` is then that of the formula.
     pub is_estimate: bool,
 }
 
 impl Source {
-    /// Its standing in a word, an estimate said to be one.
+    /// Its standing in words, with estimates marked.
     #[must_use]
     pub fn word(&self) -> String {
         let word = self.standing.word();
@@ -86,21 +86,21 @@ impl Source {
     }
 }
 
-/// What a vessel is, and where her numbers come from.
+/// Name of a vessel, and the sources of her data.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Origin {
-    /// Her name, with her scale.
+    /// Name and scale.
     pub title: String,
-    /// Every number of hers.
+    /// All her numbers with their sources.
     pub sources: Vec<Source>,
-    /// The formulas by which her hull, propeller or rudder are estimated; `None` where they are her own.
+    /// The formulas that estimate her hull, propeller or rudder; `None` if she has data for all of them.
     pub estimate_method: Option<EstimateMethod>,
-    /// Where she is outside the range in which those formulas were held against ships.
+    /// Ratios outside the range in which those formulas were validated.
     pub outside: Vec<RatioOutOfRange>,
 }
 
 impl Origin {
-    /// What was estimated for want of numbers of her own.
+    /// The estimated groups.
     pub fn estimates(&self) -> impl Iterator<Item = &Source> {
         self.sources.iter().filter(|source| source.is_estimate)
     }
@@ -109,17 +109,17 @@ impl Origin {
 /// A ship ready for manoeuvres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vessel {
-    /// Who she is.
+    /// Name and sources.
     pub origin: Origin,
     /// Her manoeuvring model.
     pub ship: Mmg,
-    /// Speed of approach of the standard manoeuvres (m/s); `None` where nobody said.
+    /// Approach speed of the standard manoeuvres (m/s); `None` if not given.
     pub approach_mps: Option<f64>,
     /// Rudder amidships, with its rate and stop.
     pub steering: RateLimited,
-    /// A model in a tank of fresh water.
+    /// True for a model in a tank with fresh water.
     pub is_model: bool,
-    /// Length of the model whose resistance a full-scale ship has in `ship` (m), where it is known.
+    /// For a full-scale ship whose `ship` has the resistance of a model: the length of the model (m).
     pub resistance_of_model_m: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! What may be known of a ship, as her estimate takes it.
+//! Known data of a ship, the input of an estimate.
 
 use crate::hydro::added_mass::AddedMass;
 use crate::hydro::low_speed::LowSpeedHull;
@@ -6,7 +6,7 @@ use crate::hydro::mmg::Polynomial;
 use crate::hydro::particulars::Particulars;
 use crate::hydro::propeller::Series;
 
-/// What is known of a ship.
+/// Known data of a ship; `None` for what is to be estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Known {
     /// Main particulars.
@@ -17,33 +17,33 @@ pub struct Known {
     pub polynomial: Option<Polynomial>,
     /// Hull at low speed.
     pub low_speed: Option<LowSpeedHull>,
-    /// Propeller and rudder; without them she has none.
+    /// Propeller and rudder; `None` if she has none.
     pub gear: Option<SternGear>,
 }
 
-/// What must be known of a propeller and its rudder, and what may be.
+/// Data of a propeller and its rudder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SternGear {
     /// Diameter of the propeller (m).
     pub propeller_m: f64,
     /// Movable area of the rudder (m²).
     pub rudder_m2: f64,
-    /// Diameter of the propeller over span of the rudder; at most 1 counts.
+    /// Diameter of the propeller over span of the rudder; values above 1 count as 1.
     pub propeller_to_span: f64,
-    /// Span² over area of the rudder; needed where [`SternCoefficients::lift_gradient`] is not known.
+    /// Span² over area of the rudder; needed if [`SternCoefficients::lift_gradient`] is not known.
     pub aspect_ratio: f64,
-    /// What was measured.
+    /// Measured coefficients.
     pub own: SternCoefficients,
 }
 
-/// What may be known of a propeller and its rudder behind the hull; named as in
+/// Coefficients of a propeller and its rudder behind the hull, named as in
 /// [`Propulsion`](crate::hydro::mmg::Propulsion), [`Wake`](crate::hydro::mmg::Wake) and
 /// [`Rudder`](crate::hydro::rudder::Rudder).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SternCoefficients {
     /// K_T = k₀ + k₁J + k₂J².
     pub thrust_polynomial: Option<[f64; 3]>,
-    /// The series for what the polynomial does not cover.
+    /// Propeller series for what the polynomial does not cover.
     pub series: Option<Series>,
     /// t_P.
     pub thrust_deduction: Option<f64>,
@@ -76,7 +76,7 @@ pub struct SternCoefficients {
 }
 
 impl SternCoefficients {
-    /// These, and the other's where these say nothing.
+    /// These coefficients, with `other` for those that are `None`.
     #[must_use]
     pub fn or(self, other: SternCoefficients) -> SternCoefficients {
         SternCoefficients {

@@ -1,23 +1,23 @@
-//! Which formulas estimate a ship, and the particulars within which they were held against ships.
+//! The estimation methods, and the range of particulars in which they were validated.
 
 use crate::hydro::particulars::Particulars;
 
-/// The formulas by which hull, propeller and rudder of a ship are estimated.
+/// A set of formulas for hull, propeller and rudder of a ship.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimateMethod {
     /// The whole set of regressions of Yoshimura & Masumoto (2012) for merchant ships.
     YoshimuraMasumoto,
-    /// Linear derivatives of Clarke, Gedling & Hine (1983) with cross-flow drag. For hulls to which the regressions
-    /// of merchant ships say nothing: tugs, barges, workboats.
+    /// Linear derivatives of Clarke, Gedling & Hine (1983) with cross-flow drag. For hulls outside the
+    /// regressions for merchant ships: tugs, barges, workboats.
     Clarke,
 }
 
-/// The stubbiest and the deepest hull that is taken for a merchant ship: below L/B 4 or B/d 1 the polynomials would be
-/// asked far outside every ship they were made from, where single terms change their sign.
+/// Smallest L/B and B/d of a merchant ship. Below L/B 4 or B/d 1 the polynomials would be used far outside the ships from
+/// which they were derived, and some terms change their sign.
 const MERCHANT_SHIP: [(Ratio, f64); 2] =
     [(Ratio::LengthOverBeam, 4.0), (Ratio::BeamOverDraught, 1.0)];
 
-/// Within which the estimate was held against ships: the particulars of KCS, KVLCC2, Esso Osaka, the S175, the Mariner and a
+/// The range in which the estimate was validated: the particulars of KCS, KVLCC2, Esso Osaka, the S175, the Mariner and a
 /// tanker of 190 000 dwt (Cb 0.56 to 0.83, L/B 5.5 to 7.1, B/d 2.4 to 3.1), rounded outwards. The regressions' own
 /// range could not be read.
 pub const VALIDATED_RATIOS: [(Ratio, [f64; 2]); 3] = [
@@ -38,7 +38,7 @@ pub enum Ratio {
 }
 
 impl Ratio {
-    /// Of a ship.
+    /// The ratio of a ship.
     #[must_use]
     pub fn of(self, ship: &Particulars) -> f64 {
         match self {
@@ -48,7 +48,7 @@ impl Ratio {
         }
     }
 
-    /// In words, by the names that the particulars have in files.
+    /// Its name, with the keys of the particulars in vessel files.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -59,16 +59,16 @@ impl Ratio {
     }
 }
 
-/// A ratio of a ship outside the range in which her estimate was held against ships.
+/// A ratio outside the range in which the estimate was validated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RatioOutOfRange {
-    /// Which.
+    /// The ratio.
     pub ratio: Ratio,
-    /// Hers.
+    /// Its value.
     pub value: f64,
     /// The range, both ends included.
     pub range: [f64; 2],
-    /// By which formulas she is estimated all the same.
+    /// The method used.
     pub method: EstimateMethod,
 }
 
@@ -77,14 +77,14 @@ impl core::fmt::Display for RatioOutOfRange {
         let RatioOutOfRange { ratio, value, range: [low, high], method } = self;
         write!(
             f,
-            "{} is {value:.3}, outside {low} to {high}, within which the formulas that estimate her manoeuvring were \
-             held against ships; ",
+            "{} is {value:.3}, outside {low} to {high}, the range in which the formulas for her manoeuvring were \
+             validated; ",
             ratio.name()
         )?;
         f.write_str(match method {
-            EstimateMethod::YoshimuraMasumoto => "they are used all the same, and their error is not known",
+            EstimateMethod::YoshimuraMasumoto => "they are used nevertheless, and their error is not known",
             EstimateMethod::Clarke => {
-                "she is no merchant ship: linear derivatives and cross-flow drag are used instead, and their error \
+                "she is not a merchant ship: linear derivatives and cross-flow drag are used instead, and their error \
                  is not known"
             }
         })
@@ -92,14 +92,14 @@ impl core::fmt::Display for RatioOutOfRange {
 }
 
 impl EstimateMethod {
-    /// The one for a ship of these particulars.
+    /// The method for a ship of these particulars.
     #[must_use]
     pub fn of(ship: &Particulars) -> EstimateMethod {
         let is_merchant_ship = MERCHANT_SHIP.iter().all(|(ratio, least)| ratio.of(ship) >= *least);
         if is_merchant_ship { EstimateMethod::YoshimuraMasumoto } else { EstimateMethod::Clarke }
     }
 
-    /// Every ratio of a ship that is outside the range.
+    /// The ratios of a ship that are outside the range.
     #[must_use]
     pub fn outside(self, ship: &Particulars) -> Vec<RatioOutOfRange> {
         VALIDATED_RATIOS

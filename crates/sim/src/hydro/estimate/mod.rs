@@ -1,8 +1,8 @@
-//! What a manoeuvring model lacks, estimated from main particulars: for ships without tests of their own, or
-//! with tests of a part. Every estimate is told with its formula, to be shown as such; what is outside the range in which the
-//! formulas were held against ships is told too.
+//! Estimates of the coefficients of a manoeuvring model from main particulars, for ships without model tests or with
+//! incomplete ones. Every estimate is reported with its formula, and so are particulars outside the range in which the
+//! formulas were validated.
 //!
-//! | what | by | standing |
+//! | quantity | method | standing |
 //! |---|---|---|
 //! | added mass | Zhou's regression | found in public programs |
 //! | hull under way, rudder and hull | [`EstimateMethod`]: Yoshimura & Masumoto (2012) for merchant ships | found in public programs, signs by KCS and KVLCC2 |
@@ -14,7 +14,7 @@
 //! | propeller | Wageningen B4-70 | as [`super::Propeller`] |
 //! | rudder | f_α = 6.13Λ/(2.25 + Λ) | found in public programs |
 //!
-//! `fenderline validate` holds both routes against six ships, measure by measure (`validation/estimated_ships.toml`).
+//! `fenderline validate` compares both methods with six ships, measure by measure (`validation/estimated_ships.toml`).
 
 mod clarke;
 mod known;
@@ -34,31 +34,31 @@ use super::vessels::{Figure, Source, Standing};
 pub use known::{Known, SternCoefficients, SternGear};
 pub use method::{EstimateMethod, Ratio, RatioOutOfRange, VALIDATED_RATIOS};
 
-/// A ship of which something was estimated.
+/// The result of an estimate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimated {
     /// Her model.
     pub model: Mmg,
-    /// What had to be estimated, and by what.
+    /// What was estimated, and by which formula.
     pub sources: Vec<Source>,
-    /// By which formulas her hull, propeller or rudder were estimated; `None` where they are her own.
+    /// The formulas for hull, propeller or rudder; `None` if all of them are known.
     pub method: Option<EstimateMethod>,
-    /// Where that was outside the range in which the formulas were held against ships.
+    /// Ratios outside the range in which the formulas were validated.
     pub outside: Vec<RatioOutOfRange>,
 }
 
-/// The model of a ship from what is known of her, by the method for her particulars.
+/// The manoeuvring model of a ship from known data, by the method for her particulars.
 ///
 /// # Errors
-/// Numbers that no ship has, or particulars for which the regression of added mass does not hold.
+/// A number out of range, or particulars outside the regression of added mass.
 pub fn estimated(known: &Known) -> Result<Estimated, HydroError> {
     estimated_by(EstimateMethod::of(&known.particulars), known)
 }
 
-/// The same by a method that is asked for.
+/// The manoeuvring model of a ship from known data, by a given method.
 ///
 /// # Errors
-/// As [`estimated`].
+/// See [`estimated`].
 pub fn estimated_by(method: EstimateMethod, known: &Known) -> Result<Estimated, HydroError> {
     let ship = known.particulars.check()?;
     let mut sources = Vec::new();
@@ -72,14 +72,15 @@ pub fn estimated_by(method: EstimateMethod, known: &Known) -> Result<Estimated, 
         None => None,
     };
     let model = Mmg { particulars: ship, added_mass, hull, propulsion }.check()?;
-    let hull_is_hers = known.polynomial.is_some() || known.low_speed.is_some();
-    let stern_is_hers = known.gear.as_ref().is_none_or(|gear| stern::is_hers(&gear.own));
-    let used = (!(hull_is_hers && stern_is_hers)).then_some(method);
+    let hull_is_known = known.polynomial.is_some() || known.low_speed.is_some();
+    let stern_is_known = known.gear.as_ref().is_none_or(|gear| stern::is_known(&gear.own));
+    let used = (!(hull_is_known && stern_is_known)).then_some(method);
     let outside = used.map_or_else(Vec::new, |method| method.outside(&ship));
     Ok(Estimated { model, sources, method: used, outside })
 }
 
-fn told(group: &str, figures: Vec<Figure>, source: &str, standing: Standing) -> Source {
+/// The report of an estimate.
+fn estimate(group: &str, figures: Vec<Figure>, source: &str, standing: Standing) -> Source {
     Source {
         group: group.to_owned(),
         figures,
@@ -91,7 +92,7 @@ fn told(group: &str, figures: Vec<Figure>, source: &str, standing: Standing) -> 
 
 fn added_mass(ship: &Particulars, all: &mut Vec<Source>) -> Result<AddedMass, HydroError> {
     let added = zhou_added_mass(ship)?;
-    all.push(told(
+    all.push(estimate(
         "added mass",
         vec![
             Figure::of("m_x/m", added.surge_m3 / ship.volume_m3, ""),
@@ -117,7 +118,7 @@ fn hull(
         (None, None) => estimated_hull(method, ship, added, all),
     };
     if hull.under_way.is_some() {
-        all.push(told(
+        all.push(estimate(
             "hull at low speed",
             linear_figures(&hull.low_speed),
             "linear terms of her polynomial",
@@ -125,13 +126,13 @@ fn hull(
         ));
     }
     if known.polynomial.is_none() {
-        all.push(told(
+        all.push(estimate(
             "resistance astern",
             vec![Figure::of("X'₀ astern", hull.low_speed.astern, "")],
             "UFC 4-159-03 (2005), 4-5.2: form drag 0.1 on the midship section, and friction",
             Standing::Found,
         ));
-        all.push(told(
+        all.push(estimate(
             "cross-flow drag",
             vec![Figure::of("C_D", hull.low_speed.cross_flow.drag_coefficient, "")],
             "Hoerner's drag of the midship section as in Fossen's MSS toolbox; the yaw rate counts as it is",
@@ -141,7 +142,7 @@ fn hull(
     hull
 }
 
-/// A hull of which only particulars are known.
+/// The hull of a ship with known particulars only.
 fn estimated_hull(
     method: EstimateMethod,
     ship: &Particulars,
@@ -152,7 +153,7 @@ fn estimated_hull(
     let mut hull = match method {
         EstimateMethod::YoshimuraMasumoto => {
             let polynomial = Polynomial::Drift(yoshimura_masumoto::polynomial(ship, added, ahead));
-            all.push(told(
+            all.push(estimate(
                 "hull under way",
                 polynomial_figures(&polynomial),
                 "Yoshimura & Masumoto (2012), as in public programs, its signs by the sets of KCS and KVLCC2",
@@ -162,7 +163,7 @@ fn estimated_hull(
         }
         EstimateMethod::Clarke => {
             let low_speed = LowSpeedHull::from_linear(&clarke::linear(ship, ahead), ship);
-            all.push(told(
+            all.push(estimate(
                 "linear hull derivatives",
                 linear_figures(&low_speed),
                 "Clarke, Gedling & Hine (1983), as in public implementations",
@@ -172,7 +173,7 @@ fn estimated_hull(
         }
     };
     hull.low_speed.astern = resistance::astern(ship);
-    all.push(told(
+    all.push(estimate(
         "resistance ahead",
         vec![Figure::of("X'₀ ahead", ahead, "")],
         "C_T = 0.004 on Mumford's wetted surface",
@@ -191,7 +192,7 @@ fn linear_figures(hull: &LowSpeedHull) -> Vec<Figure> {
     ]
 }
 
-/// Every term of an estimated polynomial but the resistance.
+/// The terms of an estimated polynomial, except the resistance.
 fn polynomial_figures(polynomial: &Polynomial) -> Vec<Figure> {
     const NAMES: [&str; 16] = [
         "X'ββ",

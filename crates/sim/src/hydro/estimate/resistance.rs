@@ -1,4 +1,4 @@
-//! Resistance of a ship without tests of her own.
+//! Estimated resistance of a ship without model tests.
 
 use crate::constants::STANDARD_GRAVITY_MPS2;
 use fenderline_contact::number::bounded;
@@ -10,9 +10,9 @@ use crate::hydro::particulars::Particulars;
 const TOTAL_RESISTANCE: f64 = 0.004;
 /// Form drag of the midship section along the hull, UFC 4-159-03 (2005), eq. 16.
 const FORM_DRAG: f64 = 0.1;
-/// V/√(gL) of a ship adrift, at which her friction is taken.
+/// Froude number V/√(gL) at which the friction of a drifting ship is computed.
 const ADRIFT_FROUDE: f64 = 0.03;
-/// Where [`ittc_1957`] is defined; vessels of less than a quarter of a metre are below it.
+/// Range of [`ittc_1957`]; vessels shorter than a quarter of a metre are below it.
 const REYNOLDS: [f64; 2] = [1e4, 1e11];
 
 /// X'₀ ahead, under way.
@@ -20,18 +20,19 @@ pub(super) fn ahead(ship: &Particulars) -> f64 {
     -TOTAL_RESISTANCE * wetted_over_side(ship)
 }
 
-/// X'₀ astern, of a ship adrift or in a current: UFC 4-159-03 (2005), "Design: Moorings", 4-5.2, eqs. 16 to 20: 0.1 on the
-/// midship section, and the friction of ITTC 1957 on Mumford's wetted surface. The third part there, the drag of a
-/// propeller that stands, is the propeller's own.
+/// X'₀ astern, of a drifting ship or in a current: UFC 4-159-03 (2005), "Design: Moorings", 4-5.2, eqs. 16 to 20: 0.1 on the
+/// midship section, and the friction of ITTC 1957 on Mumford's wetted surface. The third component there, the drag of a
+/// locked propeller, is part of the propeller model.
 ///
-/// The manual has it for any ship-shaped vessel, bow or stern into the current. It takes the friction at her speed; here
-/// it is that of one Froude number, so that the coefficient is one: at half that speed it is a tenth more.
+/// The manual gives it for any ship-shaped vessel, with bow or stern into the current. It computes friction at the actual
+/// speed; here one Froude number is used, so that the coefficient is constant. At half that speed friction is 10 %
+/// higher.
 pub(super) fn astern(ship: &Particulars) -> f64 {
     let speed_mps = ADRIFT_FROUDE * (STANDARD_GRAVITY_MPS2 * ship.length_m).sqrt();
     let [least, most] = REYNOLDS;
     let reynolds = bounded(speed_mps * ship.length_m / SEA_M2PS, least, most);
     let friction = ittc_1957(reynolds)
-        .unwrap_or_else(|error| unreachable!("the Reynolds number is held: {error}"));
+        .unwrap_or_else(|error| unreachable!("the Reynolds number is limited: {error}"));
     -FORM_DRAG * ship.beam_m / ship.length_m - friction * wetted_over_side(ship)
 }
 
@@ -45,10 +46,10 @@ fn wetted_over_side(ship: &Particulars) -> f64 {
 mod tests {
     use super::*;
 
-    /// The one ship of which it is known: Esso Osaka's model of 3 m has −0.0319 astern (Miyauchi et al. 2022). That a
-    /// coefficient of hers at another speed, and the form drag of any ship, come within a fifth is what can be asked.
+    /// The only ship with known data: Esso Osaka's model of 3 m has −0.0319 astern (Miyauchi et al. 2022). A tolerance of a
+    /// fifth allows for the different speed and for a form drag that is not specific to her.
     #[test]
-    fn astern_is_that_of_esso_osaka_within_a_fifth() {
+    fn resistance_astern_agrees_with_esso_osaka_within_a_fifth() {
         let model = Particulars {
             length_m: 3.0,
             beam_m: 0.489,

@@ -1,10 +1,10 @@
-//! Propeller and rudder behind the hull: what is known of them, and the method's formulas for the rest.
+//! Propeller and rudder behind the hull: known coefficients, and the method's formulas for the others.
 
 use fenderline_contact::number::{greater, lesser};
 
 use super::known::{SternCoefficients, SternGear};
 use super::method::EstimateMethod;
-use super::{told, yoshimura_masumoto};
+use super::{estimate, yoshimura_masumoto};
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::mmg::{Propulsion, Wake};
 use crate::hydro::particulars::Particulars;
@@ -16,10 +16,10 @@ use crate::hydro::vessels::{Figure, Source, Standing};
 /// that Miyauchi et al. (2022) have for Esso Osaka (pitch 0.715).
 const DEDUCTION_ASTERN: f64 = 0.314;
 
-/// x'_P of a ship of which it is not known.
+/// x'_P if it is not known.
 const PROPELLER_PLACE: f64 = -0.48;
 
-/// What the method says of the wake in a turn.
+/// The method's estimate of the wake in a turn.
 struct WakeChange {
     rate: f64,
     limit: f64,
@@ -27,9 +27,9 @@ struct WakeChange {
 }
 
 impl WakeChange {
-    /// Hard over the propeller leaves the wake: C₂ = 1/(1 − w₀) gives back all of it. Of the two ships whose change is
-    /// known KVLCC2 gets 65 % back (mean of both sides, C₁ 2.0) and Esso Osaka 111 % (C₁ 1.4).
-    /// A set of hers that has a wake and no change of it was made without one.
+    /// With the rudder hard over the propeller leaves the wake: C₂ = 1/(1 − w₀) removes all of it. Of the two ships with a
+    /// known change, KVLCC2 loses 65 % of the wake (mean of both sides, C₁ 2.0) and Esso Osaka 111 % (C₁ 1.4). A ship with a
+    /// known wake and no known change has a coefficient set that was derived without one.
     fn by(method: EstimateMethod, own_wake: Option<f64>, wake: f64) -> WakeChange {
         match method {
             EstimateMethod::YoshimuraMasumoto if own_wake.is_none() => WakeChange {
@@ -50,7 +50,7 @@ impl WakeChange {
     }
 }
 
-/// What the method says of rudder, race and hull.
+/// The method's estimate of the interaction of rudder, propeller race and hull.
 struct Interaction {
     wake_ratio: f64,
     race_gain: f64,
@@ -92,8 +92,8 @@ impl Interaction {
     }
 }
 
-/// Is everything her own that the method would estimate?
-pub(super) fn is_hers(own: &SternCoefficients) -> bool {
+/// True if every coefficient that depends on the method is known.
+pub(super) fn is_known(own: &SternCoefficients) -> bool {
     let numbers = [
         own.wake_ratio,
         own.race_gain,
@@ -105,13 +105,13 @@ pub(super) fn is_hers(own: &SternCoefficients) -> bool {
     own.straightening.is_some() && numbers.iter().all(Option::is_some)
 }
 
-/// Takes what is known, and collects what had to be assumed in its place.
+/// Collects the reports of estimated numbers.
 struct Missing<'a> {
     all: &'a mut Vec<Source>,
 }
 
 impl Missing<'_> {
-    /// A known number, or the formula's.
+    /// The known number, or that of the formula, which is then reported.
     fn number(
         &mut self,
         known: Option<f64>,
@@ -121,16 +121,16 @@ impl Missing<'_> {
     ) -> f64 {
         known.unwrap_or_else(|| {
             let figures = vec![Figure::of(symbol, formula, "")];
-            self.all.push(told(group, figures, source, standing));
+            self.all.push(estimate(group, figures, source, standing));
             formula
         })
     }
 }
 
-/// Propeller and rudder, with what of them is estimated added to `all`.
+/// Propeller and rudder. The reports of estimates are appended to `all`.
 ///
 /// # Errors
-/// A propeller or a rudder that no ship of her size has.
+/// Propeller diameter or rudder area out of range for the size of the ship.
 pub(super) fn propulsion(
     method: EstimateMethod,
     ship: &Particulars,
@@ -143,14 +143,14 @@ pub(super) fn propulsion(
     if own.thrust_polynomial.is_none() || own.series.is_none() {
         let pitch = Figure { name: "pitch ratio".to_owned(), text: "0.8".to_owned() };
         let figures = if own.series.is_none() { vec![pitch] } else { Vec::new() };
-        all.push(told(
+        all.push(estimate(
             "propeller, and its torque",
             figures,
             "Wageningen B4-70, Roddy et al. (2006), from a public transcription",
             Standing::Found,
         ));
     } else {
-        all.push(told(
+        all.push(estimate(
             "propeller outside its first quadrant, and its torque",
             Vec::new(),
             "Wageningen B4-70 of the nearest pitch, Roddy et al. (2006), from a public transcription",
@@ -190,7 +190,7 @@ pub(super) fn propulsion(
         let WakeChange { rate, limit, source: (source, standing) } =
             WakeChange::by(method, own.wake, wake);
         let figures = vec![Figure::of("C₁", rate, ""), Figure::of("C₂", limit, "")];
-        missing.all.push(told("wake in a turn", figures, source, standing));
+        missing.all.push(estimate("wake in a turn", figures, source, standing));
         (rate, [limit; 2])
     });
     let fujii = 6.13 * gear.aspect_ratio / (2.25 + gear.aspect_ratio);
@@ -214,7 +214,7 @@ pub(super) fn propulsion(
             let [below, above] = usual.straightening;
             let figures =
                 vec![Figure::of("γ_R", below, ""), Figure::of("γ_R (β_R > 0)", above, "")];
-            missing.all.push(told("flow straightening", figures, by.0, by.1));
+            missing.all.push(estimate("flow straightening", figures, by.0, by.1));
             usual.straightening
         }),
         straightening_place: missing.number(
@@ -243,7 +243,7 @@ pub(super) fn propulsion(
             ("at the after perpendicular", Standing::Assumed),
         ),
     };
-    // It matters only where the wake changes in a turn.
+    // The position of the propeller matters only if the wake changes in a turn.
     let place = if rate == 0.0 {
         own.propeller_place.unwrap_or(PROPELLER_PLACE)
     } else {

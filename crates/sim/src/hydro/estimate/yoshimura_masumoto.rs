@@ -1,9 +1,9 @@
 //! Yoshimura & Masumoto, "Hydrodynamic database and manoeuvring prediction method with medium high-speed merchant ships
 //! and fishing vessels", MARSIM 2012: regressions for merchant ships by k = 2d/L, Cb B/L, Cb and L/B.
 //!
-//! The paper itself could not be read. The formulas stand in several public programs, among them nikpau/mmgdynamics
-//! (up to release 1.0), which do not agree in every sign. They are put here in the form over the drift angle
-//! β = −v', where they agree with the published sets of KCS and KVLCC2 (`tests/hydro_estimates.rs`):
+//! The paper could not be read. The formulas are in several public programs, among them nikpau/mmgdynamics (up to release
+//! 1.0), which differ in some signs. Here they are in terms of the drift angle β = −v', with the signs that agree with
+//! the published coefficients of KCS and KVLCC2 (`tests/hydro_estimates.rs`):
 //!
 //! | term | here | in those programs, over β | KCS | KVLCC2 |
 //! |---|---|---|---|---|
@@ -11,7 +11,7 @@
 //! | N'βrr | 0.075 (1 − Cb) L/B − 0.098 | 0.075 (1 − Cb) L/B + 0.098 | five times hers | the other sign |
 //! | X'βr − m'y | −1.91 Cb B/L + 0.08 | 1.91 Cb B/L − 0.08 − 2m'y | twice hers | as hers |
 //!
-//! Y'r and X'βr of the form over β hold −m'x and −m'y, which the regressions add: they cancel.
+//! In the form over β, Y'r and X'βr include −m'x and −m'y, which the regressions add: the terms cancel.
 
 use std::f64::consts::PI;
 
@@ -19,7 +19,7 @@ use crate::hydro::added_mass::AddedMass;
 use crate::hydro::mmg::DriftPolynomial;
 use crate::hydro::particulars::Particulars;
 
-/// The hull under way, with a resistance X'₀ that is known.
+/// The hull under way, with a given resistance X'₀.
 pub(super) fn polynomial(
     ship: &Particulars,
     added: &AddedMass,
@@ -57,12 +57,12 @@ pub(super) fn wake_ratio(wake: f64) -> f64 {
     2.26 - 1.82 * (1.0 - wake)
 }
 
-/// κ, how much of the race reaches the rudder.
+/// κ, share of the race's speed that reaches the rudder.
 pub(super) fn race_gain(wake_ratio: f64) -> f64 {
     0.55 / wake_ratio
 }
 
-/// γ_R, to both sides.
+/// γ_R, equal for both sides.
 pub(super) fn straightening(ship: &Particulars) -> f64 {
     2.06 * fullness(ship) + 0.14
 }

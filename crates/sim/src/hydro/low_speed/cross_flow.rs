@@ -1,4 +1,4 @@
-//! Cross-flow drag: every slice of the hull is a plate in the flow that it meets across the ship.
+//! Cross-flow drag: each section of the hull has the drag of a plate in the local lateral flow.
 
 use crate::hydro::quantities::{Force, Velocity, Water};
 
@@ -49,16 +49,16 @@ pub fn hoerner_drag_coefficient(beam_m: f64, draught_m: f64) -> f64 {
 pub struct CrossFlow {
     /// Drag coefficient C_D.
     pub drag_coefficient: f64,
-    /// What the yaw rate is multiplied with in the force; 1 where the flow is that of a rigid body.
+    /// Factor C on the yaw rate in the force; 1 for rigid-body flow.
     pub yaw_gain_force: f64,
-    /// The same in the moment.
+    /// Factor C on the yaw rate in the moment.
     pub yaw_gain_moment: f64,
 }
 
 impl CrossFlow {
     /// Y = −½ρT C_D ∫|v + C r x|(v + C r x)dx, N = −½ρT C_D ∫|v + C r x|(v + C r x)x dx over the length.
     ///
-    /// The integrals are those of a piecewise square, taken in closed form: no strips.
+    /// The integrals are computed in closed form.
     pub fn force(&self, velocity: &Velocity, length_m: f64, draught_m: f64, water: Water) -> Force {
         let v_mps = velocity.sway_mps;
         let tip_mps = velocity.yaw_radps * length_m;

@@ -1,5 +1,5 @@
-//! Hull forces at low speed, at any drift angle, astern as ahead: a linear part that knows the direction
-//! of the ship's way, and cross-flow drag.
+//! Hull forces at low speed, at any drift angle, ahead and astern: a linear part that depends on the direction of motion,
+//! and cross-flow drag.
 
 mod cross_flow;
 
@@ -12,7 +12,7 @@ use super::particulars::Particulars;
 use super::quantities::{Force, Velocity, Water};
 
 /// Low-speed hull coefficients in the form of Yoshimura, Nakao & Ishibashi (2009) as used by Miyauchi et
-/// al. (2022), over ½ρLdU²: the form was checked against a public implementation of that model.
+/// al. (2022), divided by ½ρLdU². The form was checked against a public implementation of that model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LowSpeedHull {
     /// X'₀F: resistance ahead (negative).
@@ -33,12 +33,12 @@ pub struct LowSpeedHull {
     pub cross_flow: CrossFlow,
 }
 
-/// Resistance astern over ahead where it is not known: that of Esso Osaka, 0.0319/0.0214.
+/// Default resistance astern over ahead: that of Esso Osaka, 0.0319/0.0214.
 const ASTERN_OVER_AHEAD: f64 = 0.0319 / 0.0214;
 
 impl LowSpeedHull {
-    /// Estimated for a hull of which the linear terms are known: Hoerner's drag of the midship section, no gain of the
-    /// yaw rate, and a resistance astern that stands to the one ahead as Esso Osaka's.
+    /// An estimate from known linear terms: Hoerner's drag of the midship section, yaw gains of 1, and Esso Osaka's ratio of
+    /// resistance astern to ahead.
     #[must_use]
     pub fn from_linear(linear: &LinearTerms, ship: &Particulars) -> LowSpeedHull {
         LowSpeedHull {

@@ -1,7 +1,7 @@
 //! Standard manoeuvres on [`Model3`], with the measures of ITTC and IMO resolution MSC.137(76).
 //!
-//! All begin on a straight course north at a speed and with the revolutions that hold it, and count time and
-//! place from the moment of the order. Revolutions are held constant unless the manoeuvre orders others.
+//! All start on a straight course north, at a speed and the revolutions that maintain it. Time and position are measured
+//! from the order. Revolutions are constant unless the manoeuvre orders others.
 
 mod steady;
 mod stop;
@@ -19,22 +19,22 @@ use super::actuator::RateLimited;
 use super::model3::{Model3, Motion};
 use super::quantities::{Controls, Force, Velocity};
 
-/// A manoeuvre that could not be carried through.
+/// A manoeuvre that could not be completed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ManoeuvreError {
     /// The ship has no propeller.
     NoPropeller,
-    /// No revolutions within the propeller's range hold the speed.
+    /// No revolutions within the propeller's range maintain the speed.
     NoBalance {
         /// The speed (m/s).
         speed_mps: f64,
     },
-    /// Something that ends the manoeuvre did not happen in time.
+    /// The end of the manoeuvre was not reached in time.
     NotReached {
-        /// What.
+        /// What was not reached.
         what: &'static str,
-        /// How long it was waited for (s).
+        /// Time limit (s).
         after_s: f64,
     },
 }
@@ -44,7 +44,7 @@ impl fmt::Display for ManoeuvreError {
         match self {
             ManoeuvreError::NoPropeller => write!(f, "the ship has no propeller"),
             ManoeuvreError::NoBalance { speed_mps } => {
-                write!(f, "no revolutions hold a speed of {speed_mps} m/s")
+                write!(f, "no revolutions maintain a speed of {speed_mps} m/s")
             }
             ManoeuvreError::NotReached { what, after_s } => {
                 write!(f, "{what} was not reached within {after_s} s")
@@ -55,7 +55,7 @@ impl fmt::Display for ManoeuvreError {
 
 impl std::error::Error for ManoeuvreError {}
 
-/// How a manoeuvre begins and is stepped.
+/// Initial conditions and time step of a manoeuvre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
     /// Speed (m/s).
@@ -69,10 +69,10 @@ pub struct Approach {
 }
 
 impl Approach {
-    /// At a speed, with the revolutions that hold it.
+    /// An approach at a speed, with the revolutions that maintain it.
     ///
     /// # Errors
-    /// As [`self_propulsion_rps`].
+    /// See [`self_propulsion_rps`].
     pub fn at(
         model: &Model3,
         speed_mps: f64,
@@ -84,21 +84,21 @@ impl Approach {
     }
 }
 
-/// Where a ship is within a manoeuvre, after each step: what a track is drawn from.
+/// The state of a manoeuvre after a step, from which tracks are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
     /// Time since the order (s).
     pub time_s: f64,
-    /// Place, heading and velocity; north is the course of the approach.
+    /// Position, heading and velocity; north is the approach course.
     pub motion: Motion,
-    /// Where rudder and shaft are.
+    /// Rudder angle and shaft revolutions.
     pub controls: Controls,
 }
 
 /// A ship under a manoeuvre.
 struct Trial<'a> {
     model: &'a Model3,
-    watch: &'a mut dyn FnMut(&Moment),
+    observe: &'a mut dyn FnMut(&Moment),
     motion: Motion,
     steering: RateLimited,
     shaft: RateLimited,
@@ -107,10 +107,14 @@ struct Trial<'a> {
 }
 
 impl<'a> Trial<'a> {
-    fn new(model: &'a Model3, approach: &Approach, watch: &'a mut dyn FnMut(&Moment)) -> Trial<'a> {
+    fn new(
+        model: &'a Model3,
+        approach: &Approach,
+        observe: &'a mut dyn FnMut(&Moment),
+    ) -> Trial<'a> {
         let mut trial = Trial {
             model,
-            watch,
+            observe,
             motion: Motion {
                 velocity: Velocity { surge_mps: approach.speed_mps, ..Velocity::default() },
                 ..Motion::default()
@@ -120,16 +124,17 @@ impl<'a> Trial<'a> {
             step_s: approach.step_s,
             time_s: 0.0,
         };
-        trial.show();
+        trial.report();
         trial
     }
 
-    fn show(&mut self) {
+    /// Calls the observer.
+    fn report(&mut self) {
         let controls = Controls { shaft_rps: self.shaft.value, rudder_rad: self.steering.value };
-        (self.watch)(&Moment { time_s: self.time_s, motion: self.motion, controls });
+        (self.observe)(&Moment { time_s: self.time_s, motion: self.motion, controls });
     }
 
-    /// One step under an order of rudder (rad) and revolutions (1/s); the controls are those of mid-step.
+    /// One step under an order of rudder (rad) and revolutions (1/s); with the controls at the middle of the step.
     fn advance(&mut self, rudder_rad: f64, shaft_rps: f64) {
         let half_s = 0.5 * self.step_s;
         self.steering.step(rudder_rad, half_s);
@@ -140,6 +145,6 @@ impl<'a> Trial<'a> {
         self.steering.step(rudder_rad, half_s);
         self.shaft.step(shaft_rps, half_s);
         self.time_s += self.step_s;
-        self.show();
+        self.report();
     }
 }

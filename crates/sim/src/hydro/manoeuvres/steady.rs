@@ -1,17 +1,17 @@
-//! What ends in a steady state: self-propulsion, bollard pull, crabbing.
+//! Steady states: self-propulsion, bollard pull, crabbing.
 
 use super::ManoeuvreError;
 use crate::hydro::model3::{Model3, Motion};
 use crate::hydro::quantities::{Controls, Force, Velocity};
 
-/// Halvings of an interval: enough for every bit of a double.
+/// Number of bisections: enough for all bits of a double.
 const HALVINGS: usize = 60;
 
 /// Revolutions (1/s) at which thrust and resistance balance on a straight course.
 ///
 /// # Errors
-/// [`ManoeuvreError::NoPropeller`]; [`ManoeuvreError::NoBalance`] where none between 0 and
-/// 20 speeds a diameter do.
+/// [`ManoeuvreError::NoPropeller`]; [`ManoeuvreError::NoBalance`] if no revolutions between 0 and
+/// 20 V/D balance.
 pub fn self_propulsion_rps(model: &Model3, speed_mps: f64) -> Result<f64, ManoeuvreError> {
     let propulsion = model.ship().propulsion.as_ref().ok_or(ManoeuvreError::NoPropeller)?;
     let velocity = Velocity { surge_mps: speed_mps, ..Velocity::default() };
@@ -43,14 +43,14 @@ pub fn bollard_pull_n(model: &Model3, shaft_rps: f64) -> Result<f64, ManoeuvreEr
     Ok(model.ship().forces(&Velocity::default(), &controls, model.water()).surge_n)
 }
 
-/// What a ship does under a steady side force.
+/// The motion of a ship under a steady side force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crabbing {
     /// Speed across, to starboard (m/s).
     pub sway_mps: f64,
-    /// Speed ahead that comes with it (m/s).
+    /// Resulting speed ahead (m/s).
     pub surge_mps: f64,
-    /// Rate of turn that comes with it (rad/s).
+    /// Resulting rate of turn (rad/s).
     pub yaw_radps: f64,
     /// Time to 90 % of the speed across (s).
     pub rise_s: f64,
@@ -60,8 +60,7 @@ pub struct Crabbing {
 /// crab her.
 ///
 /// # Errors
-/// [`ManoeuvreError::NotReached`] where she is still gaining more than 1 % of her speed across within the
-/// last tenth of the time.
+/// [`ManoeuvreError::NotReached`] if her lateral speed still changes by more than 1 % in the last tenth of the time.
 pub fn crabbing(
     model: &Model3,
     push: Force,

@@ -5,11 +5,10 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::{Model3, Motion};
 
-/// Time that a turn may take (s), in lengths over speed of approach.
-const PATIENCE: f64 = 400.0;
+/// Time limit, in ship lengths over approach speed.
+const TIME_LIMIT: f64 = 400.0;
 
-/// The measures of a turning circle, of midship, from the start of the rudder; lengths are positive to
-/// the side of the turn.
+/// The measures of a turning circle, at midship, from the rudder order; lengths are positive to the side of the turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningCircle {
     /// Advance at 90° (m).
@@ -29,7 +28,7 @@ pub struct TurningCircle {
 /// A steady turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyTurn {
-    /// Speed over the speed of approach U/U₀.
+    /// Speed over approach speed U/U₀.
     pub speed_ratio: f64,
     /// r' = rL/U, positive to starboard.
     pub yaw_rate: f64,
@@ -51,17 +50,17 @@ pub fn turning_circle(
     turning_circle_observed(model, approach, rudder_rad, &mut |_| {})
 }
 
-/// [`turning_circle`], showing every step to `watch`.
+/// [`turning_circle`], calling `observe` after every step.
 ///
 /// # Errors
-/// As [`turning_circle`].
+/// See [`turning_circle`].
 pub fn turning_circle_observed(
     model: &Model3,
     approach: &Approach,
     rudder_rad: f64,
-    watch: &mut dyn FnMut(&Moment),
+    observe: &mut dyn FnMut(&Moment),
 ) -> Result<TurningCircle, ManoeuvreError> {
-    let mut trial = Trial::new(model, approach, watch);
+    let mut trial = Trial::new(model, approach, observe);
     let quarter = trial.turn_to(FRAC_PI_2, rudder_rad, "a change of heading of 90°")?;
     let half = trial.turn_to(PI, rudder_rad, "a change of heading of 180°")?;
     trial.turn_to(2.0 * TAU, rudder_rad, "two full circles")?;
@@ -82,7 +81,7 @@ pub fn turning_circle_observed(
     })
 }
 
-/// Where and when a heading was passed.
+/// Position and time at which a heading was passed.
 struct Passage {
     north_m: f64,
     east_m: f64,
@@ -99,16 +98,16 @@ impl Trial<'_> {
     ) -> Result<Passage, ManoeuvreError> {
         let length_m = self.model.ship().particulars.length_m;
         let start_mps = self.motion.velocity.speed_mps();
-        let patience_s = self.time_s + PATIENCE * length_m / start_mps;
+        let limit_s = self.time_s + TIME_LIMIT * length_m / start_mps;
         let shaft_rps = self.shaft.value;
-        while self.time_s < patience_s {
+        while self.time_s < limit_s {
             let (before, before_s) = (self.motion, self.time_s);
             self.advance(rudder_rad, shaft_rps);
             if self.motion.heading_rad.abs() >= angle_rad {
                 return Ok(passage(&before, before_s, &self.motion, self.time_s, angle_rad));
             }
         }
-        Err(ManoeuvreError::NotReached { what, after_s: patience_s })
+        Err(ManoeuvreError::NotReached { what, after_s: limit_s })
     }
 }
 

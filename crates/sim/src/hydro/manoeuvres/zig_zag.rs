@@ -5,8 +5,8 @@ use fenderline_contact::number::greater;
 use super::{Approach, ManoeuvreError, Moment, Trial};
 use crate::hydro::model3::Model3;
 
-/// Time that each leg may take, in lengths over speed of approach.
-const PATIENCE: f64 = 100.0;
+/// Time limit of each leg, in ship lengths over approach speed.
+const TIME_LIMIT: f64 = 100.0;
 
 /// The measures of a zig-zag.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub struct ZigZag {
 /// angles (rad); the rudder's sign is the side of the first execute). The 10/10 manoeuvre has both at 10°.
 ///
 /// # Errors
-/// [`ManoeuvreError::NotReached`] for a ship that does not answer her rudder.
+/// [`ManoeuvreError::NotReached`] for a ship that does not respond to her rudder.
 pub fn zig_zag(
     model: &Model3,
     approach: &Approach,
@@ -35,18 +35,18 @@ pub fn zig_zag(
     zig_zag_observed(model, approach, rudder_rad, check_rad, &mut |_| {})
 }
 
-/// [`zig_zag`], showing every step to `watch`.
+/// [`zig_zag`], calling `observe` after every step.
 ///
 /// # Errors
-/// As [`zig_zag`].
+/// See [`zig_zag`].
 pub fn zig_zag_observed(
     model: &Model3,
     approach: &Approach,
     rudder_rad: f64,
     check_rad: f64,
-    watch: &mut dyn FnMut(&Moment),
+    observe: &mut dyn FnMut(&Moment),
 ) -> Result<ZigZag, ManoeuvreError> {
-    let mut trial = Trial::new(model, approach, watch);
+    let mut trial = Trial::new(model, approach, observe);
     let side = 1.0_f64.copysign(rudder_rad);
     let initial_turning_m = trial.heading_to(rudder_rad, side, check_rad)?;
     let second_execute_s = trial.time_s;
@@ -69,12 +69,12 @@ impl Trial<'_> {
         side: f64,
         check_rad: f64,
     ) -> Result<f64, ManoeuvreError> {
-        let patience_s = self.leg_s();
+        let limit_s = self.leg_s();
         let mut sailed_m = 0.0;
         while side * self.motion.heading_rad < check_rad {
-            if self.time_s > patience_s {
+            if self.time_s > limit_s {
                 let what = "the check angle of a zig-zag";
-                return Err(ManoeuvreError::NotReached { what, after_s: patience_s });
+                return Err(ManoeuvreError::NotReached { what, after_s: limit_s });
             }
             sailed_m += self.motion.velocity.speed_mps() * self.step_s;
             let shaft_rps = self.shaft.value;
@@ -85,12 +85,12 @@ impl Trial<'_> {
 
     /// Steps until the ship swings back; the greatest heading to the side (rad).
     fn swing(&mut self, rudder_rad: f64, side: f64) -> Result<f64, ManoeuvreError> {
-        let patience_s = self.leg_s();
+        let limit_s = self.leg_s();
         let mut greatest_rad = side * self.motion.heading_rad;
         while side * self.motion.velocity.yaw_radps > 0.0 {
-            if self.time_s > patience_s {
+            if self.time_s > limit_s {
                 let what = "the overshoot of a zig-zag";
-                return Err(ManoeuvreError::NotReached { what, after_s: patience_s });
+                return Err(ManoeuvreError::NotReached { what, after_s: limit_s });
             }
             let shaft_rps = self.shaft.value;
             self.advance(rudder_rad, shaft_rps);
@@ -101,6 +101,6 @@ impl Trial<'_> {
 
     fn leg_s(&self) -> f64 {
         let length_m = self.model.ship().particulars.length_m;
-        self.time_s + PATIENCE * length_m / self.motion.velocity.speed_mps()
+        self.time_s + TIME_LIMIT * length_m / self.motion.velocity.speed_mps()
     }
 }

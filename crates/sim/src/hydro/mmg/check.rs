@@ -1,17 +1,17 @@
-//! What a user's coefficients must keep to, so that every force is finite.
+//! Limits on the coefficients of a manoeuvring model, so that every force is finite.
 
 use super::{Mmg, Propulsion};
 use crate::hydro::error::{HydroError, within};
 use crate::hydro::low_speed::LowSpeedHull;
 
-/// No published coefficient comes near; products of it with any speed stay finite.
+/// Limit of a coefficient, far above any published one.
 const LARGEST: f64 = 1e3;
 
 impl Mmg {
-    /// The same ship, where her numbers can be those of a ship.
+    /// Checks the model and returns it.
     ///
     /// # Errors
-    /// [`HydroError::OutOfRange`], naming the first that cannot: particulars, negative added mass, a negative
+    /// [`HydroError::OutOfRange`], naming the first value out of range: particulars, negative added mass, a negative
     /// drag, a propeller without diameter, fractions outside 0 to 1, a propeller wider than the rudder's span.
     pub fn check(self) -> Result<Mmg, HydroError> {
         self.particulars.check()?;

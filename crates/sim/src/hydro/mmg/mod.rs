@@ -3,8 +3,8 @@
 //! J. Mar. Sci. Technol. 20, 2015), extended to low speed, astern and bollard.
 //!
 //! [`Mmg`] is plain data, checked by [`Mmg::check`]; [`Mmg::forces`] is a pure function of the velocity through the water and the
-//! controls. What it gives holds every hydrodynamic term but those that multiply accelerations (the added
-//! mass itself): the Coriolis terms of the added mass are within, the Munk moment is within N_v.
+//! controls. The forces include all hydrodynamic terms except those proportional to accelerations (the added mass itself): the
+//! Coriolis terms of the added mass are included, and the Munk moment is part of N_v.
 
 mod check;
 mod polynomial;
@@ -34,7 +34,7 @@ pub struct Mmg {
     pub added_mass: AddedMass,
     /// Hull coefficients.
     pub hull: Hull,
-    /// Propeller and rudder; none for a barge or a ship that is driven by other means.
+    /// Propeller and rudder; `None` for a barge or a ship with other propulsion.
     pub propulsion: Option<Propulsion>,
 }
 
@@ -45,7 +45,7 @@ pub struct Propulsion {
     pub propeller: Propeller,
     /// Thrust deduction t_P, of thrust ahead.
     pub thrust_deduction: f64,
-    /// Thrust deduction of thrust astern: what the race that meets the hull takes away.
+    /// Thrust deduction for thrust astern, due to the race on the hull.
     pub thrust_deduction_astern: f64,
     /// Wake at the propeller.
     pub wake: Wake,
@@ -60,7 +60,7 @@ pub struct Parts {
     pub hull: Force,
     /// Propeller, less thrust deduction.
     pub propeller: Force,
-    /// Rudder, with what it does to the hull.
+    /// Rudder, with its interaction force on the hull.
     pub rudder: Force,
 }
 
@@ -71,7 +71,7 @@ impl Mmg {
         hull + propeller + rudder
     }
 
-    /// The same, part by part.
+    /// The forces of hull, propeller and rudder.
     pub fn parts(&self, velocity: &Velocity, controls: &Controls, water: Water) -> Parts {
         let ship = &self.particulars;
         let hull = self.hull.force(velocity, ship, &self.added_mass, water);
@@ -92,21 +92,21 @@ impl Mmg {
         }
     }
 
-    /// The same ship in water of a depth, by the corrections of [`CorrectionSet::default`]: added mass, hull, propeller
-    /// and rudder. In less than [`SHALLOWEST_RATIO`] draughts of water, on the bottom too, she is the ship at that
-    /// depth: every force is continuous from deep water to none.
+    /// The model in water of a given depth, by the corrections of [`CorrectionSet::default`] to added mass, hull, propeller
+    /// and rudder. Below [`SHALLOWEST_RATIO`] draughts, also aground, the corrections are those at that depth, so every force
+    /// is a continuous function of depth.
     ///
     /// # Panics
-    /// With a depth that is no number.
+    /// If the depth is NaN.
     #[must_use]
     pub fn at_depth(&self, depth_m: f64) -> Mmg {
         self.at_depth_by(CorrectionSet::default(), depth_m)
     }
 
-    /// The same by a set of corrections.
+    /// The model in water of a given depth, by a given set of corrections.
     ///
     /// # Panics
-    /// As [`Mmg::at_depth`].
+    /// See [`Mmg::at_depth`].
     #[must_use]
     pub fn at_depth_by(&self, set: CorrectionSet, depth_m: f64) -> Mmg {
         let corrections = Corrections::of(set, &self.particulars, depth_m);
@@ -115,7 +115,7 @@ impl Mmg {
 }
 
 impl Propulsion {
-    /// What the propeller meets and does.
+    /// Inflow and thrust of the propeller.
     fn race(&self, velocity: &Velocity, shaft_rps: f64, length_m: f64, water: Water) -> Race {
         let advance_mps = velocity.surge_mps * self.wake.remaining(velocity, length_m);
         Race {
@@ -125,7 +125,7 @@ impl Propulsion {
         }
     }
 
-    /// X_P = (1 − t)T, t by the direction of the thrust.
+    /// X_P = (1 − t)T, with t for the direction of the thrust.
     fn driving_force(&self, race: &Race) -> Force {
         let deduction =
             if race.thrust_n < 0.0 { self.thrust_deduction_astern } else { self.thrust_deduction };

@@ -1,4 +1,4 @@
-//! The two forms in which MMG hull polynomials are published, and one for a ship that has none.
+//! Hull polynomials: the two forms in which they are published, and a form for ships without one.
 
 use crate::hydro::added_mass::AddedMass;
 use crate::hydro::low_speed::LowSpeedHull;
@@ -8,13 +8,13 @@ use crate::hydro::quantities::{Force, Velocity, Water};
 /// Hull polynomial of a ship under way, by ½ρLdU² (moments by another L).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Polynomial {
-    /// In v' = v/U and r' = rL/U (Yasukawa & Yoshimura 2015). Holds no term of the added mass.
+    /// In v' = v/U and r' = rL/U (Yasukawa & Yoshimura 2015). Without added-mass terms.
     Sway(SwayPolynomial),
-    /// In the drift angle β (rad) and r' (the form of Yoshimura & Masumoto). Xβr holds −m'y and Yr holds
-    /// −m'x: the added mass' Coriolis terms are within.
+    /// In the drift angle β (rad) and r' (the form of Yoshimura & Masumoto). Xβr includes −m'y and Yr
+    /// includes −m'x, the Coriolis terms of the added mass.
     Drift(DriftPolynomial),
-    /// No polynomial: the form for low speed, with the cross-flow drag that a ship under way has in shallow water, where
-    /// it is not that of a ship at her berth. Holds no term of the added mass.
+    /// No polynomial: the low-speed form, with the cross-flow drag of a ship under way, which in shallow water differs from
+    /// that of a ship at berth. Without added-mass terms.
     CrossFlow(LowSpeedHull),
 }
 
@@ -91,7 +91,7 @@ pub struct LinearTerms {
 
 impl Polynomial {
     /// Force at midship *with* the added mass' Coriolis terms, X + m_y v r and Y − m_x u r, so that both
-    /// forms mean the same. The ship must have way on (U > 0).
+    /// forms are equivalent. The ship must be moving (U > 0).
     pub(crate) fn force(
         &self,
         velocity: &Velocity,
@@ -111,7 +111,7 @@ impl Polynomial {
                 (p.shape(velocity.sway_mps / speed_mps, yaw), coriolis(velocity, added, water))
             }
             Polynomial::Drift(p) => (p.shape(velocity.drift_rad(), yaw), Force::default()),
-            Polynomial::CrossFlow(_) => unreachable!("it has returned"),
+            Polynomial::CrossFlow(_) => unreachable!("handled above"),
         };
         let force = Force { surge_n: shape[0], sway_n: shape[1], yaw_nm: shape[2] * ship.length_m };
         force * (area * speed_mps * speed_mps) + coriolis
@@ -164,7 +164,7 @@ impl Polynomial {
         }
     }
 
-    /// The linear terms, freed of added mass.
+    /// The linear terms without added mass.
     pub fn linear(&self, ship: &Particulars, added: &AddedMass) -> LinearTerms {
         match self {
             Polynomial::Sway(p) => LinearTerms {
@@ -196,8 +196,8 @@ impl Polynomial {
     }
 }
 
-/// The added mass' Coriolis terms as MMG has them, (m_y v r, −m_x u r, 0): the Munk moment
-/// (m_x − m_y)uv is within N_v and must not come again.
+/// The Coriolis terms of the added mass in the MMG method, (m_y v r, −m_x u r, 0): the Munk moment
+/// (m_x − m_y)uv is part of N_v and is not added again.
 pub(crate) fn coriolis(velocity: &Velocity, added: &AddedMass, water: Water) -> Force {
     let turn = water.density_kgpm3 * velocity.yaw_radps;
     Force {

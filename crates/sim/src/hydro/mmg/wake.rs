@@ -8,7 +8,7 @@ use crate::hydro::quantities::Velocity;
 pub struct Wake {
     /// w₀, straight ahead.
     pub straight: f64,
-    /// C₁; 0 where the wake does not change.
+    /// C₁; 0 if the wake does not change in a turn.
     pub rate: f64,
     /// C₂ for β_P below and above 0.
     pub limits: [f64; 2],
@@ -17,7 +17,7 @@ pub struct Wake {
 }
 
 impl Wake {
-    /// 1 − w: u_P = u(1 − w). Astern there is no wake at the propeller, which then meets open water.
+    /// 1 − w: u_P = u(1 − w). Astern the propeller is in open water, without wake.
     pub fn remaining(&self, velocity: &Velocity, length_m: f64) -> f64 {
         if velocity.surge_mps <= 0.0 {
             return 1.0;

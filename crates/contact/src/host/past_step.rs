@@ -1,0 +1,12 @@
+//! One past step of a body in a co-simulation.
+
+use crate::report::Wrench;
+
+/// A step of the host, with the wrench that one body was given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PastStep {
+    pub(super) step_s: f64,
+    pub(super) wrench: Wrench,
+    /// The load, where the host reported it.
+    pub(super) reported_load: Option<Wrench>,
+}

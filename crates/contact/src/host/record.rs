@@ -1,0 +1,21 @@
+//! What a co-simulation host remembers of one body.
+
+use crate::host::lead::Lead;
+use crate::host::mass_check::Answers;
+use crate::report::Wrench;
+use crate::state::BodyState;
+
+/// What a co-simulation host remembers of one body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct BodyRecord {
+    /// The last input state.
+    pub(super) input: BodyState,
+    /// The last observed load.
+    pub(super) observed: Wrench,
+    /// Its response to the wrenches, for the check of its mass.
+    pub(super) answers: Answers,
+    /// The host has marked its next input state as a teleport.
+    pub(super) placed: bool,
+    /// How far the engine's motion is ahead of the host's because of a contact; `None` without one.
+    pub(super) ahead: Option<Lead>,
+}

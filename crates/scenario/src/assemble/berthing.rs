@@ -1,0 +1,39 @@
+//! The study of berthing energy.
+
+use fenderline_sim::BodySetup;
+use fenderline_sim::berthing::BerthingSetup;
+
+use crate::assemble::{Assembly, Checked, Names};
+use crate::checked::Table;
+use crate::sources::quoted;
+
+impl Assembly<'_, '_> {
+    pub(super) fn berthing(
+        &self,
+        table: Option<&Table>,
+        bodies: &[BodySetup],
+        names: &Names,
+    ) -> Checked<Option<BerthingSetup>> {
+        let Some(table) = table else { return Ok(None) };
+        let item = table.given("ship");
+        let ship = self.body_named(table, item, item.name(), names)?;
+        if bodies[ship].mass.is_none() {
+            let path = table.path_of("ship");
+            let message =
+                format!("`{path}`: body {} is fixed, it does not berth", quoted(item.name()));
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        let number = |name: &str| *table.given(name).number();
+        Ok(Some(BerthingSetup {
+            ship,
+            length_bp_m: number("length_bp"),
+            beam_m: number("beam"),
+            draught_m: number("draught"),
+            under_keel_clearance_m: number("under_keel_clearance"),
+            block_coefficient: number("block_coefficient"),
+            softness: table.given("softness").choice(),
+            configuration: table.given("configuration").choice(),
+            abnormal_factor: table.item("abnormal_factor").map(|item| *item.number()),
+        }))
+    }
+}

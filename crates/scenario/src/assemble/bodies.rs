@@ -1,0 +1,170 @@
+//! Bodies: outline, mass and initial state.
+
+use fenderline_contact::Outline;
+use fenderline_sim::{BodySetup, BodyVelocity, MassProperties};
+
+use super::vessel;
+use super::{Assembly, Checked};
+use crate::checked::{Item, Table};
+use crate::error::Notice;
+
+impl Assembly<'_, '_> {
+    pub(super) fn bodies(&mut self, item: &Item, kinds: &vessel::Kinds) -> Checked<Vec<BodySetup>> {
+        let bodies = item.named();
+        if bodies.is_empty() {
+            let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
+            return Err(error.with_help("write [body.NAME] with its keys below"));
+        }
+        bodies.iter().map(|(name, table)| self.body(name, table, kinds)).collect()
+    }
+
+    pub(super) fn body(
+        &mut self,
+        name: &str,
+        table: &Table,
+        kinds: &vessel::Kinds,
+    ) -> Checked<BodySetup> {
+        let kind = table.item("vessel").map(|item| kinds.named(item));
+        let outline = self.outline(table, kind)?;
+        let mass = if *table.given("fixed").flag() {
+            self.refuse_keys_of_floating_bodies(table)?;
+            None
+        } else if let Some(kind) = kind {
+            self.refuse_keys_of_plain_bodies(table)?;
+            Some(kind.mass)
+        } else {
+            self.refuse_keys_of_vessels(table)?;
+            Some(self.mass(table)?)
+        };
+        Ok(BodySetup {
+            name: name.to_owned(),
+            outline,
+            mass,
+            position_m: *table.given("position").vector(),
+            heading_rad: *table.given("heading").number(),
+            velocity: table.item("velocity").map_or(BodyVelocity::default(), velocity),
+        })
+    }
+
+    /// A body's own outline, or that of her vessel.
+    pub(super) fn outline(
+        &mut self,
+        table: &Table,
+        kind: Option<&vessel::Kind>,
+    ) -> Checked<Outline> {
+        let path = table.path_of("outline");
+        let own = table.item("outline");
+        let (points, span) = match (own, kind.and_then(vessel::Kind::outline_m)) {
+            (Some(item), _) => (item.outline().to_vec(), &item.span),
+            (None, Some(points)) => (points, &table.given("vessel").span),
+            (None, None) => {
+                let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
+                return Err(error.with_help(match kind {
+                    Some(_) => "her vessel has none: give it here",
+                    None => "write outline = [[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]",
+                }));
+            }
+        };
+        let (outline, outline_notices) = Outline::new(&points)
+            .map_err(|error| self.sources.error(span, &path, format!("`{path}`: {error}")))?;
+        self.notices.extend(outline_notices.iter().map(|notice| Notice {
+            place: self.sources.place(span),
+            key: path.clone(),
+            message: notice.to_string(),
+        }));
+        if let (Some(_), Some([length_m, beam_m])) = (own, kind.map(vessel::Kind::size_m)) {
+            let (low, high) = outline.bounds();
+            let size = high - low;
+            // An outline may leave out a bulb or a flare, but is hardly of another ship.
+            let fits = |of: f64, is: f64| (0.8..=1.25).contains(&(is / of));
+            if !(fits(length_m, size.x) && fits(beam_m, size.y)) {
+                let message = format!(
+                    "it is {} m by {} m, but her vessel is {length_m} m by {beam_m} m",
+                    size.x, size.y
+                );
+                let place = self.sources.place(span);
+                self.notices.push(Notice { place, key: path, message });
+            }
+        }
+        Ok(outline)
+    }
+
+    fn refuse_keys_of_floating_bodies(&self, table: &Table) -> Checked<()> {
+        const FLOATING: [&str; 7] =
+            ["vessel", "running", "mass", "gyradius", "yaw_inertia", "added_mass", "velocity"];
+        match table.items.iter().find(|item| FLOATING.contains(&item.name)) {
+            None => Ok(()),
+            Some(item) => {
+                let path = table.path_of(item.name);
+                let message = format!("`{path}` is for floating bodies, but this one is fixed");
+                let error = self.sources.error(&item.key_span, &path, message);
+                Err(error.with_help(format!("remove `{}` or `fixed`", item.name)))
+            }
+        }
+    }
+
+    fn refuse_keys_of_vessels(&self, table: &Table) -> Checked<()> {
+        let Some(item) = table.item("running") else { return Ok(()) };
+        let path = table.path_of(item.name);
+        let message = format!("`{path}` is for a body with a `vessel`");
+        Err(self.sources.error(&item.key_span, &path, message))
+    }
+
+    fn refuse_keys_of_plain_bodies(&self, table: &Table) -> Checked<()> {
+        const PLAIN: [&str; 4] = ["mass", "gyradius", "yaw_inertia", "added_mass"];
+        match table.items.iter().find(|item| PLAIN.contains(&item.name)) {
+            None => Ok(()),
+            Some(item) => {
+                let path = table.path_of(item.name);
+                let message = format!("`{path}` is not for a vessel, whose model gives it");
+                let error = self.sources.error(&item.key_span, &path, message);
+                Err(error.with_help(format!("remove `{}` or `vessel`", item.name)))
+            }
+        }
+    }
+
+    pub(super) fn mass(&self, table: &Table) -> Checked<MassProperties> {
+        let missing = |name: &str, help: &str| {
+            let path = table.path_of(name);
+            let message = format!("`{path}` is missing");
+            self.sources.error(&table.span, &path, message).with_help(help)
+        };
+        let mass_kg = *table
+            .item("mass")
+            .ok_or_else(|| missing("mass", "write mass = \"87800 t\", or fixed = true for a quay"))?
+            .number();
+        let yaw_inertia_kgm2 = match (table.item("gyradius"), table.item("yaw_inertia")) {
+            (Some(gyradius), None) => mass_kg * gyradius.number() * gyradius.number(),
+            (None, Some(inertia)) => *inertia.number(),
+            (Some(_), Some(inertia)) => {
+                let path = table.path_of("yaw_inertia");
+                let message = format!("`{path}` and `gyradius` both give the yaw inertia");
+                let error = self.sources.error(&inertia.key_span, &path, message);
+                return Err(error.with_help("keep one of the two"));
+            }
+            (None, None) => {
+                return Err(missing("gyradius", "write gyradius = \"74.5 m\", or yaw_inertia"));
+            }
+        };
+        let added = |name: &str| {
+            let fractions = table.item("added_mass").map(Item::table);
+            fractions.map_or(0.0, |fractions| *fractions.given(name).number())
+        };
+        Ok(MassProperties {
+            mass_kg,
+            yaw_inertia_kgm2,
+            added_surge_kg: added("surge") * mass_kg,
+            added_sway_kg: added("sway") * mass_kg,
+            added_yaw_kgm2: added("yaw") * yaw_inertia_kgm2,
+        })
+    }
+}
+
+pub(super) fn velocity(item: &Item) -> BodyVelocity {
+    let table = item.table();
+    BodyVelocity {
+        surge_mps: *table.given("surge").number(),
+        sway_mps: *table.given("sway").number(),
+        yaw_radps: *table.given("yaw").number(),
+    }
+}

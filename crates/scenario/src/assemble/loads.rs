@@ -1,0 +1,54 @@
+//! External loads.
+
+use fenderline_contact::Vec2;
+use fenderline_sim::{BodySetup, Load};
+
+use super::{Assembly, Checked, Names};
+use crate::checked::Table;
+use crate::sources::quoted;
+
+impl Assembly<'_, '_> {
+    pub(super) fn loads(
+        &self,
+        loads: &[Table],
+        bodies: &[BodySetup],
+        names: &Names,
+    ) -> Checked<Vec<Load>> {
+        loads.iter().map(|table| self.load(table, bodies, names)).collect()
+    }
+
+    pub(super) fn load(&self, table: &Table, bodies: &[BodySetup], names: &Names) -> Checked<Load> {
+        let body_item = table.given("body");
+        let body = self.body_named(table, body_item, body_item.name(), names)?;
+        if bodies[body].mass.is_none() {
+            let path = table.path_of("body");
+            let message =
+                format!("`{path}`: body {} is fixed, no load moves it", quoted(body_item.name()));
+            return Err(self.sources.error(&body_item.span, &path, message));
+        }
+        let (force, moment) = (table.item("force"), table.item("moment"));
+        if force.is_none() && moment.is_none() {
+            let path = table.path_of("force");
+            let message = format!("`{path}` is missing, and so is `moment`");
+            let error = self.sources.error(&table.span, &path, message);
+            return Err(error.with_help("write force = [\"0 kN\", \"-500 kN\"]"));
+        }
+        let from_s = *table.given("from").number();
+        let until = table.item("until");
+        let until_s = until.map_or(f64::INFINITY, |item| *item.number());
+        if let Some(item) = until.filter(|_| until_s <= from_s) {
+            let path = table.path_of("until");
+            let message = format!(
+                "`{path}` must be later than `from`, which is {from_s} s, but is {until_s} s"
+            );
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        Ok(Load {
+            body,
+            force_n: force.map_or(Vec2::ZERO, |item| *item.vector()),
+            moment_nm: moment.map_or(0.0, |item| *item.number()),
+            from_s,
+            until_s,
+        })
+    }
+}

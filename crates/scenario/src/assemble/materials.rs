@@ -1,0 +1,57 @@
+//! Materials.
+
+use fenderline_contact::Material;
+use fenderline_sim::NamedMaterial;
+
+use super::{Assembly, Checked};
+use crate::checked::Table;
+use crate::error::Notice;
+
+/// Friction beyond which a scenario is told that it is unusual. Rubber on dry steel or concrete comes to about 1,
+/// facings of polyethylene to 0.2 (recalled, not read in a source); the rest is for what is wet, new or rough.
+const HIGHEST_USUAL_FRICTION: f64 = 1.5;
+
+impl Assembly<'_, '_> {
+    pub(super) fn materials(
+        &mut self,
+        materials: &[(String, Table)],
+    ) -> Checked<Vec<NamedMaterial>> {
+        let mut read = |(name, table): &(String, Table)| {
+            Ok(NamedMaterial { name: name.clone(), material: self.material(table)? })
+        };
+        materials.iter().map(&mut read).collect()
+    }
+
+    pub(super) fn material(&mut self, table: &Table) -> Checked<Material> {
+        let friction_static = *table.given("friction_static").number();
+        let dynamic = table.item("friction_dynamic");
+        let friction_dynamic = dynamic.map_or(friction_static, |item| *item.number());
+        if let Some(item) = dynamic.filter(|_| friction_dynamic > friction_static) {
+            let path = table.path_of("friction_dynamic");
+            let message = format!(
+                "`{path}` must be at most `friction_static`, which is {friction_static}, but is \
+                 {friction_dynamic}"
+            );
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        let item = table.given("friction_static");
+        if friction_static > HIGHEST_USUAL_FRICTION {
+            self.notices.push(Notice {
+                place: self.sources.place(&item.span),
+                key: table.path_of("friction_static"),
+                message: format!(
+                    "{friction_static} is more than the {HIGHEST_USUAL_FRICTION} that facings, rubber, steel and \
+                     concrete have on each other (most have 0.1 to 1): hulls will lock rather than slide"
+                ),
+            });
+        }
+        Ok(Material {
+            stiffness_npm2: *table.given("stiffness").number(),
+            damping_nspm2: *table.given("damping").number(),
+            shear_stiffness_npm: *table.given("shear_stiffness").number(),
+            friction_static,
+            friction_dynamic,
+            restitution: *table.given("restitution").number(),
+        })
+    }
+}

@@ -1,0 +1,280 @@
+//! What a fender does under load: its curve, factors, unloading and stop, from a catalogue or its own.
+
+use std::ops::RangeInclusive;
+
+use fenderline_contact::{FenderLaw, ReactionFactors, Unloading};
+use fenderline_sim::hydro::vessels::Standing;
+use fenderline_sim::{FenderSource, HullPressure, Rated};
+
+use crate::assemble::{Assembly, Checked};
+use crate::checked::{Item, Table};
+use crate::error::ScenarioError;
+use crate::library::{CatalogueFender, FenderLibrary, LookUpError, unloading_curve};
+use crate::sources::quoted;
+
+/// A stop is this many times as stiff as the fender was in the mean up to there.
+const STOP_OVER_MEAN: f64 = 50.0;
+
+/// Beyond the end of a table of factors by compression time the factor goes to 1 by this time (s): a
+/// ship that lies on her fenders compresses them for ever.
+const STATIC_TIME_S: f64 = 1000.0;
+
+/// What a law brings with it.
+pub(super) struct Performance {
+    pub(super) law: FenderLaw,
+    /// That of its type.
+    pub(super) unloading: Option<Unloading>,
+    pub(super) rated: Option<Rated>,
+    /// Where its stop begins if nobody says otherwise (m), and how stiff it is (N/m).
+    pub(super) end_m: f64,
+    pub(super) stop_stiffness_npm: f64,
+    pub(super) height_m: Option<f64>,
+    pub(super) factors: ReactionFactors,
+    pub(super) energy_by_angle: Vec<[f64; 2]>,
+    pub(super) hull_pressure: HullPressure,
+    pub(super) source: Option<FenderSource>,
+}
+
+impl Assembly<'_, '_> {
+    pub(super) fn performance(
+        &self,
+        table: &Table,
+        library: &FenderLibrary,
+        stiffness_npm2: f64,
+        width_m: f64,
+    ) -> Checked<Performance> {
+        let given = |name: &str| table.item(name).map(|item| *item.number());
+        let factors = || ReactionFactors {
+            constant: 1.0 + table.given("tolerance").number(),
+            ..ReactionFactors::default()
+        };
+        if let Some(item) = table.item("type") {
+            let fender = self.catalogue(table, item, library)?;
+            return self.of_catalogue(table, &fender, factors());
+        }
+        let projection_m = given("projection").ok_or_else(|| {
+            self.missing(table, "projection", "write projection = \"1.5 m\", or give a `type`")
+        })?;
+        let own = |law: FenderLaw, end_m: f64| {
+            let rated_m = given("rated_deflection").unwrap_or(end_m);
+            let mean_npm = law.reaction_n(end_m) / end_m;
+            Performance {
+                rated: Rated::of(&law, rated_m),
+                end_m,
+                stop_stiffness_npm: STOP_OVER_MEAN * mean_npm,
+                height_m: None,
+                factors: factors(),
+                energy_by_angle: Vec::new(),
+                hull_pressure: HullPressure::OverFace,
+                source: Some(FenderSource {
+                    designation: "given in the scenario".to_owned(),
+                    source: "the scenario".to_owned(),
+                    standing: "given".to_owned(),
+                }),
+                unloading: None,
+                law,
+            }
+        };
+        if let Some(stiffness_npm) = given("stiffness") {
+            return Ok(own(FenderLaw::linear(stiffness_npm), projection_m));
+        }
+        if let Some(item) = table.item("curve") {
+            let points = self.own_curve(table, item)?;
+            let end_m = points[points.len() - 1][0];
+            return Ok(own(FenderLaw::Curve(points), end_m));
+        }
+        if let Some(item) = table.item("rated_deflection") {
+            let path = table.path_of("rated_deflection");
+            let message = format!("`{path}` is for fenders with a `stiffness` or a `curve`");
+            return Err(self.sources.error(&item.key_span, &path, message));
+        }
+        if stiffness_npm2 == 0.0 {
+            let item = table.given("material");
+            let path = table.path_of("material");
+            let message = format!(
+                "`{path}`: material {} has no stiffness, and the fender no other law",
+                quoted(item.name())
+            );
+            let error = self.sources.error(&item.span, &path, message);
+            return Err(error.with_help("give a `type`, a `stiffness` or a `curve`"));
+        }
+        Ok(Performance {
+            law: FenderLaw::Area,
+            unloading: None,
+            rated: None,
+            end_m: projection_m,
+            stop_stiffness_npm: STOP_OVER_MEAN * stiffness_npm2 * width_m,
+            height_m: None,
+            factors: factors(),
+            energy_by_angle: Vec::new(),
+            hull_pressure: HullPressure::OverFace,
+            source: None,
+        })
+    }
+
+    /// How its reaction falls when the hull retreats: by its own keys, or as its type has it.
+    pub(super) fn unloading(
+        &self,
+        table: &Table,
+        performance: &Performance,
+    ) -> Checked<Option<Unloading>> {
+        if let Some(item) = table.item("returned_energy") {
+            return Ok(Some(Unloading::ReturnedEnergy(*item.number())));
+        }
+        let Some(item) = table.item("unloading") else { return Ok(performance.unloading.clone()) };
+        let path = table.path_of("unloading");
+        let FenderLaw::Curve(points) = &performance.law else {
+            let message = format!("`{path}` is for fenders with a `stiffness` or a `curve`");
+            let error = self.sources.error(&item.key_span, &path, message);
+            return Err(error.with_help("give `returned_energy`, or the fender a `curve`"));
+        };
+        let loading: Vec<(f64, f64)> = points.iter().map(|&[m, n]| (m, n)).collect();
+        Ok(Some(Unloading::Curve(unloading_curve(self.sources, item, &path, &loading)?)))
+    }
+
+    fn own_curve(&self, table: &Table, item: &Item) -> Checked<Vec<[f64; 2]>> {
+        let points: Vec<[f64; 2]> = item.curve().iter().map(|&(m, n)| [m, n]).collect();
+        let path = table.path_of("curve");
+        if points[0] != [0.0, 0.0] {
+            let message =
+                format!("`{path}` must begin with [0, 0]: without deflection no reaction");
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        Ok(points)
+    }
+
+    /// The fender of the data that the table means.
+    pub(super) fn catalogue(
+        &self,
+        table: &Table,
+        family: &Item,
+        library: &FenderLibrary,
+    ) -> Checked<CatalogueFender> {
+        let name = family.text();
+        library.family(name).map_err(|error| self.looked_up(table, family, &error))?;
+        if let Some(size) = table.item("size") {
+            let found = library.fender(name, size.text());
+            return found.map_err(|error| self.looked_up(table, size, &error));
+        }
+        let Some(height) = table.item("height") else {
+            return Err(self.missing(table, "size", "write size = \"…\", or height = \"1.2 m\""));
+        };
+        let height_m = *height.number();
+        match table.item("rated_reaction") {
+            Some(rated) => library
+                .rated(name, height_m, *rated.number())
+                .map_err(|error| self.looked_up(table, rated, &error)),
+            None => library
+                .scaled(name, height_m)
+                .map_err(|error| self.looked_up(table, height, &error)),
+        }
+    }
+
+    fn of_catalogue(
+        &self,
+        table: &Table,
+        fender: &CatalogueFender,
+        mut factors: ReactionFactors,
+    ) -> Checked<Performance> {
+        let count = table.item("count").map_or(1.0, |item| *item.number());
+        let wanted = |name: &str| table.item(name).is_none_or(|item| *item.flag());
+        let points = |from: &[(f64, f64)], times: f64| -> Vec<[f64; 2]> {
+            from.iter().map(|&(x, y)| [x, y * times]).collect()
+        };
+        factors.constant *= self.temperature_factor(table, fender)?;
+        let mut energy_by_angle = Vec::new();
+        if wanted("angle_factor") {
+            factors.by_angle = points(&fender.angle_reaction_factors, 1.0);
+            energy_by_angle = points(&fender.angle_energy_factors, 1.0);
+        }
+        if wanted("velocity_factor") {
+            factors.by_compression_time = points(&fender.velocity_factors, 1.0);
+            if let Some(&[last_s, _]) = factors.by_compression_time.last()
+                && last_s < STATIC_TIME_S
+            {
+                factors.by_compression_time.push([STATIC_TIME_S, 1.0]);
+            }
+        }
+        let curve = points(&fender.curve, count);
+        let [end_m, _] = curve[curve.len() - 1];
+        let law = FenderLaw::Curve(curve);
+        let unloading = match &fender.unloading {
+            Some(_) if !wanted("unloading_law") => None,
+            Some(Unloading::Curve(points)) => {
+                let of_all = points.iter().map(|&[m, n]| [m, n * count]);
+                Some(Unloading::Curve(of_all.collect()))
+            }
+            other => other.clone(),
+        };
+        let pieces = if count == 1.0 { String::new() } else { format!("{count} × ") };
+        let given_by_user = table.item("rated_reaction").is_some();
+        Ok(Performance {
+            unloading,
+            rated: Rated::of(&law, fender.rated_deflection_m),
+            end_m,
+            stop_stiffness_npm: STOP_OVER_MEAN * count * fender.rated_reaction_n / end_m,
+            height_m: Some(fender.height_m),
+            factors,
+            energy_by_angle,
+            hull_pressure: hull_pressure(fender),
+            source: Some(FenderSource {
+                designation: format!("{pieces}{} {}", fender.family, fender.designation),
+                source: fender.source.clone(),
+                standing: match (given_by_user, fender.standing) {
+                    (true, Standing::Found) => "curve found, rating given".to_owned(),
+                    (true, standing) => format!("curve {}, rating given", standing.word()),
+                    (false, standing) => standing.word().to_owned(),
+                },
+            }),
+            law,
+        })
+    }
+
+    fn temperature_factor(&self, table: &Table, fender: &CatalogueFender) -> Checked<f64> {
+        let Some(item) = table.item("temperature") else { return Ok(1.0) };
+        let celsius = *item.number();
+        let path = table.path_of("temperature");
+        let factors = &fender.temperature_factors;
+        let (Some(first), Some(last)) = (factors.first(), factors.last()) else {
+            let message = format!(
+                "`{path}`: no factors by temperature are known for {} fenders",
+                quoted(&fender.family)
+            );
+            return Err(self.sources.error(&item.span, &path, message));
+        };
+        let known: RangeInclusive<f64> = first.0..=last.0;
+        if !known.contains(&celsius) {
+            let message = format!(
+                "`{path}` must be between {} and {} °C, where factors are known, but is {celsius}",
+                first.0, last.0
+            );
+            return Err(self.sources.error(&item.span, &path, message));
+        }
+        let two = factors.windows(2).find(|two| celsius <= two[1].0);
+        let [(x0, y0), (x1, y1)] = two.map_or([*last, *last], |two| [two[0], two[1]]);
+        Ok(if x1 > x0 { y0 + (y1 - y0) * (celsius - x0) / (x1 - x0) } else { y0 })
+    }
+
+    pub(super) fn looked_up(
+        &self,
+        table: &Table,
+        item: &Item,
+        error: &LookUpError,
+    ) -> ScenarioError {
+        let path = table.path_of(item.name);
+        self.sources.error(&item.span, &path, format!("`{path}`: {error}")).with_help(error.help())
+    }
+}
+
+/// How a fender of the data presses on the hull.
+pub(super) fn hull_pressure(fender: &CatalogueFender) -> HullPressure {
+    match (fender.has_panel, fender.initial_pressure_npm2, fender.hull_pressure_npm2) {
+        (true, _, _) => HullPressure::OverFace,
+        (false, Some(initial_npm2), Some(rated_npm2)) => HullPressure::Inner {
+            initial_npm2,
+            rated_npm2,
+            rated_deflection_m: fender.rated_deflection_m,
+        },
+        _ => HullPressure::Unknown,
+    }
+}
