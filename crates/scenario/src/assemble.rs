@@ -19,7 +19,6 @@ mod vessel;
 mod windage;
 mod world;
 
-
 pub(crate) use self::azimuth::azimuths;
 use self::vessel::Decks;
 use crate::checked::{Item, Table};
