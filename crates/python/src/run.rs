@@ -7,7 +7,7 @@ use fenderline_sim::{SetupError, SimError, Simulation, StepRecord};
 
 use crate::controls::Control;
 
-/// A simulation and the values to which its controls were set last.
+/// A simulation and the last values of its controls.
 #[derive(Clone)]
 pub(crate) struct Run {
     pub(crate) simulation: Simulation,
@@ -16,7 +16,7 @@ pub(crate) struct Run {
     set: Vec<f64>,
 }
 
-/// Why a run cannot begin.
+/// The reason why a run cannot start.
 pub(crate) enum CannotRun {
     Setup(SetupError),
     /// The scenario asks other programs for forces.
