@@ -192,7 +192,7 @@ def leaning(program):
         found = table(run, "bodies", lambda row: row["body"] == "ship")
         axes.plot([t / 60 for t in found["t_s"]], found["y_m"], color=color, label=method)
     axes.axhline(0.075, color=GREY, linestyle=":", linewidth=1.2)
-    axes.text(20.2, 0.075, "static depth", va="center", color=GREY)
+    axes.text(21.2, 0.075, "static depth", va="center", color=GREY)
     axes.set(xlabel="time [min]", ylabel="depth in the fenders [m]")
     axes.legend()
     return figure

@@ -22,21 +22,6 @@ const ALLOWED: &[(&str, &[&str], &str)] = &[
         &["geometry::convex", "geometry::lens", "geometry::through", "geometry::warm"],
         "not yet untangled",
     ),
-    (
-        "contact",
-        &[
-            "candidates",
-            "mass",
-            "memory",
-            "model",
-            "neighbours",
-            "overlap",
-            "pair",
-            "ranked",
-            "touch",
-        ],
-        "not yet untangled",
-    ),
     ("contact", &["outline::mesh", "outline::pieces"], "not yet untangled"),
     ("contact", &["host::inertia", "host::steering"], "not yet untangled"),
     (

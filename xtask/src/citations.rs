@@ -117,6 +117,7 @@ fn unknown_names(name: &str, text: &str, words: &BTreeSet<&str>) -> Vec<String> 
         let inner_capital =
             span.chars().skip(1).any(char::is_uppercase) && span.chars().any(char::is_lowercase);
         span.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+            && !span.starts_with('_')
             && (span.contains('_') || inner_capital)
     };
     let lines = text.lines().enumerate();

@@ -12,8 +12,8 @@ use crate::output::Format;
 
 /// Ship, fender, quay and tug contact: run, check and validate scenarios.
 ///
-/// Exit codes: 0 done, 1 the case failed, 2 bad input, 130 a run that was interrupted by Ctrl-C, with its results so
-/// far.
+/// Exit codes: 0 done, 1 the case failed, 2 bad input, 130 the run was interrupted by Ctrl-C; its results up to then are
+/// written.
 #[derive(Debug, Parser)]
 #[command(name = "fenderline", version, propagate_version = true)]
 pub(crate) struct Cli {
@@ -23,20 +23,20 @@ pub(crate) struct Cli {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Run a scenario: print a summary, write tables, summary.json and report.html
+    /// Run a scenario: print a summary; write tables, summary.json and report.html
     Run(RunArgs),
-    /// Reproduce published cases: a table of ours beside theirs; exit code 1 where one is out of
+    /// Recompute published cases and compare them with the published numbers; exit code 1 if one is out of
     /// tolerance
     Validate(ValidateArgs),
     /// Standard manoeuvres of a vessel, with the measures of ITTC and IMO
     Manoeuvre(ManoeuvreArgs),
-    /// The vessels of the library; of one of them every number with its source, and what is estimated
+    /// List the built-in vessels, or print every number of one vessel with its source
     Vessels(VesselsArgs),
-    /// Fender data: make a fender file of measured, calculated or printed curves
+    /// Make a fender file from measured, computed or catalogue curves
     #[command(subcommand)]
     Fender(FenderCommand),
-    /// Write a functional mock-up unit (FMU) of a scenario, for masters of FMI: FMPy, the Open Simulation
-    /// Platform and others
+    /// Write a functional mock-up unit (FMU) of a scenario, for FMI masters such as FMPy and the Open Simulation
+    /// Platform
     Fmu(FmuArgs),
     /// Print the columns of the result files with their units and meanings
     Columns(ColumnsArgs),
@@ -44,9 +44,9 @@ pub(crate) enum Command {
     Schema(SchemaArgs),
     /// Parse and check a scenario without running it
     Check(CheckArgs),
-    /// Run a scenario in real time and let people steer it in their browsers
+    /// Run a scenario in real time, steered from browsers
     Serve(ServeArgs),
-    /// Play a session that `serve` recorded again: exit code 1 where it does not come to the same bits
+    /// Replay a session that `serve` recorded; exit code 1 if the result differs in any bit
     Replay(ReplayArgs),
 }
 
@@ -58,7 +58,7 @@ pub(crate) enum FenderCommand {
 
 #[derive(Debug, Args)]
 pub(crate) struct FitArgs {
-    /// Rows under a header: deflection_m or deflection_mm, reaction_n or reaction_kn, and where wanted
+    /// csv file with the columns deflection_m or deflection_mm, reaction_n or reaction_kn, and optionally
     /// unloading (0 or 1), speed_mps, temperature_c
     #[arg(value_name = "CURVES.csv")]
     pub(crate) curves: PathBuf,
@@ -71,33 +71,33 @@ pub(crate) struct FitArgs {
     /// Length along the berth (m)
     #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
     pub(crate) length: Option<f64>,
-    /// Rated deflection (m) [default: where the loading curve ends]
+    /// Rated deflection (m) [default: the end of the loading curve]
     #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
     pub(crate) rated_deflection: Option<f64>,
-    /// Energy that comes back, where the file has no unloading curve (% of that taken)
+    /// Energy returned on unloading, for a file without an unloading curve (% of the absorbed energy)
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     pub(crate) returned_energy: Option<f64>,
-    /// Largest difference of the fit from the rows (% of the rated reaction)
+    /// Largest permitted difference between fit and rows (% of the rated reaction)
     #[arg(long, value_name = "PERCENT", default_value_t = 0.5, allow_hyphen_values = true)]
     pub(crate) tolerance: f64,
-    /// Name of the family [default: that of the file]
+    /// Name of the family [default: the name of the file]
     #[arg(long, value_name = "NAME")]
     pub(crate) family: Option<String>,
     /// Designation of the size [default: the name of the file]
     #[arg(long, value_name = "NAME")]
     pub(crate) designation: Option<String>,
-    /// Where the curves come from [default: the name of their file]
+    /// Source of the curves [default: the name of their file]
     #[arg(long, value_name = "TEXT")]
     pub(crate) source: Option<String>,
-    /// How well that is known
+    /// Standing of the source
     #[arg(long, value_enum, default_value_t = FitStanding::Derived)]
     pub(crate) standing: FitStanding,
-    /// Page with the fit and the rows to write
+    /// Page to write, with the fit and the rows
     #[arg(long, value_name = "PAGE.html")]
     pub(crate) plot: Option<PathBuf>,
 }
 
-/// How well the source of curves is known.
+/// Standing of the source of curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FitStanding {
     /// Measured, or read in a public source
@@ -110,7 +110,7 @@ pub(crate) enum FitStanding {
 
 #[derive(Debug, Args)]
 pub(crate) struct ServeArgs {
-    /// Scenario file, or a recorded session to go on with
+    /// Scenario file, or a recorded session to continue
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
     /// Port; 0 takes a free one
@@ -119,28 +119,28 @@ pub(crate) struct ServeArgs {
     /// Address to listen on
     #[arg(long, value_name = "ADDR", default_value = "127.0.0.1")]
     pub(crate) bind: IpAddr,
-    /// Let other machines in; needed with any --bind but loopback
+    /// Allow other machines to connect; needed with any --bind other than loopback
     #[arg(long)]
     pub(crate) allow_remote: bool,
-    /// A name that other machines know this one by; repeatable
+    /// Host name by which other machines reach this one; repeatable
     #[arg(long, value_name = "NAME")]
     pub(crate) host: Vec<String>,
-    /// Folder with a page that was built [default: the repository's, built where need be]
+    /// Folder with a built page [default: the repository's, built if needed]
     #[arg(long, value_name = "DIR")]
     pub(crate) page: Option<PathBuf>,
-    /// Folder with scenarios to open from the page [default: that of the scenario]
+    /// Folder with scenarios to open from the page [default: the folder of the scenario]
     #[arg(long, value_name = "DIR")]
     pub(crate) gallery: Option<PathBuf>,
     /// Folder that sessions are recorded to
     #[arg(long, value_name = "DIR", default_value = "out/sessions")]
     pub(crate) sessions: PathBuf,
-    /// Begin paused; else it begins when the first page comes
+    /// Start paused [default: start when the first page connects]
     #[arg(long)]
     pub(crate) paused: bool,
     /// Port that chart programs connect to for NMEA 0183 and AIS sentences; 0 takes a free one
     #[arg(long, value_name = "N")]
     pub(crate) nmea_tcp: Option<u16>,
-    /// Where NMEA 0183 and AIS sentences are sent to by UDP, such as 127.0.0.1:10110
+    /// UDP address to send NMEA 0183 and AIS sentences to, such as 127.0.0.1:10110
     #[arg(long, value_name = "ADDR:PORT")]
     pub(crate) nmea_udp: Option<SocketAddr>,
     /// Latitude and longitude of the scenario's origin in these sentences (degrees)
@@ -163,7 +163,7 @@ pub(crate) struct RunArgs {
     /// Scenario file
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
-    /// Folder for the results; without it `out/`, then the name of the scenario file
+    /// Folder for the results [default: `out/` and the name of the scenario file]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Format of the tables of bodies, contacts, fenders and energy
@@ -175,20 +175,20 @@ pub(crate) struct RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ValidateArgs {
-    /// Folder for validation.html, validation.csv and validation.json [default: none is written]
+    /// Folder for validation.html, validation.csv and validation.json [default: none]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct ManoeuvreArgs {
-    /// Vessel, one of those that `fenderline vessels` lists
+    /// Name of a vessel that `fenderline vessels` lists
     #[arg(value_name = "VESSEL")]
     pub(crate) vessel: String,
     /// Manoeuvre
     #[arg(value_enum, value_name = "MANOEUVRE", default_value_t = ManoeuvreName::All)]
     pub(crate) manoeuvre: ManoeuvreName,
-    /// File with vessels of your own; repeatable
+    /// File with your own vessels; repeatable
     #[arg(long, value_name = "VESSELS.toml")]
     pub(crate) file: Vec<PathBuf>,
     /// Rudder angle of turning circle and zig-zag in degrees [default: hard over; 10 and 20]
@@ -197,27 +197,27 @@ pub(crate) struct ManoeuvreArgs {
     /// Speed of approach in knots [default: the vessel's own]
     #[arg(long, value_name = "KN", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) speed: Option<f64>,
-    /// Depth of water in metres or in draughts, such as 31.2 or "1.5 T": the measures there, beside those in deep
-    /// water [default: deep water alone]
+    /// Water depth in metres or draughts, such as 31.2 or "1.5 T"; the measures are printed beside those in deep
+    /// water [default: deep water only]
     #[arg(long, value_name = "DEPTH", allow_hyphen_values = true)]
     pub(crate) depth: Option<WaterDepth>,
-    /// Side force of the crabbing in kilonewtons [default: what drag balances in deep water at a Froude number of 0.01]
+    /// Side force for crabbing in kilonewtons [default: the drag in deep water at a Froude number of 0.01]
     #[arg(long, value_name = "KILONEWTONS", value_parser = positive, allow_hyphen_values = true)]
     pub(crate) push: Option<f64>,
     /// Print JSON instead of tables
     #[arg(long)]
     pub(crate) json: bool,
-    /// Folder for the tracks, one csv a run [default: none is written]
+    /// Folder for the tracks, one csv file per run [default: none]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct VesselsArgs {
-    /// Vessel; without it all are listed
+    /// Name of a vessel [default: list all]
     #[arg(value_name = "VESSEL")]
     pub(crate) vessel: Option<String>,
-    /// File with vessels of your own; repeatable
+    /// File with your own vessels; repeatable
     #[arg(long, value_name = "VESSELS.toml")]
     pub(crate) file: Vec<PathBuf>,
     /// Print JSON instead of text
@@ -230,29 +230,29 @@ pub(crate) struct FmuArgs {
     /// Scenario file
     #[arg(value_name = "SCENARIO.toml")]
     pub(crate) scenario: PathBuf,
-    /// What the FMU is
+    /// Kind of FMU
     #[arg(long, value_enum)]
     pub(crate) kind: FmuKind,
     /// Version of the standard
     #[arg(long, value_enum, default_value_t = FmiVersion::Two)]
     pub(crate) fmi: FmiVersion,
-    /// File to write; its name without ending is the model's. A description for the Open Simulation
+    /// File to write; its name without extension is the name of the model. A description for the Open Simulation
     /// Platform is written beside it
     #[arg(short, long, value_name = "X.fmu")]
     pub(crate) out: PathBuf,
-    /// Shared library of the FMU [default: that beside this program, where cargo puts it]
+    /// Shared library of the FMU [default: the one beside this program]
     #[arg(long, value_name = "PATH")]
     pub(crate) library: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) changes: Changes,
 }
 
-/// What an FMU is.
+/// Kind of FMU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FmuKind {
-    /// The contact engine: states of the bodies in, wrenches and fenders out
+    /// The contact engine: inputs are states of bodies, outputs are wrenches and fenders
     Engine,
-    /// The whole scenario: controls and further forces in, states and forces out
+    /// The whole scenario: inputs are controls and external forces, outputs are states and forces
     Simulation,
 }
 
@@ -276,7 +276,7 @@ pub(crate) struct ColumnsArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct SchemaArgs {
-    /// Of which files
+    /// Kind of file
     #[arg(value_enum, value_name = "FILES", default_value_t = SchemaOf::Scenario)]
     pub(crate) of: SchemaOf,
 }
@@ -351,7 +351,7 @@ fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number > 0.0 && number < 1e6 => Ok(number),
         Ok(_) => Err("it must be above 0 and below 1000000".to_owned()),
-        Err(_) => Err("it is no number".to_owned()),
+        Err(_) => Err("it is not a number".to_owned()),
     }
 }
 

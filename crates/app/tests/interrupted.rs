@@ -97,7 +97,7 @@ fn an_interrupted_run_leaves_its_results_so_far_marked_as_such() {
     contains_all(&told, &["interrupted: the results so far are written"]);
     contains_all(
         &out,
-        &["INTERRUPTED: ended by its user after ", " of 1000000000 steps", "summary.json"],
+        &["INTERRUPTED: stopped by the user after ", " of 1000000000 steps", "summary.json"],
     );
     assert_eq!(
         place.files("out/tug"),

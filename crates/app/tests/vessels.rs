@@ -285,7 +285,7 @@ fn squat_and_a_bank_are_told_with_their_standing() {
         &[
             "UNVALIDATED",
             "Norrbin",
-            "least water under the keel",
+            "minimum under-keel clearance",
             "by ICORELS",
             "Squat, ship",
             "wind coefficients by Blendermann 1994",

@@ -8,7 +8,7 @@ use crate::material::FenderId;
 use crate::memory::{PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
 use crate::number::lesser;
-use crate::overlap::{Patch, Place, continues};
+use crate::patch::{Patch, Place, continues};
 use crate::report::{Event, EventKind};
 use crate::touch::Touch;
 

@@ -12,7 +12,7 @@ use crate::inherited::Inherited;
 use crate::memory::{Past, PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
 use crate::number::greater;
-use crate::overlap::{Patch, Place, continues};
+use crate::patch::{Patch, Place, continues};
 use crate::report::{Event, EventKind};
 
 /// What the patches of a (sub-)step inherit. Computed by [`Inheritance::find`].

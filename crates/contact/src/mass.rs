@@ -1,6 +1,6 @@
 //! The full mass matrix of a body in the plane, and its inverse.
 
-use crate::touch::Levers;
+use crate::levers::Levers;
 use crate::vec2::{Rotation, Vec2, vec2};
 
 /// Inverse of a symmetric 3×3 mass matrix over surge, sway and yaw (1/kg, 1/(kg·m), 1/(kg·m²)).

@@ -6,7 +6,7 @@ use crate::bodies::{Displaced, PoseChange, classify};
 use crate::geometry::clip::Hint;
 use crate::material::BodyId;
 use crate::model::Model;
-use crate::overlap::{Patch, Place};
+use crate::patch::{Patch, Place};
 use crate::state::BodyState;
 use crate::unloading::PLAYS;
 use crate::vec2::{Rotation, Vec2};
@@ -162,23 +162,6 @@ impl PlaceMemory {
 pub(crate) fn place_of(patch: &PatchMemory, places: &[PlaceMemory]) -> Option<Place> {
     let found = places.binary_search_by_key(&patch.key(), PlaceMemory::key);
     found.ok().map(|index| places[index].place)
-}
-
-/// An axis-aligned box in a frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Extent {
-    pub(crate) low_m: Vec2,
-    pub(crate) high_m: Vec2,
-}
-
-impl Extent {
-    #[inline]
-    pub(crate) fn overlaps(&self, other: &Extent) -> bool {
-        self.low_m.x <= other.high_m.x
-            && other.low_m.x <= self.high_m.x
-            && self.low_m.y <= other.high_m.y
-            && other.low_m.y <= self.high_m.y
-    }
 }
 
 /// The clip's starting point for one piece of each body.

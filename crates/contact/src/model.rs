@@ -1,83 +1,18 @@
 //! The constant part of a contact problem: bodies, materials, fenders and the pairs that may touch.
 
-use alloc::string::String;
 use alloc::vec::Vec;
 use alloc::{format, vec};
 
+use crate::body::{Body, Mobility};
 use crate::error::ModelError;
 use crate::fender::{self, Fender, RankedFender};
 use crate::hash::Fnv1a;
 use crate::mass::InverseMatrix;
 use crate::material::{BodyId, FenderId, Material, MaterialId};
 use crate::number::greater;
-use crate::outline::Outline;
 use crate::pair::{Bounds, RankedPair};
 use crate::ranked::Ranked;
 use crate::reaction::FenderLaw;
-
-/// Mass and inertia of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Mobility {
-    /// A fixed body, such as a quay: infinite mass.
-    Fixed,
-    /// A floating body with the same mass in all directions.
-    Free {
-        /// Displacement plus the smallest added mass (§3.1 of the paper) (kg).
-        mass_kg: f64,
-        /// Moment of inertia about the vertical through the centre of gravity (kg·m²).
-        yaw_inertia_kgm2: f64,
-    },
-    /// A floating body with its full mass matrix, for the coupled method. The paper's method uses the smaller of
-    /// surge and sway in all directions.
-    FullMatrix {
-        /// Rigid body and added mass over surge, sway and yaw, about the centre of gravity,
-        /// symmetric (kg, kg·m, kg·m²).
-        matrix: [[f64; 3]; 3],
-    },
-    /// A floating body whose mass differs between surge and sway. Where the engine moves it, the engine adds the
-    /// Coriolis and centripetal terms (Kirchhoff's equations, with the Munk moment), and the host's loads must not
-    /// contain them. Otherwise as [`Mobility::FullMatrix`].
-    SurgeSway {
-        /// Displacement and added mass in surge (kg).
-        surge_kg: f64,
-        /// Displacement and added mass in sway (kg).
-        sway_kg: f64,
-        /// Moment of inertia about the vertical, added mass included (kg·m²).
-        yaw_inertia_kgm2: f64,
-    },
-}
-
-impl Mobility {
-    /// The mass matrix over surge, sway and yaw; `None` for a fixed body (kg, kg·m, kg·m²).
-    #[must_use]
-    pub fn matrix(&self) -> Option<[[f64; 3]; 3]> {
-        let diagonal = |surge, sway, yaw| [[surge, 0.0, 0.0], [0.0, sway, 0.0], [0.0, 0.0, yaw]];
-        match *self {
-            Mobility::Fixed => None,
-            Mobility::Free { mass_kg, yaw_inertia_kgm2 } => {
-                Some(diagonal(mass_kg, mass_kg, yaw_inertia_kgm2))
-            }
-            Mobility::FullMatrix { matrix } => Some(matrix),
-            Mobility::SurgeSway { surge_kg, sway_kg, yaw_inertia_kgm2 } => {
-                Some(diagonal(surge_kg, sway_kg, yaw_inertia_kgm2))
-            }
-        }
-    }
-}
-
-/// A body: a ship, a tug, a quay.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Body {
-    /// Name, used in errors.
-    pub name: String,
-    /// Determines the order of all sums and the content of snapshots, so that the order in which bodies are added does
-    /// not matter; unique in a model.
-    pub key: u64,
-    /// Outline in the body's frame, origin at the centre of gravity.
-    pub outline: Outline,
-    /// Mass and inertia.
-    pub mobility: Mobility,
-}
 
 /// Two bodies that may touch, and the material between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -254,7 +189,11 @@ impl ModelBuilder {
             fingerprint: 0,
             layout: 0,
         };
-        model.pair_bounds = model.pairs.iter().map(|pair| Bounds::of(&model, pair)).collect();
+        model.pair_bounds = model
+            .pairs
+            .iter()
+            .map(|pair| Bounds::of(&model.ranked, &model.materials, pair))
+            .collect();
         model.fingerprint = fingerprint(&model);
         model.layout = layout(&model);
         Ok(model)

@@ -132,7 +132,9 @@ impl NeighbourList {
         }
         self.pairs.sort_unstable_by_key(|pair| (pair.a, pair.b));
         self.bounds.clear();
-        self.bounds.extend(self.pairs.iter().map(|pair| Bounds::of(model, pair)));
+        self.bounds.extend(
+            self.pairs.iter().map(|pair| Bounds::of(&model.ranked, model.materials(), pair)),
+        );
     }
 }
 

@@ -10,86 +10,15 @@ use crate::fender::RankedFender;
 use crate::geometry::clip::{self, ClipBuffers, Corners, Hint};
 use crate::geometry::convex::ConvexPolygon;
 use crate::geometry::lens::{Lens, per_chord_m};
-use crate::memory::{Extent, HintMemory, PatchMemory};
+use crate::memory::{HintMemory, PatchMemory};
 use crate::model::Model;
 use crate::number::{greater, lesser};
+use crate::patch::{Extent, NOWHERE, Parts, Patch, Place};
 use crate::vec2::{Pose, Vec2, vec2};
 
 /// Corners nearer than this are one corner of two lenses that share a seam (m). Seam corners are computed twice, to about
 /// 1e-12 m; features of a hull are centimetres.
 const SAME_CORNER_M: f64 = 1e-7;
-
-/// A connected part of the overlap of two bodies, in body A's frame (A: the lower rank).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Patch {
-    pub(crate) candidate: Candidate,
-    /// Its candidate's place in `Candidates::pairings`.
-    pub(crate) of: u32,
-    /// Number within the pair.
-    pub(crate) number: u32,
-    /// Pose of B in A's frame.
-    pub(crate) b_in_a: Pose,
-    /// S (m²).
-    pub(crate) area_m2: f64,
-    /// C (m).
-    pub(crate) centroid_m: Vec2,
-    /// d = Σ (P_out − P_in) (m).
-    pub(crate) chord_m: Vec2,
-    /// As in [`Lens`].
-    pub(crate) per_chord_m: f64,
-    /// One piece lies within the other, and there are no other pieces.
-    pub(crate) contained: bool,
-    /// Extent along the chord's normal times the chord's length (m²), where the patch is one lens.
-    spread_m2: f64,
-    /// The first of its [`Parts`] and the one after the last.
-    parts: [u32; 2],
-    /// Its place in [`Overlap::places`]; [`NOWHERE`] if both bodies are convex.
-    place: u32,
-}
-
-const NOWHERE: u32 = u32::MAX;
-
-impl Patch {
-    /// Its place in [`Overlap::places`]; `None` if both bodies are convex.
-    #[inline]
-    pub(crate) fn place(&self) -> Option<u32> {
-        (self.place != NOWHERE).then_some(self.place)
-    }
-
-    /// What it consists of.
-    #[inline]
-    fn parts(&self) -> Parts {
-        let [from, to] = self.parts;
-        match self.place() {
-            None => Parts::One { from, to },
-            Some(_) => Parts::Lenses { from, to },
-        }
-    }
-}
-
-/// What a patch consists of.
-#[derive(Clone, Copy, Debug)]
-enum Parts {
-    /// The one lens of two convex pieces: its vertices in [`Overlap::outline_m`].
-    One { from: u32, to: u32 },
-    /// Lenses in [`Overlap::lenses`].
-    Lenses { from: u32, to: u32 },
-}
-
-/// Box about a patch in A's and in B's frame (m), by which it is recognised in the next step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Place {
-    pub(crate) in_a: Extent,
-    pub(crate) in_b: Extent,
-}
-
-/// Does the patch lie where the `old` one lay, in the frame of one of the two bodies? A sliding contact stays in place on
-/// at least one of them. Without places, which convex bodies do not need, the answer is yes.
-pub(crate) fn continues(old: Option<Place>, patch: &Patch, places: &[Place]) -> bool {
-    let (Some(old), Some(place)) = (old, patch.place()) else { return true };
-    let Place { in_a, in_b } = places[place as usize];
-    old.in_a.overlaps(&in_a) || old.in_b.overlaps(&in_b)
-}
 
 /// The overlap of one piece of A with one piece of B.
 #[derive(Clone, Copy, Debug)]

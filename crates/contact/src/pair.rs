@@ -1,9 +1,8 @@
 //! Two bodies that may touch: constants of the pair.
 
-use crate::material::MaterialId;
-use crate::model::Model;
+use crate::material::{Material, MaterialId};
 use crate::number::lesser;
-use crate::ranked::RankedBody;
+use crate::ranked::{Ranked, RankedBody};
 
 /// In place of an island's number, for two bodies that both float: their island depends on the other candidates.
 pub(crate) const JOINED: u32 = u32::MAX;
@@ -76,11 +75,11 @@ impl RankedPair {
 
 impl Bounds {
     /// Bounds that hold for every contact of the pair's outlines.
-    pub(crate) fn of(model: &Model, pair: &RankedPair) -> Bounds {
+    pub(crate) fn of(ranked: &Ranked, materials: &[Material], pair: &RankedPair) -> Bounds {
         let ranks = [pair.a as usize, pair.b as usize];
-        let [a, b] = ranks.map(|rank| &model.ranked[rank]);
-        let half_widths_m = ranks.map(|rank| model.ranked.rest(rank).half_width_m);
-        let material = &model.materials()[pair.material.0 as usize];
+        let [a, b] = ranks.map(|rank| &ranked[rank]);
+        let half_widths_m = ranks.map(|rank| ranked.rest(rank).half_width_m);
+        let material = &materials[pair.material.0 as usize];
         // Twice the value without rotation allows for a contact off the centre.
         let inverse_mass = 2.0 * (a.lightest_inverse_mass + b.lightest_inverse_mass);
         let per_force = longest_chord_m(a, b) * inverse_mass;

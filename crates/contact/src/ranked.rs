@@ -3,11 +3,11 @@
 use alloc::vec::Vec;
 use core::ops::Index;
 
+use crate::body::{Body, Mobility};
 use crate::fender::RankedFender;
 use crate::geometry::convex::ConvexPolygon;
 use crate::kirchhoff::Kirchhoff;
 use crate::mass::InverseMatrix;
-use crate::model::{Body, Mobility};
 use crate::number::{greater, lesser};
 
 /// The bodies by rank.

@@ -23,9 +23,9 @@ use crate::admit::{LONGEST_STEP_S, SHORTEST_STEP_S};
 use crate::error::RestoreError;
 use crate::geometry::clip::Hint;
 use crate::hash::Fnv1a;
-use crate::memory::{Extent, HintMemory, Memory, NOT_BEHIND, PatchMemory, PlaceMemory, place_of};
+use crate::memory::{HintMemory, Memory, NOT_BEHIND, PatchMemory, PlaceMemory, place_of};
 use crate::model::Model;
-use crate::overlap::Place;
+use crate::patch::{Extent, Place};
 use crate::state::BodyState;
 use crate::vec2::{Rotation, Vec2, vec2};
 

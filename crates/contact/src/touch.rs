@@ -2,10 +2,12 @@
 
 use crate::fender::RankedFender;
 use crate::geometry::clip::ClipBuffers;
+use crate::levers::Levers;
 use crate::material::BodyId;
 use crate::memory::PatchMemory;
 use crate::model::Model;
-use crate::overlap::{self, Overlap, Patch};
+use crate::overlap::{self, Overlap};
+use crate::patch::Patch;
 use crate::report::{Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction};
 use crate::state::{BodyState, Velocity};
 use crate::vec2::{Pose, Vec2};
@@ -38,21 +40,6 @@ pub(crate) struct Touch {
     pub(crate) v_tangential_mps: f64,
     /// Δs before this step's friction law (m).
     pub(crate) shear_m: f64,
-}
-
-/// Of n and t about a body's centre of gravity: r × n and r × t (m).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Levers {
-    pub(crate) n_m: f64,
-    pub(crate) t_m: f64,
-}
-
-impl Levers {
-    /// r × t is r·n.
-    #[inline]
-    fn new(arm_m: Vec2, normal: Vec2) -> Levers {
-        Levers { n_m: arm_m.cross(normal), t_m: arm_m.dot(normal) }
-    }
 }
 
 /// Which bodies of a contact move: floating ones, and fixed ones with a velocity, such as lock gates.

@@ -1,5 +1,5 @@
-//! Reading and writing what a master points to. What no check can tell, the master promises: a pointer that
-//! is neither NULL nor misaligned points to as much as its type and count say, for the length of the call.
+//! Reading and writing memory of the master. Null and misaligned pointers are rejected; beyond that the master guarantees
+//! that a pointer is valid for its type and count during the call.
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::path::{Path, PathBuf};
@@ -13,9 +13,9 @@ use crate::instance::{Instance, Outcome};
 use crate::plan::Plan;
 use crate::registry::Status;
 
-/// Most values in one call: a longer array is a mistake.
+/// Limit of values per call; a longer array is an error.
 const MOST_VALUES: usize = 1 << 20;
-/// Longest state that is taken (bytes).
+/// Limit of a serialised state (bytes).
 const MOST_BYTES: usize = 1 << 30;
 /// Category of all messages, as the model description names it.
 pub(crate) const CATEGORY: &CStr = c"logStatusError";
@@ -27,7 +27,7 @@ pub(crate) enum Log {
     Three { logger: Logger3, environment: Address },
 }
 
-/// The master's own pointer, which is handed back and never followed.
+/// A pointer of the master, which is passed back and never dereferenced.
 pub(crate) struct Address(pub(crate) *mut c_void);
 
 // SAFETY: it is only handed back; the standard lets a master call each of its instances from a thread of

@@ -1,4 +1,4 @@
-//! The engine kind under way.
+//! A running FMU of the engine kind.
 
 use fenderline_contact::{BodyState, Contact, HostIntegration, HostSettings, Wrench};
 use fenderline_embed::{Engine, Host, Settings};
@@ -11,33 +11,33 @@ use crate::parameters::applied;
 use crate::plan::Plan;
 use crate::table::Setting;
 
-/// An engine that was initialized. Cloning it branches the run.
+/// An initialised engine. A clone continues independently.
 #[derive(Clone, Debug)]
 pub(crate) struct EngineRun {
     pub(crate) engine: Engine,
-    tells_loads: bool,
+    uses_loads: bool,
     body_fixed: bool,
     pub(crate) beginning: Beginning,
-    /// How often the master had put each body somewhere at the last step, one a body; 0 of what is fixed.
+    /// The reposition counter of each body at the last step; 0 for fixed bodies.
     pub(crate) placed: Vec<i32>,
 }
 
-/// How far an engine is with a host that shows old states.
+/// Start phase of an engine with a host whose states are delayed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Beginning {
-    /// It gives no wrench for so many steps yet: what the host shows may be no state.
+    /// Number of steps still to be skipped: the host's states may not be valid yet.
     Waiting(u32),
-    /// It has seen the states of the start.
+    /// The initial states have been processed.
     Begun,
 }
 
 impl EngineRun {
-    /// With the parameters and the states of the start.
+    /// Starts with the parameters and the initial states.
     pub(crate) fn start(plan: &Plan, values: &[f64]) -> Result<EngineRun, String> {
         let mut run = EngineRun::at_rest(plan, values)?;
         if run.beginning == Beginning::Waiting(0) {
-            // The wrench for the host's first step, which it gets while it is initialized: the first step
-            // that the master orders comes too late for it.
+            // The wrench for the host's first step must be available at initialization, before the first call of a
+            // step.
             let step_s = plan.table.setting(values, Setting::StepS).unwrap_or(0.1);
             run.advance(plan, values, step_s)?;
             run.beginning = Beginning::Begun;
@@ -45,7 +45,7 @@ impl EngineRun {
         Ok(run)
     }
 
-    /// Of the parameters, with nothing asked yet.
+    /// An engine with the parameters, before the initial step.
     pub(crate) fn at_rest(plan: &Plan, values: &[f64]) -> Result<EngineRun, String> {
         let of = |setting| plan.table.setting(values, setting).unwrap_or(0.0);
         let is_on = |setting| of(setting) != 0.0;
@@ -66,17 +66,17 @@ impl EngineRun {
         let scenario = Scenario { title: title.clone(), setup, notices: Vec::new() };
         let engine = Engine::from_scenario(scenario, &Settings { method: None, host })
             .map_err(|error| error.to_string())?;
-        let tells_loads = !following || is_on(Setting::TellsLoads);
+        let uses_loads = !following || is_on(Setting::TellsLoads);
         let beginning = match delay_steps {
             0 => Beginning::Begun,
             _ => Beginning::Waiting(of(Setting::SkipSteps) as u32),
         };
         let placed = vec![0; engine.states().len()];
         let body_fixed = is_on(Setting::BodyFixed);
-        Ok(EngineRun { engine, tells_loads, body_fixed, beginning, placed })
+        Ok(EngineRun { engine, uses_loads, body_fixed, beginning, placed })
     }
 
-    /// Is it still before its first step?
+    /// True before its first step.
     pub(crate) fn waits(&self) -> bool {
         self.beginning != Beginning::Begun
     }
@@ -90,7 +90,7 @@ impl EngineRun {
                 return Ok(());
             }
             Beginning::Waiting(0) => {
-                // The step that the host is in, without a wrench: the engine goes on from its end.
+                // The host takes this step without a wrench; the engine starts from its end.
                 self.advance(plan, values, step_s)?;
                 self.beginning = Beginning::Begun;
             }
@@ -110,14 +110,14 @@ impl EngineRun {
             }
         }
         let nothing = loads.iter().all(|load| *load == Wrench::default());
-        // The paper's method knows no loads: none is as good as zero.
-        let told = self.tells_loads && !(nothing && self.engine.method() == Method::Paper);
-        let loads = told.then_some(&*loads);
+        // The paper's method takes no loads: pass none if all are zero.
+        let use_loads = self.uses_loads && !(nothing && self.engine.method() == Method::Paper);
+        let loads = use_loads.then_some(&*loads);
         let placed = self.newly_placed(&inputs);
         if placed.is_empty() {
             return advance(&mut self.engine, &states, loads, step_s);
         }
-        // What a refused step had been told is untold with it.
+        // Work on a copy, so that a failed step leaves no body marked.
         let mut engine = self.engine.clone();
         for &(body, _) in &placed {
             engine.mark_teleported(body).map_err(|error| error.to_string())?;
@@ -128,12 +128,12 @@ impl EngineRun {
         Ok(())
     }
 
-    /// The bodies that the master has put somewhere since the last step, and how often it had by now.
+    /// Bodies whose reposition counter has changed since the last step, with the new count.
     fn newly_placed(&self, inputs: &Inputs<'_>) -> Vec<(usize, i32)> {
         inputs.placed().filter(|&(body, count)| count != self.placed[body]).collect()
     }
 
-    /// The outputs of the last step, or of none.
+    /// Reads the outputs of the last step, or zeros before the first.
     pub(crate) fn read(&self, plan: &Plan, values: &mut [f64]) {
         let results = self.engine.results();
         let nothing: (&[Wrench], &[Wrench], &[Contact]) = (&[], &[], &[]);

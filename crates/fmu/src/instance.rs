@@ -1,5 +1,5 @@
-//! One instance of an FMU, as both versions of the standard see it: what may be called when, and what a call
-//! does. An error is a text, and changes nothing.
+//! One instance of an FMU, common to both versions of the standard: which calls are allowed in which phase, and what they
+//! do. An error is a message, and changes nothing.
 
 use fenderline_contact::number::greater;
 
@@ -12,11 +12,11 @@ use crate::simulation::SimulationRun;
 use crate::state::{Phase, Run, State};
 use crate::table::{Causality, Class, Kind, StandsFor};
 
-/// What a call comes to.
+/// The result of a call.
 pub(crate) type Outcome<T = ()> = Result<T, String>;
 
-/// How far a communication point may be from the time that was reached, in steps and in seconds: masters
-/// count time in nanoseconds, or add steps up.
+/// Tolerance between a communication point and the time reached, in steps and in seconds: masters round time to nanoseconds,
+/// or sum steps.
 const SLACK_STEPS: f64 = 1e-6;
 const SLACK_S: f64 = 1e-9;
 
@@ -25,7 +25,7 @@ const SLACK_S: f64 = 1e-9;
 pub(crate) struct Instance {
     pub(crate) plan: Arc<Plan>,
     pub(crate) state: State,
-    /// States that the master holds, by the numbers that stand for them.
+    /// States saved by the master, by handle.
     pub(crate) saved: BTreeMap<usize, State>,
     /// A panic left it in an unknown state: it can only be freed.
     pub(crate) broken: bool,
@@ -87,7 +87,7 @@ impl Instance {
         Ok(())
     }
 
-    /// Makes the run of the values as they are, and its first outputs.
+    /// Creates the run from the current values, and computes its first outputs.
     fn start_run(&mut self) -> Outcome {
         let (plan, state) = (&*self.plan, &mut self.state);
         if state.run.is_some() {
@@ -144,7 +144,7 @@ impl Instance {
         Ok(variable)
     }
 
-    /// Sets some variables of a type: all of them, or none where one is refused.
+    /// Sets some variables of a type: all of them, or none if one is invalid.
     pub(crate) fn set(&mut self, references: &[u32], values: &[f64], class: Class) -> Outcome {
         for (&reference, &value) in references.iter().zip(values) {
             let variable = self.check(reference, class)?;
@@ -180,7 +180,7 @@ impl Instance {
         Ok(())
     }
 
-    /// One communication step; in one of no length, of a master that is paused, nothing goes on.
+    /// One communication step. A step of zero length, as from a paused master, changes nothing.
     pub(crate) fn step(&mut self, from_s: f64, step_s: f64) -> Outcome {
         self.must_be(&[Phase::Stepping], "a step")?;
         let (plan, state) = (&*self.plan, &mut self.state);
@@ -208,7 +208,7 @@ impl Instance {
             ));
         }
         match &mut state.run {
-            // At the start no step is counted as one that masters show zeros in.
+            // A step of zero length does not count as one of the skipped first steps.
             Some(Run::Engine(run)) if step_s == 0.0 && run.waits() => {}
             Some(Run::Engine(run)) => run.step(plan, &state.values, step_s)?,
             Some(Run::Simulation(run)) => {
@@ -221,7 +221,7 @@ impl Instance {
         Ok(())
     }
 
-    /// A copy of all that changes.
+    /// Saves a copy of the state under a handle.
     pub(crate) fn save(&mut self, number: usize) {
         self.saved.insert(number, self.state.clone());
     }

@@ -1,14 +1,14 @@
 //! Functional mock-up units (FMUs) for co-simulation: FMI 2.0 and FMI 3.0 from one table of variables.
 //!
-//! Two kinds. [`Kind::Engine`] is the contact engine for a master whose ships move elsewhere: their states go
-//! in, wrenches and what each fender does come out. [`Kind::Simulation`] is a whole scenario: controls and
-//! further forces go in, states and forces come out, the same bits as `fenderline run`.
+//! There are two kinds. [`Kind::Engine`] is the contact engine for ships that are simulated by other FMUs: its inputs are
+//! their states, its outputs are wrenches and fender data. [`Kind::Simulation`] is a whole scenario: its inputs are
+//! controls and external forces, its outputs states and forces, with the same bits as `fenderline run`.
 //!
-//! [`Bundle`] is a scenario with all that it names, the one resource of an FMU. Of it [`Table`] is made: each
-//! variable with its unit, its start value and what it stands for. [`pack()`] writes the model description from
-//! the table and puts bundle, description and shared library together; an instance reads and writes values
-//! by the same table. The C functions (`fmi2`, `fmi3`) are a border, as in `fenderline-capi`: components and
-//! saved states are numbers that are looked up, never followed as pointers, and no panic crosses.
+//! A [`Bundle`] is a scenario with all files that it names, the only resource of an FMU. The [`Table`] is made from it: each
+//! variable with unit, start value and meaning. [`pack()`] writes the model description from the table and packs bundle,
+//! description and shared library; an instance reads and writes values by the same table. The C functions (`fmi2`, `fmi3`)
+//! are a safe boundary, as in `fenderline-capi`: components and saved states are handles that are looked up and never
+//! dereferenced, and no panic crosses the boundary.
 
 #![allow(unsafe_code, reason = "masters give raw pointers; each block says why it is sound")]
 

@@ -1,4 +1,4 @@
-//! Outputs: what is read off a run after a step, the same for both kinds where both have it.
+//! Outputs of both kinds of FMU, read after a step.
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{BodyState, Contact, Wrench};
@@ -8,15 +8,15 @@ use crate::inputs::body_fixed;
 use crate::table::{Causality, Class, Output, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
-/// A run as outputs see it.
+/// The results of a run from which outputs are read.
 pub(crate) struct View<'a> {
     pub(crate) states: &'a [BodyState],
-    /// Contact wrenches, one a body; earth-fixed.
+    /// Contact wrenches, one per body, earth-fixed.
     pub(crate) wrenches: &'a [Wrench],
-    /// The greatest of them within the last step; none of a simulation.
+    /// The largest wrench on each body within the last step; empty for a simulation.
     pub(crate) peaks: &'a [Wrench],
     pub(crate) contacts: &'a [Contact],
-    /// Wrenches are told in the bodies' axes.
+    /// Report wrenches in the bodies' axes.
     pub(crate) body_fixed: bool,
     /// The simulation, where there is one.
     pub(crate) simulation: Option<&'a Simulation>,
@@ -24,14 +24,14 @@ pub(crate) struct View<'a> {
 
 impl View<'_> {
     fn wrench(&self, body: usize) -> Wrench {
-        self.told(self.wrenches, body)
+        self.reported(self.wrenches, body)
     }
 
     fn peak(&self, body: usize) -> Wrench {
-        self.told(self.peaks, body)
+        self.reported(self.peaks, body)
     }
 
-    fn told(&self, wrenches: &[Wrench], body: usize) -> Wrench {
+    fn reported(&self, wrenches: &[Wrench], body: usize) -> Wrench {
         let wrench = wrenches.get(body).copied().unwrap_or_default();
         if self.body_fixed {
             let force_n = body_fixed(&self.states[body], wrench.force_n);
@@ -64,7 +64,7 @@ impl View<'_> {
 }
 
 type Read = fn(&View<'_>, [usize; 2]) -> f64;
-/// Name, what it is, unit, and how it is read.
+/// Name, description, unit, and how it is read.
 type Column = (&'static str, &'static str, Unit, Read);
 
 fn add(table: &mut Table, stem: &str, of: [usize; 2], columns: &[Column]) -> Vec<usize> {
@@ -167,7 +167,7 @@ pub(crate) fn add_contact(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// The greatest wrench on each body within the last step, which for the engine's host is a mean.
+/// The largest wrench on each body within the last step.
 pub(crate) fn add_peaks(table: &mut Table, setup: &Setup) {
     use Unit::{Newton, NewtonMetre};
     let columns: [Column; 3] = [
@@ -213,7 +213,7 @@ fn outline_pairs(setup: &Setup) -> Vec<[usize; 2]> {
     .collect()
 }
 
-/// What a simulation has besides: states, vessels, tugs, lines and energy.
+/// Further outputs of a simulation: states, vessels, tugs, lines and energy.
 pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
     add_motion(table, setup);
     add_world(table, setup);
@@ -222,7 +222,7 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
         ("energy.kinetic_j", "kinetic energy, added mass included", Joule, |v, _| {
             v.of_simulation(|s| s.energy().kinetic_j)
         }),
-        ("energy.load_work_j", "work over the ground of all that is no contact", Joule, |v, _| {
+        ("energy.load_work_j", "work of all forces except contact", Joule, |v, _| {
             v.of_simulation(|s| s.energy().load_work_j)
         }),
         ("energy.stored_j", "stored in springs and stops", Joule, |v, _| {
@@ -231,7 +231,7 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
         ("energy.shear_stored_j", "stored in shear springs", Joule, |v, _| {
             v.of_simulation(|s| s.energy().shear_stored_j)
         }),
-        ("energy.hysteresis_j", "lost in the rubber of fenders", Joule, |v, _| {
+        ("energy.hysteresis_j", "hysteresis loss of fenders", Joule, |v, _| {
             v.of_simulation(|s| s.energy().hysteresis_j)
         }),
         ("energy.damping_j", "lost to damping", Joule, |v, _| {
@@ -243,14 +243,14 @@ pub(crate) fn add_simulation(table: &mut Table, setup: &Setup) {
         ("energy.friction_j", "lost to friction", Joule, |v, _| {
             v.of_simulation(|s| s.energy().friction_j)
         }),
-        ("energy.residual_j", "energy that the time step made, or lost", Joule, |v, _| {
+        ("energy.residual_j", "energy error of the time step", Joule, |v, _| {
             v.of_simulation(|s| s.energy().residual_j)
         }),
     ];
     add(table, "", [0, 0], &columns);
 }
 
-/// When velocities are those of, which are no places'.
+/// Description of the velocities, which belong to another time than the positions.
 const NORTH_MPS: &str = "velocity, north; this and the velocities below by the coupled method with the integrator \
                          semi_implicit of the middle of the scenario's last (sub-)step";
 
@@ -295,7 +295,7 @@ fn add_motion(table: &mut Table, setup: &Setup) {
         }),
         (
             "share_of_rated_energy",
-            "that over what it can take; 0 if not rated",
+            "peak energy over the energy capacity; 0 if not rated",
             One,
             |v, [f, _]| {
                 v.of_simulation(|s| {
@@ -328,7 +328,7 @@ fn add_world(table: &mut Table, setup: &Setup) {
         ("pitch_rad", "pitch, bow up, without waves", Radian, |v, [i, _]| {
             v.of_simulation(|s| s.vessels()[i].attitude.pitch.value)
         }),
-        ("squat_m", "how much deeper she sits under way", Metre, |v, [i, _]| {
+        ("squat_m", "squat: sinkage under way", Metre, |v, [i, _]| {
             v.of_simulation(|s| s.vessels()[i].squat_m)
         }),
     ];
@@ -374,7 +374,7 @@ fn add_world(table: &mut Table, setup: &Setup) {
         ("length_m", "unstretched length outboard", Metre, |v, [i, _]| {
             v.of_simulation(|s| s.lines()[i].line.as_ref().map_or(0.0, |(_, state)| state.length_m))
         }),
-        ("parted", "1 where it has parted", One, |v, [i, _]| {
+        ("parted", "1 if the line has parted", One, |v, [i, _]| {
             v.of_simulation(|s| {
                 let line = s.lines()[i].line.as_ref();
                 line.map_or(0.0, |(_, state)| f64::from(u8::from(state.parted)))

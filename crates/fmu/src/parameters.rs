@@ -1,4 +1,4 @@
-//! Parameters: numbers of the set-up that a master can change until initialization ends.
+//! Parameters: numbers of the set-up that a master can change until the end of initialization.
 
 use fenderline_contact::Unloading;
 use fenderline_sim::{FenderSetup, MassProperties, Setup};
@@ -6,10 +6,10 @@ use fenderline_sim::{FenderSetup, MassProperties, Setup};
 use crate::table::{Causality, Class, Parameter, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
-/// The largest mass or stiffness that is taken, in SI units: the engine has its own, narrower bounds.
+/// Limit of masses and stiffnesses, in SI units. The engine has narrower limits of its own.
 const LARGEST: f64 = 1e15;
 
-/// A field of a kind of things: name, what it is, unit, and how it is read and written.
+/// A field of a type: name, description, unit, and how it is read and written.
 struct Field<T> {
     name: &'static str,
     description: &'static str,
@@ -77,7 +77,7 @@ macro_rules! start {
     };
 }
 
-/// Materials, and masses of the bodies that are no vessels: a vessel's are her model's.
+/// Materials, and masses of bodies. Masses of vessels are not parameters, as they come from their models.
 pub(crate) fn add_materials_and_masses(table: &mut Table, setup: &Setup) {
     let fields = [
         material!("stiffness_npm2", NewtonPerSquareMetre, stiffness_npm2, "area stiffness k"),
@@ -110,12 +110,12 @@ pub(crate) fn add_materials_and_masses(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// What fenders give back that have an unloading law by a share of the energy taken: their material's restitution
-/// does nothing.
+/// Returned energy of fenders with an unloading law by a share of the absorbed energy. The restitution of their material has
+/// no effect.
 pub(crate) fn add_fenders(table: &mut Table, setup: &Setup) {
     let fields = [Field {
         name: "returned_energy",
-        description: "share of the energy taken that its rubber gives back",
+        description: "share of the absorbed energy that the fender returns",
         unit: Unit::One,
         range: Some([Unloading::MIN_RETURNED_SHARE, 1.0]),
         read: |fender: &FenderSetup| match fender.unloading {
@@ -150,11 +150,11 @@ pub(crate) fn add_starts(table: &mut Table, setup: &Setup) {
     }
 }
 
-/// A set-up with the parameters of a master.
+/// The set-up with the master's parameters.
 pub(crate) fn applied(table: &Table, values: &[f64], setup: &Setup) -> Setup {
     let mut setup = setup.clone();
     for (variable, &value) in table.variables.iter().zip(values) {
-        // What nobody changed stays as the file has it, to the last bit.
+        // Unchanged parameters keep the value of the scenario file, bit for bit.
         if let StandsFor::Parameter(parameter) = variable.stands_for
             && value.to_bits() != variable.start.to_bits()
         {

@@ -26,14 +26,14 @@ pub struct Plan {
     pub token: String,
 }
 
-/// A scenario that makes no FMU.
+/// A scenario that cannot be exported as an FMU.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PlanError {
-    /// The scenario is refused.
+    /// The scenario is invalid.
     Bundle(BundleError),
-    /// It cannot be run: why.
+    /// It cannot be run, with the reason.
     Setup(String),
-    /// It starts other programs, which an FMU does not.
+    /// It starts other programs, which an FMU cannot.
     Providers,
 }
 
@@ -90,9 +90,8 @@ impl Plan {
     }
 }
 
-/// How the engine shall serve its host. A host is taken for an OSP master (states a step old, forward
-/// Euler, loads not told) unless it says otherwise; with the paper's method, which can follow nobody, for
-/// one of the present.
+/// Settings for the engine's host. The defaults are those of an OSP master: states one step old, forward Euler, loads not
+/// connected. With the paper's method, which has no co-simulation mode, the default is a host with current states.
 fn add_settings(table: &mut Table, scenario: &Scenario) {
     let coupled = f64::from(u8::from(scenario.setup.method == Method::Coupled));
     let rows = [

@@ -1,5 +1,5 @@
-//! All instances of the process. A component is a number that is looked up here and never followed as a
-//! pointer, so that one that was freed, or that nobody ever made, is refused.
+//! All instances of the process. A component is a handle that is looked up here and never dereferenced, so that a freed or
+//! invalid component is rejected.
 
 use std::collections::BTreeMap;
 use std::ffi::c_void;
@@ -19,7 +19,7 @@ struct Held {
 static ALL: Mutex<BTreeMap<usize, Arc<Held>>> = Mutex::new(BTreeMap::new());
 static NEXT: AtomicUsize = AtomicUsize::new(1);
 
-/// What a call comes to for the master; the numbers are those of `fmi2Status` and `fmi3Status`.
+/// The status of a call; the numbers are those of `fmi2Status` and `fmi3Status`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub(crate) enum Status {
@@ -34,7 +34,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A number that nothing had before: of an instance or of a saved state.
+/// A new handle, for an instance or a saved state.
 pub(crate) fn next_number() -> usize {
     // Steps of 16, so that it looks like a pointer that is aligned to whoever asks.
     NEXT.fetch_add(1, Ordering::Relaxed).wrapping_mul(16)
@@ -44,7 +44,7 @@ pub(crate) fn as_pointer(number: usize) -> *mut c_void {
     std::ptr::without_provenance_mut(number)
 }
 
-/// Makes an instance; NULL where that fails, with the reason logged.
+/// Creates an instance. If that fails, logs the reason and returns NULL.
 pub(crate) fn make(log: Log, make: impl FnOnce() -> Outcome<Instance>) -> *mut c_void {
     match catch_unwind(AssertUnwindSafe(make)) {
         Ok(Ok(instance)) => {
@@ -64,7 +64,7 @@ pub(crate) fn make(log: Log, make: impl FnOnce() -> Outcome<Instance>) -> *mut c
     }
 }
 
-/// Frees an instance; one that is none is left alone.
+/// Frees an instance; an invalid component is ignored.
 pub(crate) fn free(component: *mut c_void) {
     lock(&ALL).remove(&component.addr());
 }

@@ -1,4 +1,4 @@
-//! The simulation kind under way.
+//! A running FMU of the simulation kind.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::{Order, Simulation};
@@ -9,35 +9,35 @@ use crate::parameters::applied;
 use crate::plan::Plan;
 use crate::table::{StandsFor, Table};
 
-/// How near to the end of a step of its own the end of a communication step counts as that, in steps.
+/// Tolerance for the end of a communication step to coincide with the end of a scenario step, in steps.
 const SLACK_STEPS: f64 = 1e-6;
 
-/// Most steps of its own in one communication step: hours. More is a mistake that would look like a hang.
+/// Limit of scenario steps per communication step, equal to hours. More is an error that would look like a hang.
 const MOST_STEPS_A_CALL: u64 = 100_000;
 
-/// A simulation that was initialized. Cloning it branches the run.
+/// An initialised simulation. A clone continues independently.
 ///
-/// It goes in the scenario's own steps, whatever the communication step: at a communication point it is at
-/// the last of its own that is not later.
+/// It advances in the scenario's own steps, whatever the communication step: at a communication point it is at the last
+/// step that does not end later.
 #[derive(Clone, Debug)]
 pub(crate) struct SimulationRun {
     simulation: Simulation,
     steps: u64,
-    /// Inputs as they were taken last; the places of other variables are not used.
+    /// Inputs as of the last step; entries of other variables are unused.
     taken: Vec<f64>,
-    /// All inputs that were taken, in their order: with the parameters they are the whole run, since the
-    /// same input gives the same bits.
+    /// All input changes in their order. With the parameters they define the whole run, since the same input gives the same
+    /// bits.
     pub(crate) journal: Vec<Entry>,
-    /// A step could not be made: it stands where it was, and does not go on.
+    /// A step failed: the simulation stays at the last good step and does not continue.
     failed: bool,
 }
 
-/// Steps of a scenario that end no later than a time since the start.
+/// Number of scenario steps that end no later than a time since the start.
 pub(crate) fn due(plan: &Plan, t_s: f64) -> u64 {
     greater(libm::floor(t_s / plan.scenario.setup.step_s + SLACK_STEPS), 0.0) as u64
 }
 
-/// An input that a step found changed.
+/// A changed input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Entry {
     pub(crate) step: u64,
@@ -46,7 +46,7 @@ pub(crate) struct Entry {
 }
 
 impl SimulationRun {
-    /// With the parameters of the start.
+    /// Starts with the parameters.
     pub(crate) fn start(plan: &Plan, values: &[f64]) -> Result<SimulationRun, String> {
         let setup = applied(&plan.table, values, &plan.scenario.setup);
         let simulation = Simulation::new(setup).map_err(|error| error.to_string())?;
@@ -54,18 +54,17 @@ impl SimulationRun {
         Ok(SimulationRun { simulation, steps: 0, taken, journal: Vec::new(), failed: false })
     }
 
-    /// A step could not be made.
+    /// True after a failed step.
     pub(crate) fn has_failed(&self) -> bool {
         self.failed
     }
 
-    /// Steps of its own that were taken.
+    /// Number of scenario steps taken.
     pub(crate) fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Goes on to a time since the start. After an error it stands at the last step that could be made, and
-    /// refuses to go on.
+    /// Advances to a time since the start. After an error it stays at the last good step and does not continue.
     pub(crate) fn go_to(&mut self, plan: &Plan, values: &[f64], t_s: f64) -> Result<(), String> {
         let due = due(plan, t_s);
         if due.saturating_sub(self.steps) > MOST_STEPS_A_CALL {
@@ -90,7 +89,7 @@ impl SimulationRun {
         Ok(())
     }
 
-    /// Hands the inputs that changed to the simulation.
+    /// Applies changed inputs to the simulation.
     fn take(&mut self, table: &Table, values: &[f64]) -> Result<(), String> {
         let is_input =
             |variable: usize| matches!(table.variables[variable].stands_for, StandsFor::Input(_));
@@ -123,7 +122,7 @@ impl SimulationRun {
         Ok(())
     }
 
-    /// The run that a journal tells, after so many steps.
+    /// Replays a journal for a number of steps.
     pub(crate) fn replay(
         plan: &Plan,
         values: &[f64],
@@ -142,7 +141,7 @@ impl SimulationRun {
         Ok(run)
     }
 
-    /// The outputs now.
+    /// Reads the current outputs.
     pub(crate) fn read(&self, plan: &Plan, values: &mut [f64]) {
         let simulation = &self.simulation;
         let view = View {

@@ -1,4 +1,4 @@
-//! The table of variables: what a model description tells of them and what they stand for.
+//! The table of variables: their model description, and what they refer to.
 
 use fenderline_sim::Setup;
 
@@ -16,7 +16,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// As users write it.
+    /// Its name on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -54,7 +54,7 @@ pub enum Causality {
     Output,
 }
 
-/// One variable. Its value reference is its place in the table.
+/// One variable. Its value reference is its index in the table.
 #[derive(Clone, Debug)]
 pub struct Variable {
     /// Unique name.
@@ -67,14 +67,14 @@ pub struct Variable {
     pub class: Class,
     /// Who sets it.
     pub causality: Causality,
-    /// Value before anybody set it; of an output 0, which is not told.
+    /// Start value; 0 for outputs, which have none in the model description.
     pub start: f64,
-    /// Least and largest value that is taken.
+    /// Smallest and largest allowed value.
     pub range: Option<[f64; 2]>,
     pub(crate) stands_for: StandsFor,
 }
 
-/// What a variable stands for.
+/// What a variable refers to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum StandsFor {
     Time,
@@ -84,18 +84,18 @@ pub(crate) enum StandsFor {
     Output(Output),
 }
 
-/// How the engine shall serve its host.
+/// Settings for the engine's host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Setting {
     /// Co-simulation: the engine follows a host that moves its bodies itself.
     Following,
-    /// Age of the states shown, in steps.
+    /// Age of the input states, in steps.
     DelaySteps,
     /// First steps without a wrench.
     SkipSteps,
     /// The host's integrator: forward Euler, else semi-implicit.
     ForwardEuler,
-    /// The loads are told; else they are observed.
+    /// The load inputs are connected; otherwise loads are estimated.
     TellsLoads,
     /// Vectors are in the bodies' axes.
     BodyFixed,
@@ -141,7 +141,7 @@ impl Table {
         let mut table = Table { variables: Vec::new(), groups: Vec::new() };
         table.add(Variable {
             name: "time".into(),
-            description: "time that was reached".into(),
+            description: "current time".into(),
             unit: Unit::Second,
             class: Class::Real,
             causality: Causality::Independent,
@@ -152,8 +152,8 @@ impl Table {
         table
     }
 
-    /// Adds a variable; its place. What no name of a variable may hold is replaced, and a name that is
-    /// there already is numbered.
+    /// Adds a variable and returns its index. Characters that are not allowed in names are replaced, and a duplicate name
+    /// gets a number.
     pub(crate) fn add(&mut self, mut variable: Variable) -> usize {
         let clean = |text: &str| text.replace(|c: char| c.is_control(), "_");
         let name = clean(&variable.name);
@@ -170,7 +170,7 @@ impl Table {
         self.groups.push(Group { name, kind, members: members.to_vec() });
     }
 
-    /// The values before anybody set one.
+    /// The start values.
     pub(crate) fn start_values(&self) -> Vec<f64> {
         self.variables.iter().map(|variable| variable.start).collect()
     }
@@ -181,7 +181,7 @@ impl Table {
         self.variables.iter().position(is).map(|index| values[index])
     }
 
-    /// All of it that a master sees, as text: two libraries with the same text understand each other.
+    /// The interface of the FMU as text. Libraries with the same text are compatible.
     pub(crate) fn text(&self) -> String {
         let line = |v: &Variable| {
             let Variable { name, unit, class, causality, start, range, .. } = v;

@@ -1,7 +1,7 @@
-//! What a ship's instruments say on a wire, as pure functions: NMEA 0183 sentences of the own ship, AIS messages of
-//! everybody, and places on a chart for places in metres. No sockets, no clock.
+//! Data of a ship's instruments, as pure functions: NMEA 0183 sentences of the own ship, AIS messages of all ships, and
+//! geographic positions from positions in metres. No sockets, no clock.
 //!
-//! The forms of the sentences are those of public descriptions (gpsd's of NMEA and of AIVDM/AIVDO); the standards
+//! The sentence formats are those of public descriptions (gpsd's of NMEA and of AIVDM/AIVDO); the standards
 //! (IEC 61162-1, ITU-R M.1371) were not read, and no conformity to them is claimed.
 #![forbid(unsafe_code)]
 

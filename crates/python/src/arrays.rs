@@ -1,7 +1,7 @@
 //! NumPy arrays that this package fills.
 //!
-//! The memory is NumPy's own, so that no array of Python's can outlive it: a step writes its results where
-//! Python sees them, and reads what Python wrote, once each. Results are handed out as read-only views.
+//! NumPy owns the memory, so that no Python array can outlive it. A step reads its inputs from these arrays and writes its
+//! results into them. Results are given to Python as read-only views.
 
 use fenderline_contact::{BodyState, Wrench, vec2};
 use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -13,7 +13,7 @@ pub(crate) const STATE: usize = 6;
 /// Numbers of a wrench: force north and east, moment.
 pub(crate) const WRENCH: usize = 3;
 
-/// An array of rows that this package and Python both may write.
+/// An array of rows that both this package and Python may write.
 pub(crate) struct Shared(Py<PyArray2<f64>>);
 
 impl Shared {

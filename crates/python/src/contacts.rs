@@ -104,15 +104,15 @@ pub(crate) fn contacts_array<'py>(
     PyArray1::from_vec(py, words).call_method1("view", (contact_type(py)?,))
 }
 
-/// Something that happened in a step.
+/// An event in a step.
 #[pyclass(frozen, get_all, module = "fenderline")]
 #[derive(Clone, Debug)]
 pub(crate) struct StepEvent {
-    /// What, as `summary.json` has it: `contact_began`, `fender_rating_exceeded`, ...
+    /// The kind of event, as in `summary.json`: `contact_began`, `fender_rating_exceeded`, ...
     kind: &'static str,
-    /// Whom it is about: names of bodies, or of a vessel, a tug or a line.
+    /// Names of the bodies concerned, or of the vessel, tug or line.
     subjects: Vec<String>,
-    /// Name of the fender that it is about.
+    /// Name of the fender concerned.
     fender: Option<String>,
 }
 
@@ -124,7 +124,7 @@ impl StepEvent {
     }
 }
 
-/// An event of contact, told by names.
+/// A contact event, by names.
 pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]) -> StepEvent {
     let fender = match event.kind {
         EventKind::FenderRatingExceeded(id) | EventKind::FenderFailed(id) => Some(id),
@@ -137,7 +137,7 @@ pub(crate) fn contact_event(event: &Event, bodies: &[String], fenders: &[String]
     }
 }
 
-/// An event of the world, told by names of vessels, tugs and lines.
+/// An event of a vessel, tug or line, by name.
 pub(crate) fn world_event(event: &WorldEvent, [vessels, tugs, lines]: [&[String]; 3]) -> StepEvent {
     let names = match event.kind {
         WorldEventKind::OrderClamped | WorldEventKind::Aground | WorldEventKind::ShallowHeld => {

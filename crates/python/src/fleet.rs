@@ -1,4 +1,4 @@
-//! Many simulations side by side, step by step.
+//! Many simulations, advanced in lockstep.
 
 use fenderline_scenario::Override;
 use numpy::PyArray2;
@@ -12,8 +12,8 @@ use crate::run::Run;
 use crate::scenario::Scenario;
 use crate::variants::{self, Common};
 
-/// Variants of one scenario that go on step by step, all at once, on `threads` threads. Their bodies, fenders and
-/// controls are those of the scenario. The numbers are those of single simulations, bit for bit.
+/// Variants of one scenario, advanced in lockstep on `threads` threads. Their bodies, fenders and controls are those of the
+/// scenario. Results are those of single simulations, bit for bit.
 ///
 /// >>> import fenderline
 /// >>> speeds = [{"body.ship.velocity.surge": speed} for speed in (0.5, 1.0)]
@@ -67,7 +67,7 @@ impl Fleet {
         Ok(fleet)
     }
 
-    /// Takes `steps` steps in every simulation with the controls that are set now.
+    /// Takes `steps` steps in every simulation with the current controls.
     #[pyo3(signature = (steps=1))]
     fn step(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
         let wanted = self.runs.len() * self.common.controls.len();
@@ -96,7 +96,7 @@ impl Fleet {
         }
     }
 
-    /// Starts some of the simulations anew, each as a variant of the scenario; their controls are free again.
+    /// Restarts some of the simulations, each as a variant of the scenario; their controls are NaN again.
     fn reset(
         &mut self,
         py: Python<'_>,
@@ -111,7 +111,7 @@ impl Fleet {
             )));
         }
         if sets.len() != indices.len() {
-            return Err(PyValueError::new_err("as many variants as indices"));
+            return Err(PyValueError::new_err("the numbers of variants and indices differ"));
         }
         let runs = made(py, &self.common, self.threads, &sets)?;
         for (&index, run) in indices.iter().zip(runs) {
@@ -126,7 +126,7 @@ impl Fleet {
         self.show(py)
     }
 
-    /// Values of the controls, (simulations, controls); NaN leaves a control to whoever has it. Write into it.
+    /// Values of the controls, (simulations, controls); NaN leaves a control to the scenario's orders and pilots. Write into it.
     #[getter]
     fn controls(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.controls.array(py)

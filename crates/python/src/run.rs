@@ -7,16 +7,16 @@ use fenderline_sim::{SetupError, SimError, Simulation, StepRecord};
 
 use crate::controls::Control;
 
-/// A simulation and the values to which its controls were set last.
+/// A simulation and the last values of its controls.
 #[derive(Clone)]
 pub(crate) struct Run {
     pub(crate) simulation: Simulation,
     pub(crate) controls: Arc<Vec<Control>>,
-    /// NaN where a control was never set: whoever has it, an order of the scenario or a pilot, keeps it.
+    /// NaN for a control that was never set, which stays with the scenario's orders and pilots.
     set: Vec<f64>,
 }
 
-/// Why a run cannot begin.
+/// The reason why a run cannot start.
 pub(crate) enum CannotRun {
     Setup(SetupError),
     /// The scenario asks other programs for forces.
@@ -45,13 +45,13 @@ impl Run {
         Ok(Run { simulation, controls, set })
     }
 
-    /// The first control whose value cannot be ordered: an infinite one.
+    /// The first control with an invalid value, which is an infinite one.
     pub(crate) fn refused<'c>(controls: &'c [Control], values: &[f64]) -> Option<&'c str> {
         let infinite = values.iter().position(|value| value.is_infinite())?;
         controls.get(infinite % controls.len()).map(|control| control.name.as_str())
     }
 
-    /// Orders the controls whose values are other than they were; NaN leaves a control alone.
+    /// Gives orders for the controls whose values have changed; NaN leaves a control unchanged.
     pub(crate) fn order(&mut self, values: &[f64]) {
         let at_s = self.simulation.time_s();
         for ((control, set), &value) in self.controls.iter().zip(&mut self.set).zip(values) {

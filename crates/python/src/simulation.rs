@@ -19,10 +19,10 @@ use crate::scenario::{Scenario, toml_of};
 use crate::summaries::{Summary, fenders_table, pairs_table};
 use crate::tables;
 
-/// Steps between two looks at whether the user wants to stop.
+/// Steps between two checks for an interrupt by the user.
 const STEPS_AT_A_TIME: u64 = 2000;
 
-/// A whole simulation, step by step; with `record=True` it keeps the tables that `fenderline run` writes.
+/// A simulation of a whole scenario, step by step. With `record=True` it records the tables of `fenderline run`.
 ///
 /// >>> import fenderline
 /// >>> simulation = fenderline.Simulation(fenderline.example("docking"))
@@ -46,7 +46,7 @@ pub(crate) struct Simulation {
     wrenches: Shown,
 }
 
-/// A simulation as it was: see `Simulation.save`.
+/// A saved state of a simulation: see `Simulation.save`.
 #[pyclass(frozen, module = "fenderline")]
 pub(crate) struct SimulationState {
     names: Arc<Names>,
@@ -56,7 +56,7 @@ pub(crate) struct SimulationState {
     external: Vec<Wrench>,
 }
 
-/// What indices stand for.
+/// Names by index.
 struct Names {
     bodies: Vec<String>,
     fenders: Vec<String>,
@@ -91,7 +91,7 @@ impl Simulation {
         Simulation::around(py, scenario.checked.title.clone(), Arc::new(names), run, tables)
     }
 
-    /// Takes `steps` steps with the controls and external wrenches that are set now.
+    /// Takes `steps` steps with the current controls and external wrenches.
     #[pyo3(signature = (steps=1))]
     fn step(&mut self, py: Python<'_>, steps: u64) -> PyResult<()> {
         self.take_in(py)?;
@@ -109,7 +109,7 @@ impl Simulation {
                 self.show(py)?;
                 return Err(why.exception(py));
             }
-            // Shown also to whom an interrupt brings back here.
+            // Update the arrays before a possible interrupt.
             self.show(py)?;
             if left > 0 {
                 py.check_signals()?;
@@ -118,7 +118,7 @@ impl Simulation {
         Ok(())
     }
 
-    /// Goes on to the end of the scenario's duration, or to a time.
+    /// Runs to the end of the scenario's duration, or to a time.
     #[pyo3(signature = (until_s=None))]
     fn run(&mut self, py: Python<'_>, until_s: Option<f64>) -> PyResult<()> {
         let simulation = &self.run.simulation;
@@ -134,7 +134,7 @@ impl Simulation {
     }
 
     /// Gives an order, with the keys of a scenario's `[[order]]`: `order(vessel="ship", rudder="10 deg")`. Without
-    /// `at` it is taken in the next step.
+    /// `at` it is executed in the next step.
     #[pyo3(signature = (**keys))]
     fn order(&mut self, py: Python<'_>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
         let text = keys.map(|keys| toml_of(keys.as_any())).transpose()?.unwrap_or_default();
@@ -143,7 +143,7 @@ impl Simulation {
         self.run.simulation.order(read).map_err(|error| errors::of_setup(py, &error))
     }
 
-    /// Time reached (s).
+    /// Current time (s).
     #[getter]
     fn time_s(&self) -> f64 {
         self.run.simulation.time_s()
@@ -191,15 +191,15 @@ impl Simulation {
         self.run.controls.iter().map(|control| control.name.clone()).collect()
     }
 
-    /// Values of the controls; NaN where none was set: an order of the scenario or a pilot has it. Write into it.
-    /// A value takes its control from the pilot in the next step.
+    /// Values of the controls. NaN leaves a control to the scenario's orders and pilots; a number takes it over from them
+    /// in the next step. Write into it.
     #[getter]
     fn controls(&self, py: Python<'_>) -> Py<PyArray1<f64>> {
         self.controls.clone_ref(py)
     }
 
     /// What the host puts on each body, one row a body: force north and east (N), moment about the centre of gravity
-    /// (N·m). Write into it; it counts until it is changed.
+    /// (N·m). Write into it; it acts until it is changed.
     #[getter]
     fn external_wrenches(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.external_wrenches.array(py)
@@ -226,7 +226,7 @@ impl Simulation {
         contacts_array(py, self.run.simulation.contacts())
     }
 
-    /// What happened in the last call of `step` or `run`.
+    /// Events in the last call of `step` or `run`.
     #[getter]
     fn events(&self) -> Vec<StepEvent> {
         self.events.clone()
@@ -260,7 +260,7 @@ impl Simulation {
         Ok(dict)
     }
 
-    /// What each pair that touched has gone through, and each fender: two tables.
+    /// Summaries of each pair of bodies and of each fender that touched: two tables.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let simulation = &self.run.simulation;
         let summary = [Summary::of(simulation)];
@@ -269,18 +269,17 @@ impl Simulation {
         tables::results(py, &self.title, kept)
     }
 
-    /// The tables of a recorded run, and an end to the recording: those that `fenderline run` writes, with the same
-    /// numbers.
+    /// Ends the recording and returns its tables: those of `fenderline run`, with the same numbers.
     fn results<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let Some(recorded) = self.tables.take() else {
-            let message = "nothing is recorded: make it with record=True, and ask once".to_owned();
+            let message = "there is no recording: create the simulation with record=True, and call results() once".to_owned();
             return Err(errors::refused(py, message));
         };
         let kept = recorded.finish().map_err(|error| errors::refused(py, error.to_string()))?;
         tables::results(py, &self.title, kept)
     }
 
-    /// All of it as it is now, to `restore` it later.
+    /// Saves the current state, for `restore`.
     fn save(&self, py: Python<'_>) -> PyResult<SimulationState> {
         self.refuse_recording(py, "saved")?;
         let mut external = self.external_rows.clone();
@@ -294,7 +293,7 @@ impl Simulation {
         })
     }
 
-    /// Goes back to what `save` gave, of this simulation or of a copy of it.
+    /// Restores a state from `save` of this simulation or of a copy of it.
     fn restore(&mut self, py: Python<'_>, state: &SimulationState) -> PyResult<()> {
         self.refuse_recording(py, "restored")?;
         if !Arc::ptr_eq(&self.names, &state.names) {
@@ -304,7 +303,7 @@ impl Simulation {
         self.take_over(py, state)
     }
 
-    /// Another simulation that goes on from here.
+    /// A copy that continues independently.
     fn copy(&self, py: Python<'_>) -> PyResult<Simulation> {
         let state = self.save(py)?;
         let names = Arc::clone(&self.names);
@@ -326,7 +325,7 @@ impl Simulation {
     }
 }
 
-/// Why steps could not be taken.
+/// The reason why steps failed.
 enum Stopped {
     BlewUp(fenderline_sim::SimError),
     NotFinite(fenderline_results::NotFinite),
@@ -367,7 +366,7 @@ impl Simulation {
         Ok(made)
     }
 
-    /// Takes controls and external wrenches from their arrays.
+    /// Reads controls and external wrenches from their arrays.
     fn take_in(&mut self, py: Python<'_>) -> PyResult<()> {
         let controls = self.controls.bind(py).try_readonly()?;
         let values = controls.as_slice()?;
@@ -435,7 +434,7 @@ impl Simulation {
     }
 }
 
-/// Why a run cannot begin, as an exception.
+/// The reason why a run cannot start, as an exception.
 pub(crate) fn cannot_run(py: Python<'_>, error: &CannotRun) -> PyErr {
     match error {
         CannotRun::Setup(error) => errors::of_setup(py, error),

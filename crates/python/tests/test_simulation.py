@@ -149,7 +149,7 @@ def test_a_recorded_simulation_gives_its_tables_once(scenarios: Path) -> None:
     simulation.run(until_s=5.0)
     results = simulation.results()
     assert results["bodies"].rows == 2 * 50
-    with pytest.raises(SimulationError, match="nothing is recorded"):
+    with pytest.raises(SimulationError, match="there is no recording"):
         simulation.results()
 
 

@@ -8,4 +8,7 @@
 
 pub mod plot;
 pub mod run_page;
+mod table;
 pub mod words;
+
+pub use table::{Head, table_head};

@@ -12,7 +12,7 @@ pub fn interrupted_text(interrupted: &Interrupted) -> String {
     // Without separators between thousands, as the terminal prints it too.
     let [at_s, of_s] = [*at_s, *of_s].map(|s| plain(s, 9).replace('\u{202f}', ""));
     format!(
-        "ended by its user after {steps} of {of_steps} steps, at {at_s} of {of_s} s; results are those up to there"
+        "stopped by the user after {steps} of {of_steps} steps, at {at_s} of {of_s} s; results cover that time"
     )
 }
 
@@ -48,15 +48,15 @@ pub fn event_text(kind: EventKind) -> &'static str {
 /// What a reader of the report is told of a kind of event.
 pub fn world_event_text(kind: WorldEventKind) -> &'static str {
     match kind {
-        WorldEventKind::OrderClamped => "an order was beyond a stop: the stop was ordered",
-        WorldEventKind::Aground => "AGROUND: the water is no deeper than her draught and her squat",
+        WorldEventKind::OrderClamped => "an order was beyond its limit and was set to the limit",
+        WorldEventKind::Aground => "AGROUND: the water is no deeper than draught plus squat",
         WorldEventKind::ShallowHeld => {
-            "less than 1.1 draughts of water, for which no formula is made: what shallow water does is held"
+            "water depth below 1.1 draughts, where no formula holds: shallow-water effects are held at their value for 1.1"
         }
-        WorldEventKind::TugLimited => "cannot give at this speed and angle what she is ordered to",
-        WorldEventKind::TugOrderRefused => "an order was refused: no such force or direction",
+        WorldEventKind::TugLimited => "cannot give the ordered force at this speed and angle",
+        WorldEventKind::TugOrderRefused => "an order was refused: force or direction not possible",
         WorldEventKind::LineNotMadeFast => {
-            "could not be made fast where its ends were: too short, or no such pretension"
+            "could not be made fast between its ends: too short, or the pretension is not possible"
         }
         WorldEventKind::LineParted => "PARTED",
         WorldEventKind::LineRenders => "the brake of the winch rendered",

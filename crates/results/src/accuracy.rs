@@ -4,33 +4,33 @@ use fenderline_sim::hydro::EstimateMethod;
 use fenderline_sim::hydro::vessels::{Origin, Source};
 use serde_json::{Map, Value, json};
 
-/// The errors of a route in one measure, ours over theirs less one.
+/// The errors of an estimation method in one measure: computed value over reference, minus 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimateError {
     /// Key of the measure.
     pub measure: &'static str,
     /// The measure in words.
     pub name: &'static str,
-    /// Mean of the errors without their signs.
+    /// Mean of the absolute errors.
     pub size: f64,
-    /// Mean of the errors with their signs.
+    /// Mean of the signed errors.
     pub bias: f64,
-    /// The lowest and the highest, each with its ship.
+    /// The lowest and the highest error, each with its ship.
     pub ends: [(String, f64); 2],
-    /// How many ships.
+    /// Number of ships.
     pub ships: usize,
 }
 
 impl EstimateError {
-    /// The largest, with its sign.
+    /// The error of largest magnitude, with its sign.
     pub fn largest(&self) -> f64 {
         let [(_, low), (_, high)] = &self.ends;
         if low.abs() > high.abs() { *low } else { *high }
     }
 }
 
-/// How far the estimate of a vessel is to be relied on: where she is outside the range of the formulas, and what error
-/// they have on ships with references. Nothing of a vessel whose hull, propeller and rudder are her own.
+/// The accuracy of a vessel's estimated data, one line each: ratios outside the range of the formulas, and the errors of
+/// the formulas on ships with references. Empty for a vessel with her own data of hull, propeller and rudder.
 pub fn accuracy(origin: &Origin, errors: &[EstimateError]) -> Vec<String> {
     let Some(route) = origin.estimate_method else { return Vec::new() };
     let mut lines: Vec<String> = origin.outside.iter().map(ToString::to_string).collect();
@@ -64,7 +64,7 @@ fn signed_percent(share: f64) -> String {
     if matches!(text.as_str(), "+0 %" | "−0 %") { "0 %".to_owned() } else { text }
 }
 
-/// The same as JSON; null where nothing of hull, propeller and rudder is estimated.
+/// [`accuracy`] as JSON; null where nothing of hull, propeller and rudder is estimated.
 pub fn accuracy_json(origin: &Origin, errors: &[EstimateError]) -> Value {
     let Some(route) = origin.estimate_method else { return Value::Null };
     let outside: Vec<Value> = origin

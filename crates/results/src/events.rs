@@ -1,9 +1,9 @@
-//! What events are called in results.
+//! Names of events in results.
 
 use fenderline_contact::EventKind;
 use fenderline_sim::WorldEventKind;
 
-/// A kind of event of contact.
+/// The name of a contact event.
 #[must_use]
 pub fn event_key(kind: EventKind) -> &'static str {
     match kind {
@@ -22,7 +22,7 @@ pub fn event_key(kind: EventKind) -> &'static str {
     }
 }
 
-/// A kind of event of the world.
+/// The name of an event of a vessel, tug or line.
 #[must_use]
 pub fn world_event_key(kind: WorldEventKind) -> &'static str {
     match kind {

@@ -1,8 +1,8 @@
-//! Where tables are kept: as files, in memory.
+//! How tables are kept: as files or in memory.
 
 use crate::columns::{Column, Layout, Names};
 
-/// Where tables are kept.
+/// A way to keep tables.
 pub trait Medium {
     /// What can go wrong there.
     type Error;
@@ -36,7 +36,7 @@ pub trait Table<R> {
     /// The medium's own, or a value that is not finite.
     fn push(&mut self, row: &R) -> Result<(), Self::Error>;
 
-    /// No more rows come.
+    /// Ends the table.
     ///
     /// # Errors
     /// The medium's own.

@@ -27,7 +27,7 @@ pub struct KeptTable {
 /// A column in memory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeptColumn {
-    /// Its name; it ends with the unit where there is one.
+    /// Its name; it ends with the unit, if it has one.
     pub name: &'static str,
     /// Unit as a reader writes it; `1` for a pure number, `-` for a text or a truth value.
     pub unit: &'static str,
@@ -42,9 +42,9 @@ pub struct KeptColumn {
 pub enum KeptValues {
     /// Numbers.
     Floats(Vec<f64>),
-    /// Texts, as indices into the list of those that there are.
+    /// Texts, as indices into a list of the different texts.
     Texts {
-        /// One a row.
+        /// One index per row.
         codes: Vec<i32>,
         /// What they stand for.
         words: Vec<String>,
@@ -55,7 +55,7 @@ pub enum KeptValues {
     Counts(Vec<u32>),
 }
 
-/// A value that is no finite number: the run went wrong.
+/// A value that is not finite: the run failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotFinite {
     /// The column.

@@ -1,4 +1,4 @@
-//! A run when it has ended, as summary, report and terminal see it.
+//! A run at its end, for summary, report and terminal.
 
 use fenderline_contact::BodyState;
 use fenderline_sim::berthing::{BerthingError, BerthingOutcome};
@@ -23,7 +23,7 @@ pub struct Interrupted {
 }
 
 impl Interrupted {
-    /// A simulation that does not go on.
+    /// The state of a simulation that is stopped.
     pub fn of(simulation: &Simulation) -> Interrupted {
         Interrupted {
             steps: simulation.steps_taken(),
@@ -34,7 +34,7 @@ impl Interrupted {
     }
 }
 
-/// A run when it is done.
+/// A run at its end.
 #[derive(Clone, Debug)]
 pub struct Outcome<'a> {
     /// The scenario's title.
@@ -49,21 +49,21 @@ pub struct Outcome<'a> {
     pub interrupted: Option<Interrupted>,
     /// Number of steps taken.
     pub steps: u64,
-    /// States at the end, one a body.
+    /// State of each body at the end.
     pub states: &'a [BodyState],
     /// Pairs that touched.
     pub pairs: &'a [PairSummary],
-    /// The ledger at the end.
+    /// The energy ledger at the end.
     pub energy: Energy,
-    /// What happened.
+    /// Contact events.
     pub events: &'a Events,
     /// Fenders that were touched, in the order of the scenario.
     pub fenders: &'a [FenderSummary],
-    /// The berthing by formula and in the run, where the scenario asks for it and a fender was touched.
+    /// Berthing energy by formula and in the run; `None` where the scenario does not ask for it or no fender was touched.
     pub berthing: Option<Result<&'a BerthingOutcome, &'a BerthingError>>,
     /// Vessels, tugs and lines.
     pub world: &'a WorldTotals,
-    /// What happened to the programs that put forces on bodies.
+    /// Events of force providers.
     pub providers: &'a ProviderNotices,
     /// Errors of the formulas that estimated the vessels, on ships with references; empty where no vessel was
     /// estimated by formulas with known errors.

@@ -1,22 +1,22 @@
-//! What happened to the providers of a run.
+//! Events of the force providers of a run.
 
 use fenderline_sim::external::ProviderEvent;
 
-/// How many notices are told one by one.
+/// Notices kept one by one at most.
 const FIRST: usize = 20;
 
-/// Something that happened to a provider, as results tell it.
+/// An event of a force provider.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProviderNotice {
     /// Start of the step (s).
     pub t_s: f64,
     /// Index into the set-up's providers.
     pub provider: usize,
-    /// What.
+    /// The event.
     pub event: ProviderEvent,
 }
 
-/// The first notices of a run, and how many of each kind there were: bounded, whatever the run's length.
+/// The first notices of a run, and the count of each kind. Its size does not grow with the run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProviderNotices {
     first: Vec<ProviderNotice>,
@@ -42,7 +42,7 @@ impl ProviderNotices {
         &self.first
     }
 
-    /// The kinds that occurred, and how often.
+    /// The kinds that occurred, with their counts.
     pub fn counts(&self) -> &[(&'static str, u64)] {
         &self.counts
     }

@@ -8,10 +8,10 @@ use fenderline_sim::StepRecord;
 /// Events kept one by one at most: of contacts that begin and end, and of all others.
 const FIRST_EVENTS: usize = 20;
 
-/// Events of a run: how many of each kind, and the first few. Bounded, whatever the run's length.
+/// Events of a run: the count of each kind, and the first few. Its size does not grow with the run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Events {
-    /// In the order of first occurrence; those of different fenders are of one kind.
+    /// In the order of first occurrence; the same event of different fenders is one kind.
     counts: Vec<(EventKind, u64)>,
     first: Vec<(f64, Event)>,
 }
@@ -38,7 +38,7 @@ impl Events {
         &self.first
     }
 
-    /// The kinds that occurred, and how often.
+    /// The kinds that occurred, with their counts.
     pub fn counts(&self) -> impl Iterator<Item = (EventKind, u64)> {
         self.counts.iter().copied()
     }

@@ -22,7 +22,7 @@ pub struct Tables<M: Medium> {
 }
 
 impl<M: Medium> Tables<M> {
-    /// Starts the tables, and the ledger with what there is at the `start`.
+    /// Starts the tables; the ledger's first row is the energy at the `start`.
     ///
     /// # Errors
     /// The medium's own.
@@ -70,7 +70,7 @@ impl<M: Medium> Tables<M> {
         self.energy.push(&EnergyRow { t_s: end_s, energy: step.energy })
     }
 
-    /// The tables' names, and how many rows each has.
+    /// Names of the tables, with their numbers of rows.
     #[must_use]
     pub fn rows(&self) -> Vec<(&'static str, u64)> {
         let mut rows = vec![self.bodies.rows(), self.contacts.rows()];
@@ -80,7 +80,7 @@ impl<M: Medium> Tables<M> {
         rows
     }
 
-    /// No more steps come: the tables, in the order of [`Tables::rows`].
+    /// Ends the tables and returns them, in the order of [`Tables::rows`].
     ///
     /// # Errors
     /// The medium's own.

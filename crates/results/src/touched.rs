@@ -1,11 +1,11 @@
-//! What the fenders do in one step.
+//! The state of touched fenders in one step.
 
 use std::collections::BTreeMap;
 
 use fenderline_contact::number::greater;
 use fenderline_contact::{Contact, ForceParts};
 
-/// One touched fender in one step; hulls and patches that press on it together are one.
+/// One touched fender in one step; the contacts of all hulls and patches on it are added up.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TouchedFender {
     /// Deflection at the start of the step (m).
@@ -18,7 +18,7 @@ pub struct TouchedFender {
     pub peak_reaction_n: f64,
     /// Stored in spring and stop at the start of the step (J).
     pub stored_j: f64,
-    /// What the mean normal force is made of, along that force.
+    /// Components of the mean normal force, along that force.
     pub parts: ForceParts,
 }
 
@@ -41,7 +41,7 @@ pub fn touched(contacts: &[Contact]) -> BTreeMap<usize, TouchedFender> {
     fenders
 }
 
-/// Adds what another force is made of.
+/// Adds the components of another force.
 pub fn add_parts(sum: &mut ForceParts, parts: &ForceParts) {
     sum.spring_n += parts.spring_n;
     sum.stop_n += parts.stop_n;

@@ -1,25 +1,25 @@
-//! What a run says of a fender, in one word.
+//! The verdict of a run on a fender.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::{FenderSetup, FenderSummary};
 
-/// The verdict on a fender that was touched, the better before the worse.
+/// The verdict on a touched fender, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
-    /// Nobody said what it is made for.
+    /// No rating given.
     NotRated,
-    /// Within its rating, and the hull within what it takes.
+    /// Within its rating, and within the permissible hull pressure.
     Ok,
-    /// Within its rating, but it presses harder than the hull takes.
+    /// Within its rating, but above the permissible hull pressure.
     HullPressure,
     /// Deflection, reaction or energy beyond its rating.
     OverRated,
-    /// In its stop, or as deep as it projects.
+    /// Compressed to its stop, or to its whole projection.
     Failed,
 }
 
 impl Verdict {
-    /// Of what a run did to a fender.
+    /// The verdict on a fender after a run.
     pub fn of(setup: &FenderSetup, summary: &FenderSummary) -> Verdict {
         let is_over = |share: Option<f64>| share.is_some_and(|share| share > 1.0);
         if summary.failed {
@@ -35,7 +35,7 @@ impl Verdict {
         }
     }
 
-    /// As a reader reads it.
+    /// The verdict in words.
     pub fn text(self) -> &'static str {
         match self {
             Verdict::NotRated => "not rated",
@@ -46,7 +46,7 @@ impl Verdict {
         }
     }
 
-    /// As `summary.json` has it.
+    /// The verdict in `summary.json`.
     pub fn key(self) -> &'static str {
         match self {
             Verdict::NotRated => "not_rated",
@@ -57,19 +57,18 @@ impl Verdict {
         }
     }
 
-    /// Whether somebody should look at it.
+    /// Whether it needs attention.
     pub fn is_grave(self) -> bool {
         self >= Verdict::HullPressure
     }
 }
 
-/// The largest share of its rating that a fender was used to; `None` where it has none.
+/// The largest of the shares of rated deflection, reaction and energy that a fender reached; `None` without a rating.
 pub fn utilisation(summary: &FenderSummary) -> Option<f64> {
     shares(summary).into_iter().flatten().reduce(greater)
 }
 
-/// What of its rating [`utilisation`] is a share of: a cone reaches its rated reaction at half of its
-/// rated deflection.
+/// The quantity that [`utilisation`] is a share of. A cone reaches its rated reaction at half of its rated deflection.
 pub fn most_used(summary: &FenderSummary) -> &'static str {
     let most = utilisation(summary);
     let quantities = ["deflection", "reaction", "energy"];

@@ -83,7 +83,7 @@ impl<M: Medium> WorldTables<M> {
         Ok(())
     }
 
-    /// The tables' names, and how many rows each has.
+    /// Names of the tables, with their numbers of rows.
     pub(crate) fn rows(&self) -> Vec<(&'static str, u64)> {
         let rows = [
             self.vessels.as_ref().map(Counted::rows),
@@ -95,7 +95,7 @@ impl<M: Medium> WorldTables<M> {
         rows.into_iter().flatten().collect()
     }
 
-    /// No more steps come.
+    /// Ends the tables.
     pub(crate) fn finish(self) -> Result<Vec<M::Done>, M::Error> {
         let done = [
             self.vessels.map(Counted::finish),

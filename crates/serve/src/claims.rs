@@ -1,4 +1,4 @@
-//! Who holds which helm: one client each.
+//! Which client holds which control. A control has one holder.
 
 use std::collections::BTreeMap;
 
@@ -12,24 +12,24 @@ pub(crate) type ClientId = u64;
 struct Holder {
     client: ClientId,
     label: String,
-    /// Who has vanished keeps nobody from the helm.
+    /// The holder has disconnected; others may take the control.
     connected: bool,
 }
 
-/// Helms and their holders.
+/// Controls and their holders.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Claims(BTreeMap<Control, Holder>);
 
 impl Claims {
-    /// Nobody holds anything.
+    /// Releases all controls.
     pub(crate) fn clear(&mut self) {
         self.0.clear();
     }
 
-    /// Is it free, vacated, or this client's?
+    /// Checks that a control is free, vacated, or held by this client.
     ///
     /// # Errors
-    /// Who has it.
+    /// The holder.
     pub(crate) fn may_use(&self, control: &Control, client: ClientId) -> Result<(), Refusal> {
         match self.0.get(control) {
             Some(holder) if holder.connected && holder.client != client => {
@@ -43,11 +43,11 @@ impl Claims {
         self.0.get(control).is_some_and(|holder| holder.client == client)
     }
 
-    /// Gives a helm to a client: one that is free or vacated, any where `by_force`. The former holder, where there was
-    /// another; `None` where nothing changed.
+    /// Gives a control to a client if it is free or vacated, or in any case with `by_force`. Returns the former holder, if
+    /// there was another; `None` if nothing changed.
     ///
     /// # Errors
-    /// Who has it.
+    /// The holder.
     pub(crate) fn take(
         &mut self,
         control: Control,
@@ -62,7 +62,7 @@ impl Claims {
         Ok(former.filter(|f| f.connected && f.client != client).map(|f| f.client))
     }
 
-    /// Gives a helm back; true where this client had it.
+    /// Releases a control; true if this client held it.
     pub(crate) fn release(&mut self, control: &Control, client: ClientId) -> bool {
         let held = self.holds(control, client);
         if held {
@@ -71,7 +71,8 @@ impl Claims {
         held
     }
 
-    /// A client has gone; the helms that it held, which stay in its name until somebody takes them.
+    /// Marks the controls of a client that disconnected as vacated and returns them; they keep its name until somebody takes
+    /// them.
     pub(crate) fn gone(&mut self, client: ClientId) -> Vec<Control> {
         let mut left = Vec::new();
         for (control, holder) in self.0.iter_mut().filter(|(_, holder)| holder.client == client) {
@@ -81,7 +82,7 @@ impl Claims {
         left
     }
 
-    /// As pages are told.
+    /// The list for pages.
     pub(crate) fn told(&self, controls: &[Control]) -> Vec<Claim> {
         let told = |control: &Control| {
             let holder = self.0.get(control);

@@ -1,5 +1,5 @@
-//! Who is let in where there are too many: a newcomer always. Who has been there for longest goes, of the address that
-//! has the most. So a crowd of slow connections keeps nobody out, and costs its own address the places.
+//! Limits the number of connections. A new connection always gets in: the oldest connection of the address with the most
+//! connections is closed for it. A crowd of slow connections therefore keeps nobody out, and loses its own places.
 
 use std::collections::BTreeMap;
 use std::net::IpAddr;
@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use tokio::sync::Notify;
 
-/// Whose connections are counted together: an IPv4 address, or the 64 bits of an IPv6 address that one line has.
+/// A peer whose connections are counted together: an IPv4 address, or the /64 network of an IPv6 address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Peer(u128);
 
@@ -21,7 +21,7 @@ impl Peer {
     }
 }
 
-/// Places for so many.
+/// A number of places.
 #[derive(Debug)]
 pub(crate) struct Crowd {
     most: usize,
@@ -48,7 +48,7 @@ impl Crowd {
         Arc::new(Crowd { most, inside: Mutex::default() })
     }
 
-    /// Lets one in, and shows another one out where there is no room.
+    /// Takes a place; asks another one to leave if there is no room.
     pub(crate) fn enter(self: &Arc<Crowd>, peer: Peer) -> Place {
         let asked_out = Arc::new(Notify::new());
         let mut inside = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
@@ -71,7 +71,7 @@ impl Crowd {
 }
 
 impl Place {
-    /// Waits until another one needs the place.
+    /// Waits until the place is needed for a new connection.
     pub(crate) async fn asked_out(&self) {
         self.asked_out.notified().await;
     }
@@ -83,7 +83,7 @@ impl Drop for Place {
     }
 }
 
-/// The first that came, of the address that has the most.
+/// The oldest connection of the address with the most connections.
 fn first_of_the_most(all: &[(u64, Peer, Arc<Notify>)]) -> usize {
     let mut counts = BTreeMap::<Peer, usize>::new();
     for (_, peer, _) in all {

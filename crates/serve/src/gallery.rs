@@ -1,4 +1,4 @@
-//! What the instructor can open: scenarios of a folder, and saved sessions.
+//! The gallery: scenarios of a folder and saved sessions that the instructor can open.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -52,7 +52,7 @@ impl Gallery {
         }
     }
 
-    /// As pages are told.
+    /// The list for pages.
     pub(crate) fn told(&self) -> &[GalleryEntry] {
         &self.told
     }

@@ -1,4 +1,4 @@
-//! What the simulation's thread and the clients' tasks share: channels, tokens, counters.
+//! State shared by the simulation's thread and the clients' tasks: channels, tokens, counters.
 
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
@@ -15,41 +15,41 @@ use super::opening::Outcome;
 use super::seats::{Seat, Seats};
 use super::tokens::Tokens;
 
-/// Commands that wait for the simulation's thread at most, of all clients together.
+/// Most commands of all clients that may wait for the simulation's thread.
 const MOST_WAITING: usize = 256;
-/// Clients at a time that watch, and that steer: who only watches keeps nobody from a helm.
+/// Most observers, and most clients with a control. Counted apart, so that observers cannot block a control.
 const MOST_WATCHING: usize = 48;
 const MOST_STEERING: usize = 32;
 
-/// A text that many clients are sent.
+/// A text that is sent to many clients.
 pub(crate) type Text = Arc<str>;
 
 /// The sentences of the last second for chart programs.
 pub(crate) type Said = Option<Arc<[String]>>;
 
-/// A frame, and the last events with their numbers: who missed frames still gets them.
+/// A frame, and the last events with their numbers, so that clients that missed frames still get the events.
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
     pub(crate) frame: Text,
     pub(crate) events: Arc<[(u64, EventNow)]>,
 }
 
-/// What the simulation's thread is told.
+/// A message to the simulation's thread.
 pub(crate) enum Told {
-    /// A client has come. `hello` always holds the latest greeting, `out` what must not be missed.
+    /// A client has connected. `hello` always holds the latest greeting; `out` queues messages that must not be lost.
     Join {
         client: ClientId,
         role: Role,
         hello: watch::Sender<Option<Text>>,
         out: mpsc::Sender<Text>,
     },
-    /// It has gone.
+    /// The client has disconnected.
     Leave { client: ClientId },
-    /// It said something.
+    /// The client sent a command.
     Said { client: ClientId, id: Option<i64>, request: Result<Request, Refusal> },
-    /// Something that was done beside the simulation's thread is done.
+    /// Work on another thread has finished.
     Done(Outcome),
-    /// The program is to end.
+    /// The server stops.
     Stop,
 }
 
@@ -60,7 +60,7 @@ pub(crate) struct Hub {
     next_client: AtomicU64,
     pub(crate) frames: watch::Sender<Option<Shown>>,
     pub(crate) predictions: watch::Sender<Option<Text>>,
-    /// What the instruments say.
+    /// The latest sentences for chart programs.
     pub(crate) said: watch::Sender<Said>,
     pub(crate) tokens: RwLock<Tokens>,
     watching: Arc<Seats>,
@@ -84,19 +84,19 @@ impl Hub {
         }
     }
 
-    /// A seat for a role, free again when it is dropped; `None` where all are taken, or all that one address gets.
+    /// Takes a seat for a role, free again when it is dropped; `None` if all are taken, or all for this address.
     pub(crate) fn seat(&self, role: &Role, peer: Peer) -> Option<Seat> {
         let seats = if *role == Role::Observer { &self.watching } else { &self.steering };
         Seats::take(seats, peer)
     }
 
-    /// A number that no client had.
+    /// A client number that was never used.
     pub(crate) fn new_client(&self) -> ClientId {
         self.next_client.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Tells the simulation's thread; of commands only so many wait. False where there was no room, or the program
-    /// ends.
+    /// Sends a message to the simulation's thread. The number of waiting commands is limited. False if there was no room, or
+    /// the server stops.
     pub(crate) fn tell_engine(&self, told: Told) -> bool {
         if matches!(told, Told::Said { .. }) {
             if self.waiting.fetch_add(1, Ordering::AcqRel) >= MOST_WAITING {
@@ -112,7 +112,7 @@ impl Hub {
         self.to_engine.send(told).is_ok()
     }
 
-    /// The simulation's thread has taken a command.
+    /// Counts a command that the simulation's thread has taken from the queue.
     pub(crate) fn taken(&self) {
         self.waiting.fetch_sub(1, Ordering::AcqRel);
     }

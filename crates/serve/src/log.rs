@@ -1,11 +1,11 @@
-//! What the server tells its terminal of those who misbehave: not more than somebody can read.
+//! Lines about refused clients on the server's terminal, limited to a rate that a person can read.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use super::rate::Bucket;
 
-/// Lines a second, and at once.
+/// Lines per second, and lines in one burst.
 const LINES: (f64, f64) = (2.0, 20.0);
 
 /// Writes one line for the person who runs the server.
@@ -35,7 +35,7 @@ impl Log {
         (self.notify)(line);
     }
 
-    /// A line about a refusal, or about one more that nobody would read.
+    /// A line about a refusal; beyond the rate it is only counted.
     pub(crate) fn refused(&self, line: &str) {
         let mut thinned = self.thinned.lock().unwrap_or_else(PoisonError::into_inner);
         if !thinned.bucket.take(Instant::now()) {

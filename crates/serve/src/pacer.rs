@@ -1,8 +1,8 @@
-//! When the next tick is due, and how late the last ones were. Pure: told the time, it asks no clock.
+//! When the next tick is due, and how late the last ticks were. A pure state machine: the caller gives the time.
 
 use std::time::{Duration, Instant};
 
-/// Beyond this a tick is not made up for: the machine slept, or somebody held the program.
+/// Beyond this delay missed ticks are dropped: the machine slept, or the program was stopped.
 const FORGIVEN: Duration = Duration::from_secs(1);
 
 /// Ticks at equal distances of wall time.
@@ -31,7 +31,7 @@ impl Pacer {
         self.anchor + Duration::from_secs_f64(self.ticks as f64 * self.step_s / self.pace)
     }
 
-    /// Begins anew: the next tick is due one step from now.
+    /// Restarts the clock: the next tick is due one step from now.
     pub(crate) fn restart(&mut self, now: Instant) {
         (self.anchor, self.ticks) = (now, 1);
     }

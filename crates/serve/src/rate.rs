@@ -1,10 +1,10 @@
-//! How often something may happen.
+//! Rate limits.
 
 use fenderline_contact::number::lesser;
 
 use std::time::Instant;
 
-/// A bucket of permissions that fills at a rate.
+/// A token bucket.
 #[derive(Clone, Debug)]
 pub(crate) struct Bucket {
     per_s: f64,
@@ -14,12 +14,12 @@ pub(crate) struct Bucket {
 }
 
 impl Bucket {
-    /// Full: so many at once, so many a second.
+    /// A full bucket, from its refill rate (per second) and its size.
     pub(crate) fn new(per_s: f64, most: f64, now: Instant) -> Bucket {
         Bucket { per_s, most, left: most, at: now }
     }
 
-    /// May it happen now?
+    /// Takes a token; false if there is none.
     pub(crate) fn take(&mut self, now: Instant) -> bool {
         let seconds = now.saturating_duration_since(self.at).as_secs_f64();
         self.at = now;

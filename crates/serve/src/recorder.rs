@@ -1,4 +1,4 @@
-//! The recording's file: begun with a session, added to as commands come.
+//! Writes a session's recording while the session runs.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufReader, BufWriter, Read as _, Seek as _, Write as _};
@@ -10,22 +10,22 @@ use fenderline_scenario::open_regular;
 use super::gallery::Opened;
 use super::saved::ENDING;
 
-/// An open recording. Every line is given to the operating system at once: killing the program loses none.
+/// An open recording. Every line goes to the operating system at once, so that killing the program loses none.
 #[derive(Debug)]
 pub(crate) struct Recorder {
     folder: PathBuf,
     path: PathBuf,
     file: File,
-    /// That were written.
+    /// Bytes written so far.
     bytes: u64,
 }
 
 impl Recorder {
-    /// Begins a file named after the scenario, with the next free number, in a folder that is made if need be, with what
-    /// the session began with.
+    /// Creates a file named after the scenario, with the next free number, and writes the start of the session. Creates the
+    /// folder if needed.
     ///
     /// # Errors
-    /// As the file system has it, with the path; a recording that was changed since it was played. There is no file
+    /// An error of the file system, with the path; a recording that was changed since it was replayed. No file is left
     /// then.
     pub(crate) fn begin(
         folder: &Path,
@@ -56,12 +56,12 @@ impl Recorder {
         self.add(&opened.session.take_lines())
     }
 
-    /// A session that never was: its file goes.
+    /// Removes the file of a session that was not started.
     pub(crate) fn discard(self) {
         let _ = fs::remove_file(&self.path);
     }
 
-    /// Where it is written.
+    /// Path of the file.
     pub(crate) fn path(&self) -> &Path {
         &self.path
     }
@@ -69,17 +69,17 @@ impl Recorder {
     /// Adds lines.
     ///
     /// # Errors
-    /// As the file system has it, with the path.
+    /// An error of the file system, with the path.
     pub(crate) fn add(&mut self, lines: &str) -> Result<(), String> {
         self.file.write_all(lines.as_bytes()).map_err(|e| told(&self.path, &e))?;
         self.bytes += lines.len() as u64;
         Ok(())
     }
 
-    /// A copy of all that was written, under a name of letters, digits, `-` and `_`; `end_line` ends it.
+    /// Prepares a copy of the recording so far, under a name of letters, digits, `-` and `_`; `end_line` is its last line.
     ///
     /// # Errors
-    /// A name that is none, or is taken.
+    /// A name that is not allowed, or is taken.
     pub(crate) fn copy(&self, name: &str, end_line: String) -> Result<Copy, String> {
         let letter = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if name.is_empty() || name.len() > 60 || !name.chars().all(letter) {
@@ -93,7 +93,7 @@ impl Recorder {
     }
 }
 
-/// A copy of a recording that is to be made.
+/// A copy of a recording, not yet written.
 #[derive(Debug)]
 pub(crate) struct Copy {
     from: PathBuf,
@@ -103,10 +103,10 @@ pub(crate) struct Copy {
 }
 
 impl Copy {
-    /// Makes it; its path.
+    /// Writes the copy; returns its path.
     ///
     /// # Errors
-    /// As the file system has it. There is no copy then.
+    /// An error of the file system. No copy is left then.
     pub(crate) fn make(self) -> Result<PathBuf, String> {
         let from = open_regular(&self.from, LARGEST_RECORDING_BYTES).map_err(|e| e.to_string())?;
         let to = OpenOptions::new().write(true).create_new(true).open(&self.to);
@@ -127,7 +127,7 @@ fn told(path: &Path, e: &io::Error) -> String {
     format!("{}: {e}", path.display())
 }
 
-/// A new file of the next number.
+/// Creates a file with the next free number.
 fn next_free(folder: &Path, scenario: &str) -> Result<(PathBuf, File), String> {
     let stem = scenario.strip_suffix(ENDING).unwrap_or(scenario);
     let stem = Path::new(stem).file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -1,4 +1,4 @@
-//! Recordings as files: looked through, then played again.
+//! Recordings as files: checked, then replayed.
 
 use std::fmt;
 use std::fs::File;
@@ -14,42 +14,42 @@ use fenderline_scenario::open_regular;
 /// The end of a recording's file name.
 pub(crate) const ENDING: &str = ".session.jsonl";
 
-/// Steps that are played between two looks at who waits.
+/// Steps that are replayed between two reports of progress.
 const SLICE: u64 = 200;
-/// How recordings are read (bytes).
+/// Size of the read buffer (bytes).
 const BLOCK: usize = 256 << 10;
 
-/// How far a recording is on its way to be played.
+/// Progress of a replay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Way {
-    /// Bytes that were read and checked, of how many.
+    /// Bytes that are read and checked, and their total.
     Reads(u64, u64),
-    /// Ticks that were played again, of how many.
+    /// Ticks that are replayed, and their total.
     Plays(u64, u64),
 }
 
-/// Told how far it is; says whether to go on, or why not.
+/// Receives the progress; an error stops the replay with that reason.
 pub(crate) type Watch<'w> = &'w mut dyn FnMut(Way) -> Result<(), String>;
 
-/// A recording that was played to its end.
+/// A recording that was replayed to its end.
 pub(crate) struct Played {
     pub(crate) session: Session,
-    /// States that were found to have the recorded bits.
+    /// Number of recorded states that the replay met bit for bit.
     pub(crate) same: u64,
     pub(crate) outline: Outline,
-    /// Of the program that recorded it.
+    /// Version of the program that recorded it.
     pub(crate) version: String,
     pub(crate) file: File,
 }
 
-/// Why a recording was not played to its end; without its name.
+/// Why a recording was not replayed to its end; without its name.
 #[derive(Debug)]
 pub(crate) enum Unplayed {
-    /// It is none, or damaged: found before anything was played.
+    /// It is not a recording, or damaged; found before the replay.
     Bad(RecordingError),
-    /// Its lines are sound, and cannot be played to the bits that were recorded.
+    /// Its lines are intact, but the replay differs from the recorded states.
     Differs(ReplayError),
-    /// Who waited has said so, or the file cannot be read: why.
+    /// Stopped by the caller, or the file cannot be read; the reason.
     Stopped(String),
 }
 
@@ -75,13 +75,13 @@ pub(crate) fn open(path: &Path) -> Result<Option<File>, String> {
     Ok(begins_recording(&start).then_some(file))
 }
 
-/// The title of a recording's scenario; `None` where its first line is damaged, or none.
+/// The title of a recording's scenario; `None` if its first line is missing or damaged.
 pub(crate) fn title(file: &File) -> Option<String> {
     let reader = RecordingReader::open(BufReader::new(file)).ok()?;
     Some(reader.source().scenario().ok()?.title)
 }
 
-/// Checks a recording from end to end, then plays it.
+/// Checks a whole recording, then replays it.
 ///
 /// # Errors
 /// [`Unplayed`].
@@ -114,7 +114,7 @@ pub(crate) fn play(file: File, watch: Watch<'_>) -> Result<Played, Unplayed> {
     Ok(Played { session, same, outline, version, file })
 }
 
-/// What a user should know of how a recording ends; `None` for one that is whole.
+/// What is missing at the end of a recording; `None` for a complete one.
 pub(crate) fn told_of_end(ending: Ending) -> Option<String> {
     match ending {
         Ending::Whole => None,

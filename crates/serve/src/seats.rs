@@ -1,14 +1,14 @@
-//! Seats of those who have a link. A link that is passed on must not fill them all from one place.
+//! Seats for clients with a link. One address cannot take all of them, even if a link is passed on.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::crowd::Peer;
 
-/// What one address may have of them: three of four.
+/// The share of the seats for one address: three of four.
 const OF_ONE: (usize, usize) = (3, 4);
 
-/// So many seats.
+/// A number of seats.
 #[derive(Debug)]
 pub(crate) struct Seats {
     most: usize,
@@ -27,7 +27,7 @@ impl Seats {
         Arc::new(Seats { most, taken: Mutex::default() })
     }
 
-    /// A seat; `None` where all are taken, or all that this address gets.
+    /// Takes a seat; `None` if all are taken, or all for this address.
     pub(crate) fn take(self: &Arc<Seats>, peer: Peer) -> Option<Seat> {
         let mut taken = self.taken.lock().unwrap_or_else(PoisonError::into_inner);
         let (all, own): (usize, usize) =

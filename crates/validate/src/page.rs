@@ -1,5 +1,6 @@
 //! `validation.html`: what is compared, the table, and the paper's figures drawn again.
 
+use fenderline_report::{Head, table_head};
 use maud::{Markup, html};
 
 use super::figures;
@@ -117,16 +118,16 @@ fn introduction(sources: &[Source]) -> Markup {
 fn numbers(sources: &[Source], rows: &[Row]) -> Markup {
     html! {
         table {
-            thead { tr {
-                th class="name" scope="col" { "Case" }
-                th scope="col" { "Place" }
-                th class="number" scope="col" { "Theirs" }
-                th class="number" scope="col" { "Ours" }
-                th class="number" scope="col" { "Error" }
-                th class="number" scope="col" { "Tolerance" }
-                th class="number" scope="col" { "Uncertainty" }
-                th scope="col" { "OK" }
-            } }
+            (table_head(&[
+                Head::Name("Case"),
+                Head::Text("Place", ""),
+                Head::Number("Theirs", ""),
+                Head::Number("Ours", ""),
+                Head::Number("Error", ""),
+                Head::Number("Tolerance", ""),
+                Head::Number("Uncertainty", ""),
+                Head::Text("OK", ""),
+            ]))
             @for source in sources {
                 tbody {
                     tr { th colspan="8" scope="rowgroup" {
@@ -212,13 +213,13 @@ fn reasons(rows: &[Row]) -> Markup {
 fn statements(rows: &[Row]) -> Markup {
     html! {
         table {
-            thead { tr {
-                th class="name" scope="col" { "What is checked" }
-                th class="name" scope="col" { "The paper's words" }
-                th scope="col" { "Place" }
-                th class="number" scope="col" { "Ours" }
-                th scope="col" { "Holds" }
-            } }
+            (table_head(&[
+                Head::Name("What is checked"),
+                Head::Name("The paper's words"),
+                Head::Text("Place", ""),
+                Head::Number("Ours", ""),
+                Head::Text("Holds", ""),
+            ]))
             tbody { @for row in rows {
                 @if let Compared::Statement { says, ours, .. } = &row.compared {
                     tr class=[(!row.is_ok).then_some("strong")] {
@@ -244,15 +245,15 @@ fn statements(rows: &[Row]) -> Markup {
 fn run_list(runs: &Runs) -> Markup {
     html! {
         table {
-            thead { tr {
-                th class="name" scope="col" { "Scenario" }
-                th class="number" scope="col" { "Time step" small { "s" } }
-                th class="number" scope="col" { "Peak force" small { "kN" } }
-                th class="number" scope="col" { "Depth" small { "m" } }
-                th class="number" scope="col" { "Impulse" small { "kN·s" } }
-                th class="number" scope="col" { "Approach" small { "m/s" } }
-                th class="number" scope="col" { "Final" small { "m/s" } }
-            } }
+            (table_head(&[
+                Head::Name("Scenario"),
+                Head::Number("Time step", "s"),
+                Head::Number("Peak force", "kN"),
+                Head::Number("Depth", "m"),
+                Head::Number("Impulse", "kN·s"),
+                Head::Number("Approach", "m/s"),
+                Head::Number("Final", "m/s"),
+            ]))
             tbody { @for name in names() {
                 @let run = &runs[name];
                 tr {

@@ -88,12 +88,9 @@ pub(super) fn berthing(outcome: &Outcome<'_>) -> String {
 fn warnings(outcome: &Outcome<'_>, verdict: impl Fn(&FenderSummary) -> Verdict) -> String {
     let mut text = String::new();
     for (wanted, meaning) in [
-        (
-            Verdict::Failed,
-            "pressed into its stop or flat; the stop and the structure behind held the hull",
-        ),
+        (Verdict::Failed, "compressed to its stop or flat; stop and structure carried the hull"),
         (Verdict::OverRated, "deflection, reaction or energy beyond its rating"),
-        (Verdict::HullPressure, "presses harder than the hull takes"),
+        (Verdict::HullPressure, "hull pressure above the permissible pressure"),
     ] {
         let count = outcome.fenders.iter().filter(|f| verdict(f) == wanted).count();
         if count > 0 {

@@ -38,7 +38,7 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         let more = pairs.len().saturating_sub(ROWS);
         pairs.truncate(ROWS);
         text.push_str(&table(outcome, &pairs));
-        text.push_str("approach: positive closing; final: positive parting\n");
+        text.push_str("approach: positive closing; final: positive separating\n");
         if more > 0 {
             let more = counted(more as u64, "more pair", "more pairs");
             let _ = writeln!(text, "and {more}, in summary.json");

@@ -9,7 +9,7 @@ use crate::material::BodyId;
 use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::number::{greater, lesser};
-use crate::overlap::Patch;
+use crate::patch::Patch;
 use crate::report::{
     Contact, ContactImpulse, ContactWork, EnergyParts, ForceParts, Friction, Wrench,
 };

@@ -12,14 +12,15 @@ use crate::inherited::Inherited;
 use crate::law::damper::{Answered, Growth, damper};
 use crate::law::friction::Slide;
 use crate::law::normal::{factor, normal_force};
+use crate::levers::Levers;
 use crate::mass::{InverseMatrix, Seen};
 use crate::material::Material;
 use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::number::{greater, lesser};
-use crate::overlap::Patch;
+use crate::patch::Patch;
 use crate::report::{Event, EventKind, ForceParts, Friction};
-use crate::touch::{Levers, Movers, Scene, Touch, touch};
+use crate::touch::{Movers, Scene, Touch, touch};
 use crate::unloading::{Loading, PLAYS, unload};
 use crate::vec2::Vec2;
 

@@ -4,12 +4,13 @@
 //! Coulomb's limit ([`crate::law::friction`]). Velocities are those of A relative to B along n and t.
 
 use crate::law::friction::{ShearSpring, ShearStart, Slide};
+use crate::levers::Levers;
 use crate::mass::{InverseMatrix, Seen};
 use crate::material::Material;
 use crate::number::{greater, lesser};
 use crate::report::Friction;
 use crate::state::Velocity;
-use crate::touch::{Levers, Movers, Touch};
+use crate::touch::{Movers, Touch};
 use crate::vec2::Vec2;
 
 /// Sweeps over a sliding contact are damped if they would overshoot by more than this. Below it they settle by

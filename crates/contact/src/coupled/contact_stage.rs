@@ -13,7 +13,7 @@ use crate::inherit::{Inheritance, continues_alone};
 use crate::inherited::Inherited;
 use crate::memory::{Past, PatchMemory};
 use crate::model::Model;
-use crate::overlap::Patch;
+use crate::patch::Patch;
 use crate::report::{Event, EventKind};
 
 /// The contact constraints of a sub-step, and the solver's buffers.

@@ -17,7 +17,7 @@ use crate::memory::{Memory, NOT_BEHIND};
 use crate::model::Model;
 use crate::neighbours::NeighbourList;
 use crate::number::{greater, lesser};
-use crate::overlap::Patch;
+use crate::patch::Patch;
 use crate::ranked::Rest;
 use crate::report::{Displacement, Wrench};
 use crate::results::Results;

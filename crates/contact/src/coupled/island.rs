@@ -9,8 +9,8 @@ use crate::candidates::Pairing;
 use crate::memory::{HintMemory, Memory, Past, PatchMemory, PlaceMemory};
 use crate::model::Model;
 use crate::next_memory::NextMemory;
-use crate::overlap::Patch;
 use crate::pair::JOINED;
+use crate::patch::Patch;
 use crate::results::Results;
 
 /// The islands of a step. Computed by [`Islands::split`].

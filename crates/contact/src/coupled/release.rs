@@ -4,7 +4,7 @@ use crate::coupled::constraint::Constraint;
 use crate::memory::PatchMemory;
 use crate::model::Model;
 use crate::number::greater;
-use crate::overlap::Patch;
+use crate::patch::Patch;
 
 /// Fraction of the speed that unbalanced energy would give. It keeps that speed below v_ref in a hit, where the time
 /// step's error in the stored energy is a few per cent.

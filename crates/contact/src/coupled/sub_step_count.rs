@@ -10,8 +10,9 @@ use crate::geometry::gap::gap_m;
 use crate::memory::HintMemory;
 use crate::model::Model;
 use crate::number::{bounded, greater, lesser};
-use crate::overlap::{Patch, pieces_of};
+use crate::overlap::pieces_of;
 use crate::pair::{Bounds, InverseMassBound};
+use crate::patch::Patch;
 use crate::ranked::RankedBody;
 use crate::reaction::FenderLaw;
 

@@ -1,8 +1,8 @@
 //! A body's mass matrix at its heading, as the host integrates with it.
 
+use crate::body::Mobility;
 use crate::host::velocity::Velocity;
 use crate::mass::InverseMatrix;
-use crate::model::Mobility;
 use crate::report::Wrench;
 use crate::state::BodyState;
 use crate::vec2::{Rotation, vec2};

@@ -5,10 +5,10 @@
 //! speed noticeably, and the loads are a small share of its impulse. A ship at rest, or one whose load changes suddenly,
 //! gives no information about her mass.
 
+use crate::body::{Body, Mobility};
 use crate::host::inertia;
 use crate::host::past_step::PastStep;
 use crate::host::velocity::Velocity;
-use crate::model::{Body, Mobility};
 use crate::number::greater;
 use crate::report::Wrench;
 use crate::state::BodyState;

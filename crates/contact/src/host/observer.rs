@@ -2,11 +2,11 @@
 //! contains all forces but contact.
 
 use crate::admit::LARGEST_LOAD;
+use crate::body::{Body, Mobility};
 use crate::host::inertia;
 use crate::host::past_step::PastStep;
 use crate::host::settings::HostIntegration;
 use crate::host::velocity::Velocity;
-use crate::model::{Body, Mobility};
 use crate::number::greater;
 use crate::report::Wrench;
 use crate::state::BodyState;

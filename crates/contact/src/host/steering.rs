@@ -16,11 +16,11 @@
 //!
 //! All of this is for a step that is as long as the last one. For others see [`super::lead`].
 
+use crate::body::Mobility;
 use crate::host::inertia;
 use crate::host::settings::HostIntegration;
 use crate::host::velocity::Velocity;
 use crate::mass::InverseMatrix;
-use crate::model::Mobility;
 use crate::report::Wrench;
 use crate::state::BodyState;
 

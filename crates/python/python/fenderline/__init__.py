@@ -1,8 +1,8 @@
 """Contact forces between ships, fenders, quays and tugs, and the ship-manoeuvring simulator around them.
 
-- :class:`Engine`: the contact engine for a simulator of yours. Show it states, step, add its wrenches.
+- :class:`Engine`: the contact engine for your own simulator. Set states, call ``step``, add its wrenches to your forces.
 - :class:`Simulation`: a whole scenario, step by step; :func:`run` runs one to its end.
-- :func:`run_many`: thousands of variants on all cores; :class:`Fleet`: many simulations side by side.
+- :func:`run_many`: thousands of variants on all cores; :class:`Fleet`: many simulations in lockstep.
 - :mod:`fenderline.docking`: a Gymnasium environment, ``fenderline/Docking-v0``.
 
 Lengths are in metres, angles in radians, forces in newtons, times in seconds. x points north, y east, headings are

@@ -1,14 +1,14 @@
-"""Mistakes, as exceptions."""
+"""Exceptions."""
 
 from __future__ import annotations
 
 
 class Error(Exception):
-    """Every exception of this package."""
+    """Base class of all exceptions of this package."""
 
 
 class ScenarioError(Error, ValueError):
-    """A scenario that cannot be run: one mistake, and where it is.
+    """An error in a scenario, with its location.
 
     >>> import fenderline
     >>> try:
@@ -19,22 +19,22 @@ class ScenarioError(Error, ValueError):
     """
 
     file: str | None = None
-    """The file, or for a key that was replaced what replaced it."""
+    """The file, or for a replaced key the replacement."""
     line: int | None = None
-    """Line of the file, from 1; ``None`` where the mistake is in no one line."""
+    """Line of the file, from 1; ``None`` if the error is not in a single line."""
     column: int | None = None
     """Column in characters, from 1."""
     key: str | None = None
     """Dotted path of the key, as ``material.rubber.stiffness``."""
     message: str | None = None
-    """What is wrong, in one line."""
+    """The error, in one line."""
     help: str | None = None
-    """What to write in its place."""
+    """A suggested correction."""
 
 
 class EngineError(Error, ValueError):
-    """A call that an engine refuses; the engine is as it was."""
+    """An invalid call of an engine; the engine is unchanged."""
 
 
 class SimulationError(Error, RuntimeError):
-    """A step that cannot be taken, or a call that a simulation refuses."""
+    """A failed step, or an invalid call of a simulation."""

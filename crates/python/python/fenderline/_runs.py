@@ -14,7 +14,7 @@ from fenderline._results import Results, Table
 
 
 def example(name: str) -> Scenario:
-    """A scenario that comes with this package: ``tug_4kn`` or ``docking``.
+    """A scenario included in this package: ``tug_4kn`` or ``docking``.
 
     >>> example("tug_4kn").bodies
     ['ship', 'tug']
@@ -24,7 +24,7 @@ def example(name: str) -> Scenario:
 
 
 def run(scenario: Scenario) -> Results:
-    """Runs a scenario to its end: the tables that ``fenderline run`` writes, with the same numbers.
+    """Runs a scenario to its end: the tables of ``fenderline run``, with the same numbers.
 
     >>> results = run(example("tug_4kn"))
     >>> float(results["contacts"]["depth_m"].max().round(2))
@@ -36,7 +36,7 @@ def run(scenario: Scenario) -> Results:
 
 
 class Runs(NamedTuple):
-    """What :func:`run_many` gives."""
+    """The results of :func:`run_many`."""
 
     states: npt.NDArray[np.float64]
     """States at the end: (runs, bodies, 6), columns as in :attr:`Simulation.states`."""
@@ -52,11 +52,11 @@ def run_many(
     *,
     threads: int | None = None,
 ) -> Runs:
-    """Runs many variants of a scenario on all cores, or on so many ``threads``.
+    """Runs many variants of a scenario on all cores, or on the given number of ``threads``.
 
-    ``variants`` are dictionaries of keys and their values, one a run; or one dictionary of keys and as many
-    values each as there are runs. The results stand in the order of the variants and are the same, bit for bit,
-    for any number of threads. Other Python threads go on meanwhile.
+    ``variants`` is a sequence of dictionaries of keys and values, one per run; or one dictionary that has for each key a
+    sequence with one value per run. Results are in the order of the variants and do not depend on the number of
+    threads, bit for bit. Other Python threads can run meanwhile.
 
     >>> runs = run_many(example("tug_4kn"), {"body.tug.velocity.surge": [0.5, 1.0, 2.0]})
     >>> runs.pairs["run"].tolist(), runs.states.shape

@@ -12,7 +12,7 @@ Tree = dict[str, Any]
 
 
 def inline(value: object) -> str:
-    """A value as TOML in one line.
+    """A value as inline TOML.
 
     >>> inline({"speed": "4 kn", "points": [(0, 1.5), (2, -0.5)]})
     '{ speed = "4 kn", points = [[0, 1.5], [2, -0.5]] }'
@@ -34,11 +34,11 @@ def inline(value: object) -> str:
         return "{ " + ", ".join(items) + " }"
     if isinstance(value, Sequence):
         return "[" + ", ".join(inline(item) for item in value) + "]"
-    raise TypeError(f"{type(value).__name__} has no place in a scenario: {value!r}")
+    raise TypeError(f"{type(value).__name__} cannot be used in a scenario: {value!r}")
 
 
 def dumps(tree: Mapping[str, object]) -> str:
-    """A tree as TOML: tables and lists of tables with their headers, one key a line.
+    """A tree as TOML: tables and lists of tables with headers, one key per line.
 
     >>> print(dumps({"title": "Tug", "time": {"step": 0.1}, "pair": [{"bodies": ["a", "b"]}]}))
     title = "Tug"

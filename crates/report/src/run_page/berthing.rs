@@ -4,8 +4,9 @@ use fenderline_sim::berthing::{BerthingError, BerthingOutcome, BerthingSetup};
 use maud::{Markup, html};
 
 use super::Recorder;
-use super::tables::{heading, number};
+use super::tables::number;
 use crate::plot::{decimals_for, fixed, plain, significant};
+use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
 /// Differences of Ce below this share are within what the formula leaves open.
@@ -68,14 +69,14 @@ fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "E = ½ M V² · Cm · Ce · Cs · Cc" }
-                    (heading("PIANC 2002", "Cm by draught and clearance"))
-                    (heading("Ueda", "Cm by block coefficient"))
-                    (heading("Vasco Costa", "Cm by draught over beam"))
-                    (heading("Run", "first hit"))
-                    (heading("Run", "at any time"))
-                } }
+                (table_head(&[
+                    Head::Name("E = ½ M V² · Cm · Ce · Cs · Cc"),
+                    Head::Number("PIANC 2002", "Cm by draught and clearance"),
+                    Head::Number("Ueda", "Cm by block coefficient"),
+                    Head::Number("Vasco Costa", "Cm by draught over beam"),
+                    Head::Number("Run", "first hit"),
+                    Head::Number("Run", "at any time"),
+                ]))
                 tbody {
                     tr {
                         td class="name" { "Added mass Cm" }
@@ -119,11 +120,11 @@ fn factors(berthing: &BerthingOutcome, recorder: &Recorder) -> Markup {
         }
         div class="wide" {
             table class="narrow" {
-                thead { tr {
-                    th class="name" scope="col" { "Eccentricity" }
-                    (heading("Radius of gyration K", "m"))
-                    (heading("Ce", "–"))
-                } }
+                (table_head(&[
+                    Head::Name("Eccentricity"),
+                    Head::Number("Radius of gyration K", "m"),
+                    Head::Number("Ce", "–"),
+                ]))
                 tbody {
                     tr {
                         td class="name" { "Formula, K by the formula" }

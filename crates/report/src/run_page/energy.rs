@@ -6,8 +6,9 @@ use maud::{Markup, html};
 
 use super::Recorder;
 use super::charts::{Charts, scaled};
-use super::tables::{heading, number};
+use super::tables::number;
 use crate::plot::{Axis, Series, decimals_for, fixed, significant};
+use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
 /// A part below this share of the largest is left out of the chart: its line would lie on zero.
@@ -58,8 +59,8 @@ fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     let mut chart = charts.chart("Energy over time, added mass included", axis, series);
     if !is_split {
         chart.note =
-            "What the normal forces took is not split further here: by this method and time \
-                      step the contacts' own books are off by more than 5 %; see the table."
+            "The energy taken by normal forces is not split further here: with this method and time \
+                      step the numerical loss is more than 5 %; see the table."
                 .to_owned();
     }
     chart.render()
@@ -87,11 +88,11 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     html! {
         div class="wide" {
             table class="narrow" {
-                thead { tr {
-                    th class="name" scope="col" { "Energy" }
-                    (heading("Amount", "kJ"))
-                    (heading("Share", "%"))
-                } }
+                (table_head(&[
+                    Head::Name("Energy"),
+                    Head::Number("Amount", "kJ"),
+                    Head::Number("Share", "%"),
+                ]))
                 tbody {
                     (row("Kinetic at the start", start.kinetic_j))
                     @if recorder.has_loads() || pushed_j > 0.0 { (row("Given by loads", pushed_j)) }
@@ -106,10 +107,10 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
                     }
                     (row("Taken by normal forces", -end.normal_work_j))
                     (part("stored in springs and stops at the end", end.stored_j))
-                    (part("lost in rubber, by unloading laws", end.hysteresis_j))
+                    (part("lost to hysteresis of fenders", end.hysteresis_j))
                     (part("lost to restitution", end.restitution_j))
                     (part("lost to damping", end.damping_j))
-                    (part("lost, or made up (−), by method and time step", end.contact_residual_j))
+                    (part("numerical loss, or gain (−), of method and time step", end.contact_residual_j))
                     (row("Taken by tangential forces", -end.tangential_work_j))
                     (part("stored in shear springs at the end", end.shear_stored_j))
                     (part("lost to friction", end.friction_j))
@@ -119,14 +120,14 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
         }
         @if end.exchanged_j() > 0.0 {
             p class="note" {
-                "Over the ground, added mass within: kinetic energy is what a fender on a quay has to take, work is force \
-                 times way over the ground. The residual is " (share(end.residual_j.abs(), end.exchanged_j()))
-                " % of all the energy that the loads and contacts turned over."
+                "Energies are in the ground frame, added mass included. Work is force times distance over the ground. \
+                 The residual is " (share(end.residual_j.abs(), end.exchanged_j()))
+                " % of all energy exchanged by loads and contacts."
             }
         }
         @if most_j > 0.0 {
             p class="note" {
-                "The springs held most at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s: "
+                "Most energy was stored in springs at " (fixed(at_s, decimals_for(outcome.setup.step_s))) " s: "
                 (amount(most_j, given_j)) " kJ."
             }
         }
@@ -136,15 +137,15 @@ fn table(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
 /// A load as it is called in the table.
 fn load(name: &str) -> &'static str {
     match name {
-        "hull" => "the water on hulls",
+        "hull" => "water on hulls",
         "propeller" => "propellers",
         "rudder" => "rudders",
         "thrusters" => "thrusters and azimuth units",
         "wind" => "wind",
         "waves" => "waves (mean drift)",
         "banks" => "banks",
-        "bottom" => "the bottom",
-        "current" => "current that speeds up, or past a ship that turns",
+        "bottom" => "seabed",
+        "current" => "accelerating current, and current past a turning ship",
         "tugs" => "vector tugs",
         "lines" => "lines",
         _ => "external loads",

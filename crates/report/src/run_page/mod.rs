@@ -131,7 +131,7 @@ fn remarks(outcome: &Outcome<'_>) -> Markup {
             p class="note" { "Contacts begun: " (begun) "; ended: " (ended) "." }
         }
         @if !grave.is_empty() || !fenders.is_empty() {
-            h3 { "To be looked at" }
+            h3 { "Needs attention" }
             ul class="plain" {
                 @for fender in fenders.iter().take(GRAVE_FENDERS) { li { (fender) } }
                 @if fenders.len() > GRAVE_FENDERS {
@@ -167,8 +167,8 @@ fn grave_fenders(outcome: &Outcome<'_>) -> Vec<Markup> {
             strong { (fender.name) ": " (verdict.text()) }
             @match verdict {
                 Verdict::Failed => {
-                    ": pressed " (fixed(summary.peak_deflection_m * 1e3, 0)) " mm, into its stop or flat. "
-                    "The stop and the structure behind it held the hull; forces there are no basis for "
+                    ": compressed " (fixed(summary.peak_deflection_m * 1e3, 0)) " mm, into its stop or flat. "
+                    "The stop and the structure behind it carried the hull; do not use these forces for "
                     "design."
                 }
                 Verdict::OverRated => {
@@ -176,7 +176,7 @@ fn grave_fenders(outcome: &Outcome<'_>) -> Vec<Markup> {
                     (of(summary.share_of_rated_reaction)) " %, deflection "
                     (of(summary.share_of_rated_deflection)) " % of rated."
                 }
-                _ => { ": " (of(summary.share_of_hull_pressure)) " % of what the hull takes." }
+                _ => { ": " (of(summary.share_of_hull_pressure)) " % of the permissible hull pressure." }
             }
         })
     });
@@ -188,7 +188,7 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
         ul class="plain" {
             li {
                 "Contact forces by the overlap method of Moreno, Sasaki, Makiyama and Tannuri "
-                "(TransNav 17(4), 2023), with the signs put right: normal force from the overlap "
+                "(TransNav 17(4), 2023), with its sign errors corrected: normal force from the overlap "
                 "area and its rate, friction by a shear spring that sticks and slips, and an "
                 "impulse-momentum limiter that sets the rebound by the coefficient of restitution."
             }
@@ -208,20 +208,20 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
                 }
             }
             li {
-                "Energy: what is kinetic at the start and what the loads bring is kinetic now or was taken "
-                "by contact forces; work is force times the mean velocity of the step, so that this "
-                "balance is exact. Its residual is rounding, and where surge and sway have different "
-                "added mass what the step makes of momentum that turns with the body. What the forces "
-                "took is stored, lost to restitution, damping and friction, or lost or made up by method "
-                "and time step: that part falls with the step, but for outlines that meet in a corner, "
-                "whose law has no potential."
+                "Energy: the kinetic energy at the start plus the work of the loads equals the kinetic energy at "
+                "the end plus the work done against contact forces. Work is force times the mean velocity of the "
+                "step, so that this balance is exact. Its residual is rounding and, where surge and sway have "
+                "different added mass, the integration error of the Coriolis terms. Energy taken by contact forces "
+                "is stored, lost to restitution, damping and friction, or is a numerical loss or gain of method and "
+                "time step. That part decreases with the step, except where outlines meet in a corner, "
+                "because the contact law there has no potential."
             }
             @if !outcome.setup.fenders.is_empty() {
                 li {
-                    "A fender's force is the gradient of the energy it stores: its reaction at the mean "
+                    "The force of a fender is the gradient of its stored energy: its reaction at the mean "
                     "deflection over its width, times the factor that speed, angle, temperature and "
                     "tolerance gave at the first touch. Its energy is the integral of the reaction, not "
-                    "a second table. Past its travel the stop acts, and behind it the structure."
+                    "a second table. Beyond its travel its stop acts, then the structure behind it."
                 }
             }
         }
@@ -231,13 +231,13 @@ fn method_notes(outcome: &Outcome<'_>) -> Markup {
 fn paper_notes(step_s: f64) -> Markup {
     html! {
         li {
-            "Paper method: each pair is limited by itself. Where a body rests on several "
-            "others at once, or is pressed by a steady load, the limits do not know of each "
-            "other nor of the load, and depth and rebound may be off (docs/contact_model.md, "
-            "section 5). The limiter sees the mass with the smallest added mass."
+            "Paper method: the limiter treats each pair on its own, without the other contacts and the "
+            "loads. Where a body rests on several others at once, or is pressed by a steady load, "
+            "depth and rebound may be wrong (docs/contact_model.md, section 5). The limiter uses the mass "
+            "with the smallest added mass."
         }
         li {
-            "Forces stand at the start of the time step over which they act (" (step_s)
+            "Forces are those at the start of the time step over which they act (" (step_s)
             " s here). The peak rises and the contact shortens with a smaller step, while the "
             "impulse stays; compare two steps before a peak is used in design."
         }
@@ -253,8 +253,8 @@ fn coupled_notes(step_s: f64) -> Markup {
         }
         li {
             "Forces in the charts are means over the time step (" (step_s) " s here); where it is "
-            "too long for the contact the engine takes sub-steps, and the peaks in the tables are "
-            "those of the sub-steps."
+            "too long for the contact the engine takes sub-steps. Peaks in the tables "
+            "include the sub-steps."
         }
     }
 }

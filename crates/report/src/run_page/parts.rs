@@ -15,7 +15,7 @@ pub(super) fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
         ("spring", parts.spring_n.points(), 1.0),
         ("stop", parts.stop_n.points(), 1.0),
         ("damper", parts.damper_n.points(), 1.0),
-        ("taken off by the limiter", parts.limiter_n.points(), -1.0),
+        ("removed by the limiter", parts.limiter_n.points(), -1.0),
     ];
     let lines = lines
         .into_iter()
@@ -27,11 +27,10 @@ pub(super) fn chart(charts: &Charts<'_>, recorder: &Recorder) -> Markup {
     }
     let (unit, series) = scaled(series, "N");
     let axis = Axis::new("force", &unit).including(0.0);
-    let title = format!("What the force is made of, {name}");
+    let title = format!("Components of the contact force, {name}");
     let mut chart = charts.chart(&title, axis, series);
-    chart.note = "N is the sum of the other lines. The limiter is the limit from momentum: when the hull \
-                  goes back as fast as the coefficient of restitution lets her, it takes off what the \
-                  spring would push beyond that."
+    chart.note = "N is the sum of the other lines. The impulse-momentum limiter removes spring force that would make the \
+                  hull rebound faster than the coefficient of restitution allows."
         .to_owned();
     chart.render()
 }

@@ -5,6 +5,7 @@ use fenderline_sim::{BodySetup, Integrator, Load, Method, NamedMaterial, PairSum
 use maud::{Markup, html};
 
 use crate::plot::{decimals_for, fixed, plain, significant};
+use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
 /// Rows shown of a long table.
@@ -14,19 +15,10 @@ pub(super) fn number(text: &str) -> Markup {
     html! { td class="number" { (text) } }
 }
 
-pub(super) fn heading(label: &str, unit: &str) -> Markup {
-    html! { th class="number" scope="col" { (label) small { (unit) } } }
-}
-
-/// As [`heading`], for a quantity whose symbol has a subscript.
-fn symbol_heading(label: &str, symbol: &str, subscript: &str, unit: &str) -> Markup {
-    html! { th class="number" scope="col" { (label) " " (symbol) sub { (subscript) } small { (unit) } } }
-}
-
 pub(super) fn more(total: usize) -> Markup {
     html! {
         @if total > ROWS {
-            p class="note" { "and " (total - ROWS) " more, left out here." }
+            p class="note" { "and " (total - ROWS) " more rows are not shown." }
         }
     }
 }
@@ -41,16 +33,16 @@ pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Contact" }
-                    (heading("First touch", "s"))
-                    (heading("Peak normal force", "kN"))
-                    (heading("at", "s"))
-                    (heading("Peak depth", "m"))
-                    (heading("Impulse", "kN·s"))
-                    (heading("Approach speed", "m/s (kn)"))
-                    (heading("Final speed", "m/s (kn)"))
-                } }
+                (table_head(&[
+                    Head::Name("Contact"),
+                    Head::Number("First touch", "s"),
+                    Head::Number("Peak normal force", "kN"),
+                    Head::Number("at", "s"),
+                    Head::Number("Peak depth", "m"),
+                    Head::Number("Impulse", "kN·s"),
+                    Head::Number("Approach speed", "m/s (kn)"),
+                    Head::Number("Final speed", "m/s (kn)"),
+                ]))
                 tbody {
                     @for (index, pair) in pairs.iter().take(ROWS).enumerate() {
                         tr class=[(index == 0 && pairs.len() > 1).then_some("strong")] {
@@ -63,7 +55,7 @@ pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
         (more(pairs.len()))
         p class="note" {
             "Speeds are relative, along the contact normal: approach at the first touch, positive "
-            "closing; final at the end of the last touching step, positive parting."
+            "closing; final at the end of the last touching step, positive separating."
             @if pairs.iter().any(|p| p.touching_at_end) {
                 " † Still touching at the end of the run."
             }
@@ -139,17 +131,17 @@ fn bodies(bodies: &[BodySetup]) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Body" }
-                    (heading("Length ×\u{a0}breadth", "m"))
-                    (heading("Displacement", "t"))
-                    (heading("Added mass", "surge / sway, t"))
-                    (heading("Gyradius", "m"))
-                    (heading("Position", "north, east, m"))
-                    (heading("Heading", "deg"))
-                    (heading("Speed", "m/s (kn)"))
-                    (heading("Rate of turn", "deg/s"))
-                } }
+                (table_head(&[
+                    Head::Name("Body"),
+                    Head::Number("Length ×\u{a0}breadth", "m"),
+                    Head::Number("Displacement", "t"),
+                    Head::Number("Added mass", "surge / sway, t"),
+                    Head::Number("Gyradius", "m"),
+                    Head::Number("Position", "north, east, m"),
+                    Head::Number("Heading", "deg"),
+                    Head::Number("Speed", "m/s (kn)"),
+                    Head::Number("Rate of turn", "deg/s"),
+                ]))
                 tbody { @for body in bodies.iter().take(ROWS) { (body_row(body)) } }
             }
         }
@@ -202,15 +194,15 @@ fn materials(materials: &[NamedMaterial]) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Material" }
-                    (heading("Stiffness k", "kN/m²"))
-                    (heading("Damping c", "kN·s/m²"))
-                    (symbol_heading("Shear stiffness", "k", "s", "kN/m"))
-                    (symbol_heading("Static friction", "μ", "s", "–"))
-                    (symbol_heading("Dynamic friction", "μ", "k", "–"))
-                    (heading("Restitution γ", "–"))
-                } }
+                (table_head(&[
+                    Head::Name("Material"),
+                    Head::Number("Stiffness k", "kN/m²"),
+                    Head::Number("Damping c", "kN·s/m²"),
+                    Head::Number("Shear stiffness k_s", "kN/m"),
+                    Head::Number("Static friction μ_s", "–"),
+                    Head::Number("Dynamic friction μ_k", "–"),
+                    Head::Number("Restitution γ", "–"),
+                ]))
                 tbody {
                     @for NamedMaterial { name, material } in materials.iter().take(ROWS) {
                         tr {
@@ -234,14 +226,14 @@ fn loads(setup: &Setup) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Body" }
-                    (heading("Force north", "kN"))
-                    (heading("Force east", "kN"))
-                    (heading("Moment", "kN·m"))
-                    (heading("From", "s"))
-                    (heading("Until", "s"))
-                } }
+                (table_head(&[
+                    Head::Name("Body"),
+                    Head::Number("Force north", "kN"),
+                    Head::Number("Force east", "kN"),
+                    Head::Number("Moment", "kN·m"),
+                    Head::Number("From", "s"),
+                    Head::Number("Until", "s"),
+                ]))
                 tbody {
                     @for load in setup.loads.iter().take(ROWS) { (load_row(load, setup)) }
                 }

@@ -8,7 +8,7 @@ use super::{Column, Layout, List, float, name};
 pub(crate) struct AzimuthRow {
     pub(crate) t_s: f64,
     pub(crate) vessel: usize,
-    /// Number among all vessels' units.
+    /// Index among the azimuth units of all vessels.
     pub(crate) azimuth: usize,
     pub(crate) order: AzimuthOrder,
     pub(crate) now: AzimuthState,

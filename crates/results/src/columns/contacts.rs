@@ -15,23 +15,23 @@ pub(crate) struct ContactRow {
     pub(crate) work_j: [f64; 2],
 }
 
-/// The works of a step's contacts, each told once.
+/// The work of the contacts of a step, each written to one row only.
 ///
-/// The ledger books by pair and by fender: where several patches touch, the first row has the work of
-/// all of them, so that a sum over rows is the ledger's; but for what the later stages of Runge–Kutta see of
-/// a contact by the paper's method one step before it has its first row.
+/// The ledger accumulates by pair and by fender. Where several patches touch, the first row has the work of
+/// all of them, so that the sum over rows equals the ledger. One exception: with the paper's method and Runge–Kutta the
+/// later stages may see a contact one step before its first row.
 pub(crate) struct ContactWorks {
     left: BTreeMap<([usize; 2], Option<usize>), [f64; 2]>,
 }
 
 impl ContactWorks {
-    /// Of a step.
+    /// The work of the contacts of a step.
     pub(crate) fn of(books: &[ContactEnergy]) -> ContactWorks {
         let left = books.iter().map(|b| ((b.bodies, b.fender), [b.normal_j, b.tangential_j]));
         ContactWorks { left: left.collect() }
     }
 
-    /// What the row of this contact tells; 0 when an earlier row has told it.
+    /// The work for the row of this contact; 0 if an earlier row has it.
     pub(crate) fn take(&mut self, contact: &Contact) -> [f64; 2] {
         let bodies = [contact.body_1.0 as usize, contact.body_2.0 as usize];
         let fender = contact.fender.map(|id| id.0 as usize);

@@ -96,7 +96,7 @@ pub struct Column<R> {
 pub enum Value<R> {
     /// A number.
     Float(fn(&R) -> f64),
-    /// A number that is not known of every row: empty in a text, NaN elsewhere.
+    /// A number that some rows do not have: empty in csv, NaN elsewhere.
     Known(fn(&R) -> Option<f64>),
     /// An index into one of the lists of [`Names`], written as the name there; empty where there is none.
     Name(List, fn(&R) -> Option<usize>),
@@ -152,7 +152,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Of a set-up.
+    /// The names in a set-up.
     #[must_use]
     pub fn of(setup: &Setup) -> Names {
         let world = &setup.world;

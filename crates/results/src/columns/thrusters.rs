@@ -6,7 +6,7 @@ use super::{Column, Layout, List, float, name};
 pub(crate) struct ThrusterRow {
     pub(crate) t_s: f64,
     pub(crate) vessel: usize,
-    /// Number among all vessels' thrusters.
+    /// Index among the thrusters of all vessels.
     pub(crate) thruster: usize,
     pub(crate) order: f64,
     pub(crate) power: f64,

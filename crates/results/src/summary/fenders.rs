@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 use crate::outcome::Outcome;
 use crate::verdict::Verdict;
 
-/// One object a touched fender, in the order of the scenario. What a fender has not (a rating, a limit
-/// of hull pressure, a source) is left out.
+/// One object per touched fender, in the order of the scenario. Missing data (rating, permissible hull pressure, source)
+/// have no key.
 pub(super) fn fenders_json(outcome: &Outcome<'_>) -> Vec<Value> {
     let setup = outcome.setup;
     let objects = outcome.fenders.iter().map(|summary| {

@@ -35,7 +35,7 @@ pub fn integrator_text(integrator: Integrator) -> &'static str {
     }
 }
 
-/// A value of the summary that is not finite: the run went wrong.
+/// A value of the summary that is not finite: the run failed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SummaryNotFinite {
     /// Its key, with dots between the levels.

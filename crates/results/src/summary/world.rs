@@ -1,4 +1,4 @@
-//! Vessels, tugs, lines and what happened to them, as `summary.json` has it.
+//! Vessels, tugs, lines and their events in `summary.json`.
 
 use crate::events::world_event_key;
 use fenderline_sim::Setup;
@@ -10,7 +10,7 @@ use crate::outcome::Outcome;
 use crate::provider_notices::provider_event_key;
 use crate::world_totals::{LineTotals, TugTotals, VesselTotals, Who};
 
-/// Adds the sections of what the set-up has.
+/// Adds a section for vessels, tugs and lines each, where the set-up has any.
 pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
     let (setup, world) = (outcome.setup, outcome.world);
     if !world.vessels.is_empty() {
@@ -37,7 +37,7 @@ pub(super) fn put_world(whole: &mut Value, outcome: &Outcome<'_>) {
     put_events(whole, outcome);
 }
 
-/// Water under the keel is left out where the water is deep.
+/// In deep water there is no key for the under-keel clearance.
 fn vessel_json(name: &str, totals: &VesselTotals) -> Value {
     let mut object = json!({
         "name": name,
@@ -76,7 +76,7 @@ fn tug_json(name: &str, bollard_pull_n: f64, totals: &TugTotals) -> Value {
     })
 }
 
-/// What a line has not (a break load before it is fast, a time at which it parted) is left out.
+/// Missing values (the break load before the line is fast, the time at which it parted) have no key.
 fn line_json(name: &str, totals: &LineTotals) -> Value {
     let mut object = json!({
         "name": name,
@@ -103,7 +103,7 @@ fn line_json(name: &str, totals: &LineTotals) -> Value {
     object
 }
 
-/// Counts beside those of contact, and the first events by name.
+/// Adds the counts to those of contact events, and the first events by name.
 fn put_events(whole: &mut Value, outcome: &Outcome<'_>) {
     let (setup, world) = (outcome.setup, outcome.world);
     let of_world = world.events.counts().iter().map(|&(kind, n)| (world_event_key(kind), n));

@@ -1,11 +1,11 @@
-//! What happened to vessels, tugs and lines, counted.
+//! Events of vessels, tugs and lines, counted.
 
 use fenderline_sim::{Setup, StepRecord, WorldEvent, WorldEventKind};
 
-/// How many events are told one by one.
+/// Events kept one by one at most.
 const FIRST: usize = 40;
 
-/// Events of a run: how many of each kind, and the first few. Bounded, whatever the run's length.
+/// Events of a run: the count of each kind, and the first few. Its size does not grow with the run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WorldEvents {
     /// In the order of first occurrence.
@@ -26,7 +26,7 @@ impl WorldEvents {
         }
     }
 
-    /// The kinds that occurred, and how often.
+    /// The kinds that occurred, with their counts.
     pub fn counts(&self) -> &[(WorldEventKind, u64)] {
         &self.counts
     }
@@ -47,7 +47,7 @@ pub struct Who<'a> {
 }
 
 impl<'a> Who<'a> {
-    /// Of an event.
+    /// The subject of an event.
     pub fn of(event: &WorldEvent, setup: &'a Setup) -> Who<'a> {
         let world = &setup.world;
         match event.kind {

@@ -1,4 +1,4 @@
-//! What a run did to a mooring line.
+//! Totals of a mooring line over a run.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::mooring::{LineKind, RopeCurve};
@@ -11,7 +11,7 @@ use super::{Lasting, Peak};
 pub struct LineTotals {
     /// Start of the first step in which it was fast (s).
     pub made_fast_s: Option<f64>,
-    /// Tension at the ship's end (N); of a line that parted, what it parted at.
+    /// Peak tension at the ship's end (N); for a parted line, the tension at which it parted.
     pub tension_n: Peak,
     /// Least break load of rope and tail (N); `None` before it is made fast.
     pub break_load_n: Option<f64>,
@@ -19,7 +19,7 @@ pub struct LineTotals {
     pub working_load_n: Option<f64>,
     /// How long it was above its working load.
     pub over_working: Lasting,
-    /// Rope that its brake let go (m).
+    /// Line rendered by the winch brake (m).
     pub rendered_m: f64,
     /// When it parted (s).
     pub parted_s: Option<f64>,
@@ -72,7 +72,7 @@ impl LineTotals {
     }
 }
 
-/// What is to be said of a line, the worse the later.
+/// The verdict on a line, from best to worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LineVerdict {
     /// It was never fast in this run.
@@ -88,7 +88,7 @@ pub enum LineVerdict {
 }
 
 impl LineVerdict {
-    /// As a reader reads it.
+    /// The verdict in words.
     pub fn text(self) -> &'static str {
         match self {
             LineVerdict::NotMadeFast => "not made fast",
@@ -99,7 +99,7 @@ impl LineVerdict {
         }
     }
 
-    /// As `summary.json` has it.
+    /// The verdict in `summary.json`.
     pub fn key(self) -> &'static str {
         match self {
             LineVerdict::NotMadeFast => "not_made_fast",

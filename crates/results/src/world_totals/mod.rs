@@ -1,4 +1,4 @@
-//! What a run did to vessels, tugs and lines: running totals, bounded whatever the run's length.
+//! Totals of vessels, tugs and lines over a run. Their size does not grow with the run.
 
 mod events;
 mod line;
@@ -23,7 +23,7 @@ pub struct WorldTotals {
     pub tugs: Vec<TugTotals>,
     /// Mooring lines, in the order of the set-up.
     pub lines: Vec<LineTotals>,
-    /// What happened to them.
+    /// Their events.
     pub events: WorldEvents,
 }
 
@@ -59,7 +59,7 @@ impl WorldTotals {
     }
 }
 
-/// The largest magnitude that a quantity had, and when.
+/// The value of largest magnitude, and its time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Peak {
     /// The value with its sign.
@@ -76,7 +76,7 @@ impl Peak {
     }
 }
 
-/// How long something lasted: steps times Δt, so that it does not drift.
+/// A duration: the number of steps times Δt, so that rounding does not accumulate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lasting {
     steps: u32,
@@ -84,7 +84,7 @@ pub struct Lasting {
 }
 
 impl Lasting {
-    /// Counts a step where it was so.
+    /// Counts a step in which the condition holds.
     fn count(&mut self, is_so: bool, step_s: f64) {
         self.step_s = step_s;
         self.steps += u32::from(is_so);

@@ -1,4 +1,4 @@
-//! What a run asked of a tug.
+//! Totals of a tug over a run.
 
 use fenderline_sim::TugAtWork;
 use fenderline_sim::tug::TugOrder;
@@ -10,9 +10,9 @@ use super::{Lasting, Peak};
 pub struct TugTotals {
     /// Force on the ship (N).
     pub force_n: Peak,
-    /// How long she gave less than she was ordered to, because of speed and angle.
+    /// Time in which speed and angle allowed less than the ordered force.
     pub limited: Lasting,
-    /// How long she carried out an order to push or pull.
+    /// Time with an order to push or pull.
     pub at_work: Lasting,
 }
 

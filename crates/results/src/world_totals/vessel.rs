@@ -1,4 +1,4 @@
-//! What a run did to a vessel.
+//! Totals of a vessel over a run.
 
 use fenderline_contact::BodyState;
 use fenderline_sim::VesselState;
@@ -25,9 +25,9 @@ pub struct VesselTotals {
     pub pitch_rad: Peak,
     /// Squat (m).
     pub squat_m: Peak,
-    /// Least water under her keel, squat taken off (m); `None` where the water is deep.
+    /// Minimum under-keel clearance, squat included (m); `None` in deep water.
     pub under_keel_m: Option<Peak>,
-    /// How long she was on the bottom.
+    /// Time aground.
     pub aground: Lasting,
 }
 

@@ -1,4 +1,4 @@
-//! Cm, displacement and the water that moves with it over displacement, in sway.
+//! Cm, the added mass factor in sway: displacement plus added mass, over displacement.
 
 use fenderline_contact::number::bounded;
 
@@ -13,7 +13,7 @@ use super::error::BerthingError;
 /// Source: found (public fender design manuals that cite PIANC 2002).
 ///
 /// # Errors
-/// A clearance below 0 (a ship aground) or a draught that no ship has.
+/// A clearance below 0 (a ship aground) or a draught out of range.
 pub fn pianc_2002_added_mass(
     under_keel_clearance_m: f64,
     draught_m: f64,
@@ -27,7 +27,7 @@ pub fn pianc_2002_added_mass(
 /// Source: found (public fender design manuals).
 ///
 /// # Errors
-/// A particular that no ship has.
+/// A particular out of range.
 pub fn ueda_added_mass(
     draught_m: f64,
     beam_m: f64,
@@ -44,7 +44,7 @@ pub fn ueda_added_mass(
 /// Source: found (public fender design manuals).
 ///
 /// # Errors
-/// A particular that no ship has.
+/// A particular out of range.
 pub fn vasco_costa_added_mass(draught_m: f64, beam_m: f64) -> Result<f64, BerthingError> {
     Ok(1.0 + 2.0 * DRAUGHT.check(draught_m)? / BEAM.check(beam_m)?)
 }

@@ -1,10 +1,9 @@
-//! One check for every particular.
+//! Range checks of the particulars.
 
 use super::error::BerthingError;
 use crate::range::{OutOfRange, within};
 
-/// A particular's name with its unit and its range: wider than any ship, narrow enough that nothing
-/// computed from it overflows or divides by nothing.
+/// Name, unit and range of a particular. Ranges are wider than any real ship and exclude overflow and division by zero.
 pub(super) struct Range {
     name: &'static str,
     low: f64,
@@ -16,7 +15,7 @@ impl Range {
         Range { name, low, high }
     }
 
-    /// The value, where it lies within the range; NaN does not.
+    /// Returns the value if it is within the range; NaN is not.
     pub(super) fn check(&self, value: f64) -> Result<f64, BerthingError> {
         let Range { name, low, high } = *self;
         within(name, value, low, high).map_err(|OutOfRange { quantity, .. }| {

@@ -1,5 +1,5 @@
-//! Ce, the part of the ship's energy that a contact away from midships takes; the rest stays with
-//! her as rotation.
+//! Ce, the eccentricity factor: the share of the ship's energy that a contact away from midship absorbs. The rest remains
+//! as rotation.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -11,7 +11,7 @@ use super::error::BerthingError;
 /// Source: found (public fender design manuals that cite PIANC 2002).
 ///
 /// # Errors
-/// A particular that no ship has.
+/// A particular out of range.
 pub fn gyradius_m(block_coefficient: f64, length_bp_m: f64) -> Result<f64, BerthingError> {
     let block = BLOCK_COEFFICIENT.check(block_coefficient)?;
     Ok((0.19 * block + 0.11) * LENGTH.check(length_bp_m)?)
@@ -24,7 +24,7 @@ pub fn gyradius_m(block_coefficient: f64, length_bp_m: f64) -> Result<f64, Berth
 /// stopped dead, neither sliding nor rebounding: `tests/identities.rs` holds the engine against it.
 ///
 /// # Errors
-/// A radius or an angle that is no such thing.
+/// A radius or an angle out of range.
 pub fn eccentricity_factor(
     gyradius_m: f64,
     radius_m: f64,
@@ -43,7 +43,7 @@ pub fn eccentricity_factor(
 /// that does not slide; the truth of a fender with a low-friction facing lies between both.
 ///
 /// # Errors
-/// A radius or an arm that is no such thing.
+/// A radius or an arm out of range.
 pub fn frictionless_factor(gyradius_m: f64, arm_m: f64) -> Result<f64, BerthingError> {
     let k = GYRADIUS.check(gyradius_m)?;
     let a = ARM.check(arm_m)?;
@@ -64,7 +64,7 @@ impl ContactPoint {
     /// R = √(y² + (B/2)²) (m).
     ///
     /// # Errors
-    /// A point that no ship has.
+    /// A point out of range.
     pub fn radius_m(&self) -> Result<f64, BerthingError> {
         let (along_m, beam_m) = (ARM.check(self.along_m)?, BEAM.check(self.beam_m)?);
         Ok(libm::hypot(along_m, 0.5 * beam_m))
@@ -84,7 +84,7 @@ impl ContactPoint {
     /// Ce of a berthing at this point, [`eccentricity_factor`] with the two above.
     ///
     /// # Errors
-    /// As they.
+    /// See these two.
     pub fn eccentricity(
         &self,
         gyradius_m: f64,

@@ -1,14 +1,14 @@
-//! The energy itself, and the factors that are words rather than formulas.
+//! The berthing energy, and the factors that are chosen by category.
 
 use super::check::{DISPLACEMENT, Range, SPEED};
 use super::error::BerthingError;
 
-/// Cs: how much of the energy the hull itself takes.
+/// Cs, softness factor: the share of the energy that is not absorbed by the hull.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Softness {
-    /// The fender is soft beside the hull: nothing.
+    /// Soft fender: the hull absorbs no energy.
     Soft,
-    /// The fender is hard: a tenth.
+    /// Hard fender: the hull absorbs a tenth.
     Hard,
 }
 
@@ -23,14 +23,14 @@ impl Softness {
     }
 }
 
-/// Cc: how much of the energy the water takes that is trapped between hull and berth.
+/// Cc, configuration factor, for the cushion of water between hull and berth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Configuration {
     /// A solid quay.
     SolidQuay,
     /// Partly open.
     SemiOpen,
-    /// A jetty on open piles: nothing is trapped.
+    /// A jetty on open piles: no water cushion.
     OpenPiles,
 }
 
@@ -75,7 +75,7 @@ impl BerthingEnergy {
     /// method as public manuals print it).
     ///
     /// # Errors
-    /// A quantity that no berthing has, by its name.
+    /// The first quantity out of range.
     pub fn normal_j(&self) -> Result<f64, BerthingError> {
         let mass_kg = DISPLACEMENT.check(self.displacement_kg)?;
         let speed_mps = SPEED.check(self.speed_mps)?;
@@ -91,7 +91,7 @@ impl BerthingEnergy {
 /// of ship. Source: found; the table by type of ship is recalled and left to the user.
 ///
 /// # Errors
-/// A factor outside that range, or an energy that is none.
+/// A factor or an energy out of range.
 pub fn abnormal_energy_j(normal_j: f64, factor: f64) -> Result<f64, BerthingError> {
     Ok(ENERGY.check(normal_j)? * ABNORMAL.check(factor)?)
 }

@@ -1,4 +1,4 @@
-//! Particulars that no ship, berth or fender can have.
+//! Errors: particulars out of range.
 
 use std::fmt;
 
@@ -10,13 +10,13 @@ use fenderline_contact::DisplayNumber;
 pub enum BerthingError {
     /// A quantity is not a number within its range, both ends included.
     OutOfRange {
-        /// Which, with its unit.
+        /// The quantity, with its unit.
         quantity: &'static str,
         /// Its value.
         value: f64,
-        /// The least that is possible.
+        /// Lower limit.
         low: f64,
-        /// The greatest that is possible.
+        /// Upper limit.
         high: f64,
     },
     /// With this bow the hull meets the quay between two fenders however close they stand.

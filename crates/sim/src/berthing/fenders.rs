@@ -1,4 +1,4 @@
-//! What a berth's fenders have to satisfy besides taking the energy.
+//! Requirements on a berth's fenders besides the energy: spacing, hull pressure, compression time.
 
 use fenderline_contact::number::lesser;
 
@@ -45,7 +45,7 @@ pub fn largest_spacing_m(
 /// the rubber, sets it. Limits by type of ship are data, not code: `fenders/hull_pressure.toml`.
 ///
 /// # Errors
-/// A reaction or an area that is none.
+/// A reaction or an area out of range.
 pub fn hull_pressure_npm2(reaction_n: f64, panel_area_m2: f64) -> Result<f64, BerthingError> {
     Ok(REACTION.check(reaction_n)? / PANEL_AREA.check(panel_area_m2)?)
 }
@@ -56,7 +56,7 @@ pub fn hull_pressure_npm2(reaction_n: f64, panel_area_m2: f64) -> Result<f64, Be
 /// compression is recalled.
 ///
 /// # Errors
-/// A deflection or a speed that is none.
+/// A deflection or a speed out of range.
 pub fn compression_time_s(rated_deflection_m: f64, speed_mps: f64) -> Result<f64, BerthingError> {
     Ok(DEFLECTION.check(rated_deflection_m)? / (0.74 * CLOSING_SPEED.check(speed_mps)?))
 }

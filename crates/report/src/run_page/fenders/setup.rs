@@ -5,23 +5,24 @@ use fenderline_sim::{FenderSetup, Setup};
 use maud::{Markup, html};
 
 use crate::plot::{plain, significant};
-use crate::run_page::tables::{ROWS, heading, more, number};
+use crate::run_page::tables::{ROWS, more, number};
+use crate::{Head, table_head};
 
 /// One row a fender: where it is, how large, and what it is made for.
 pub(in crate::run_page) fn setup_table(setup: &Setup) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Fender" }
-                    th scope="col" { "On" small { "material" } }
-                    (heading("Position", "forward, starboard, m"))
-                    (heading("Facing", "deg"))
-                    (heading("Face", "width × height, m"))
-                    (heading("Projection", "m"))
-                    (heading("Rated", "mm, kN, kJ"))
-                    (heading("Stop", "from mm, MN/m"))
-                } }
+                (table_head(&[
+                    Head::Name("Fender"),
+                    Head::Text("On", "material"),
+                    Head::Number("Position", "forward, starboard, m"),
+                    Head::Number("Facing", "deg"),
+                    Head::Number("Face", "width × height, m"),
+                    Head::Number("Projection", "m"),
+                    Head::Number("Rated", "mm, kN, kJ"),
+                    Head::Number("Stop", "from mm, MN/m"),
+                ]))
                 tbody {
                     @for fender in setup.fenders.iter().take(ROWS) { (row(fender, setup)) }
                 }

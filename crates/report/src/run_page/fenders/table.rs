@@ -7,7 +7,7 @@ use fenderline_sim::{FenderSetup, FenderSource, FenderSummary, HullPressure};
 use maud::{Markup, html};
 
 use crate::plot::{decimals_for, fixed, plain, significant};
-use crate::run_page::tables::heading;
+use crate::{Head, table_head};
 use fenderline_results::Outcome;
 use fenderline_results::{Verdict, worst_first};
 
@@ -27,17 +27,17 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
         }
         div class="wide" {
             table class="fenders" {
-                thead { tr {
-                    th class="name" scope="col" { "Fender" }
-                    (heading("Deflection", "mm"))
-                    (heading("Reaction", "kN"))
-                    (heading("Energy", "kJ"))
-                    (heading("Hull pressure", "kN/m²"))
-                    (heading("First touch", "s"))
-                    (heading("Approach", "m/s, deg"))
-                    (heading("Factor", "on reaction, on energy"))
-                    th scope="col" { "Verdict" }
-                } }
+                (table_head(&[
+                    Head::Name("Fender"),
+                    Head::Number("Deflection", "mm"),
+                    Head::Number("Reaction", "kN"),
+                    Head::Number("Energy", "kJ"),
+                    Head::Number("Hull pressure", "kN/m²"),
+                    Head::Number("First touch", "s"),
+                    Head::Number("Approach", "m/s, deg"),
+                    Head::Number("Factor", "on reaction, on energy"),
+                    Head::Text("Verdict", ""),
+                ]))
                 tbody {
                     @for &index in &shown {
                         @let summary = outcome.fenders.iter().find(|f| f.fender == index);
@@ -73,18 +73,18 @@ fn hull_pressure_note(setups: &[FenderSetup]) -> Markup {
     let limit = setups.iter().find_map(limit_of);
     html! {
         @if let Some(limit_npm2) = limit && setups.iter().all(|f| limit_of(f) == limit) {
-            "The hull takes " (plain(limit_npm2 / 1e3, 4)) " kN/m². "
+            "The permissible hull pressure is " (plain(limit_npm2 / 1e3, 4)) " kN/m². "
         }
         @if any(|way| matches!(way, HullPressure::OverFace)) {
             "Hull pressure of a fender with a panel: its reaction over the area of the face. "
         }
         @if any(|way| matches!(way, HullPressure::Inner { .. })) {
-            "Hull pressure of a fender blown up: its inner pressure, on a straight line from the initial "
-            "one at no deflection to the published one at the rated deflection. The true pressure rises ever "
-            "faster: the line is on the safe side up to the rated deflection, and not beyond. "
+            "Hull pressure of a pneumatic fender: its internal pressure, interpolated linearly from the initial "
+            "pressure at no deflection to the published pressure at the rated deflection. The true pressure curve is "
+            "convex: the line is conservative up to the rated deflection, and not beyond. "
         }
         @if any(|way| matches!(way, HullPressure::Unknown)) {
-            "– for the hull pressure: the fender has no panel, and its data do not say how hard it presses. "
+            "– for the hull pressure: the fender has no panel, and its data give no hull pressure. "
         }
     }
 }

@@ -25,7 +25,7 @@ pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
         @for (vessel, totals) in aground {
             p {
                 span class="verdict failed" { "AGROUND" }
-                " " (setup.bodies[vessel.body].name) " was on the bottom for "
+                " " (setup.bodies[vessel.body].name) " was aground for "
                 (plain(totals.aground.s(), 4)) " s."
             }
         }
@@ -57,7 +57,7 @@ pub(in crate::run_page) fn remarks(outcome: &Outcome<'_>) -> Markup {
     let providers = outcome.providers;
     html! {
         @if all > 0 || !providers.counts().is_empty() {
-            h3 { "What happened" }
+            h3 { "Events" }
             ul class="plain" {
                 @for (t_s, event) in events.first().iter().take(EVENTS) {
                     @let who = Who::of(event, outcome.setup);

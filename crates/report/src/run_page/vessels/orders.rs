@@ -7,7 +7,8 @@ use fenderline_sim::{Action, Assist, Job, Order, Setup};
 use maud::{Markup, html};
 
 use crate::plot::{fixed, plain};
-use crate::run_page::tables::{ROWS, heading, more, number};
+use crate::run_page::tables::{ROWS, more, number};
+use crate::{Head, table_head};
 use fenderline_results::Outcome;
 
 /// One row an order, in the order of time.
@@ -18,11 +19,11 @@ pub(super) fn table(outcome: &Outcome<'_>) -> Markup {
     html! {
         div class="wide" {
             table class="narrow" {
-                thead { tr {
-                    (heading("Time", "s"))
-                    th class="name" scope="col" { "To" }
-                    th class="name" scope="col" { "Order" }
-                } }
+                (table_head(&[
+                    Head::Number("Time", "s"),
+                    Head::Name("To"),
+                    Head::Name("Order"),
+                ]))
                 tbody {
                     @for order in orders.iter().take(ROWS) {
                         tr {

@@ -9,7 +9,8 @@ use maud::{Markup, html};
 
 use super::headline::class;
 use crate::plot::{fixed, plain, significant};
-use crate::run_page::tables::{ROWS, heading, more, number};
+use crate::run_page::tables::{ROWS, more, number};
+use crate::{Head, table_head};
 use fenderline_results::Outcome;
 use fenderline_results::{ACCURACY, accuracy};
 use fenderline_results::{LineTotals, TugTotals, VesselTotals};
@@ -20,17 +21,17 @@ pub(super) fn vessels(outcome: &Outcome<'_>) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Vessel" }
-                    (heading("Length bp × beam × draught", "m"))
-                    (heading("Block coefficient", "–"))
-                    (heading("Full revolutions", "rpm"))
-                    (heading("Rudder", "stop deg, deg/s"))
-                    (heading("Thrusters and azimuth units", "kN each"))
-                    (heading("Largest speed", "over ground, kn"))
-                    (heading("Largest rate of turn", "deg/min"))
-                    (heading("Largest roll", "deg"))
-                } }
+                (table_head(&[
+                    Head::Name("Vessel"),
+                    Head::Number("Length bp × beam × draught", "m"),
+                    Head::Number("Block coefficient", "–"),
+                    Head::Number("Full revolutions", "rpm"),
+                    Head::Number("Rudder", "stop deg, deg/s"),
+                    Head::Number("Thrusters and azimuth units", "kN each"),
+                    Head::Number("Largest speed", "over ground, kn"),
+                    Head::Number("Largest rate of turn", "deg/min"),
+                    Head::Number("Largest roll", "deg"),
+                ]))
                 tbody {
                     @for (vessel, totals) in setup.world.vessels.iter().zip(&world.vessels).take(ROWS) {
                         tr { (vessel_cells(&setup.bodies[vessel.body].name, vessel, totals)) }
@@ -86,7 +87,7 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
     let origin = &vessel.origin;
     let has_estimates = origin.estimates().next().is_some();
     html! {
-        p { (name) ": " strong { (origin.title) } ". Where her numbers come from:" }
+        p { (name) ": " strong { (origin.title) } ". Sources of her data:" }
         ul class="plain" {
             @for source in origin.sources.iter().filter(|source| !source.is_estimate) {
                 li { (source.group) ": " (source.source) " – " (standing(source)) }
@@ -95,8 +96,8 @@ fn source(outcome: &Outcome<'_>, vessel: &VesselSetup) -> Markup {
         @if has_estimates {
             p {
                 span class="verdict over_rated" { "ESTIMATED" } " "
-                "What is not known of " (name) " is estimated by formulas, which are not validated for this "
-                "ship; do not take them for her own manoeuvring data."
+                "Missing data of " (name) " are estimated by formulas that are not validated for this "
+                "ship. Do not use them as her own manoeuvring data."
             }
             (estimates(origin))
             @let accuracy = accuracy(origin, outcome.estimate_errors);
@@ -128,7 +129,7 @@ fn under_keel(name: &str, totals: &VesselTotals, environment: &Environment) -> M
     html! {
         @if let Some(least) = totals.under_keel_m {
             p class="note" {
-                (name) ": least water under the keel " (fixed(least.value, 2)) " m at "
+                (name) ": minimum under-keel clearance " (fixed(least.value, 2)) " m at "
                 (plain(least.at_s, 6)) " s"
                 @if environment.tide != Tide::default() {
                     @let [low_m, high_m] = environment.tide.range_m();
@@ -149,8 +150,8 @@ fn banks() -> Markup {
     html! {
         p {
             span class="verdict over_rated" { "UNVALIDATED" } " "
-            "The banks' pull on vessels is by Norrbin's formulas for a vertical wall, which are recalled: no source "
-            "of them could be read, and nothing was found to hold them against."
+            "The suction of banks on vessels is by Norrbin's formulas for a vertical wall, which are recalled: no source "
+            "of them could be read, and no data were found to validate them."
         }
     }
 }
@@ -160,12 +161,12 @@ fn estimates(origin: &Origin) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Estimated" }
-                    th class="name" scope="col" { "Value" }
-                    th class="name" scope="col" { "By" }
-                    th class="name" scope="col" { "The formula is" }
-                } }
+                (table_head(&[
+                    Head::Name("Estimated"),
+                    Head::Name("Value"),
+                    Head::Name("By"),
+                    Head::Name("Standing of the formula"),
+                ]))
                 tbody {
                     @for source in origin.estimates() {
                         tr {
@@ -222,15 +223,15 @@ pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Tug" }
-                    th class="name" scope="col" { "Serves" }
-                    (heading("Bollard pull", "tf (kN)"))
-                    (heading("Peak force", "tf (kN)"))
-                    (heading("at", "s"))
-                    (heading("At work", "min"))
-                    (heading("Less than ordered", "s"))
-                } }
+                (table_head(&[
+                    Head::Name("Tug"),
+                    Head::Name("Serves"),
+                    Head::Number("Bollard pull", "tf (kN)"),
+                    Head::Number("Peak force", "tf (kN)"),
+                    Head::Number("at", "s"),
+                    Head::Number("At work", "min"),
+                    Head::Number("Force limited", "s"),
+                ]))
                 tbody {
                     @for (tug, totals) in setup.world.tugs.iter().zip(&world.tugs).take(ROWS) {
                         tr {
@@ -246,7 +247,7 @@ pub(super) fn tugs(outcome: &Outcome<'_>) -> Markup {
         p class="note" {
             "Tugs are forces at the ship's side, not hulls. What a tug gives at speed is "
             strong { "derived" } " from her bollard pull and drag; no published envelope was found. "
-            "Less than ordered: how long speed and angle left her less than she was asked for."
+            "Force limited: time in which her speed and angle allowed less than the ordered force."
         }
     }
 }
@@ -268,18 +269,18 @@ pub(super) fn lines(outcome: &Outcome<'_>) -> Markup {
     html! {
         div class="wide" {
             table {
-                thead { tr {
-                    th class="name" scope="col" { "Line" }
-                    (heading("Made fast", "s"))
-                    (heading("Break load", "kN"))
-                    (heading("Working load", "kN"))
-                    (heading("Peak tension", "kN"))
-                    (heading("of break load", "%"))
-                    (heading("at", "s"))
-                    (heading("Rendered", "m"))
-                    (heading("At the end", "kN"))
-                    th scope="col" { "Verdict" }
-                } }
+                (table_head(&[
+                    Head::Name("Line"),
+                    Head::Number("Made fast", "s"),
+                    Head::Number("Break load", "kN"),
+                    Head::Number("Working load", "kN"),
+                    Head::Number("Peak tension", "kN"),
+                    Head::Number("of break load", "%"),
+                    Head::Number("at", "s"),
+                    Head::Number("Rendered", "m"),
+                    Head::Number("At the end", "kN"),
+                    Head::Text("Verdict", ""),
+                ]))
                 tbody {
                     @for (line, totals) in setup.world.lines.iter().zip(&world.lines).take(ROWS) {
                         tr {
