@@ -1,5 +1,5 @@
-//! From checked tables to a simulation set-up: what the key table cannot say, because it holds
-//! between keys.
+//! From checked tables to a simulation set-up: rules that hold between keys, which the key
+//! table cannot express.
 
 mod azimuth;
 mod berthing;

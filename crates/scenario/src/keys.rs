@@ -1,4 +1,4 @@
-//! Every key of a scenario file: its kind, unit, bounds, default and meaning, said once.
+//! Every key of a scenario file: its kind, unit, bounds, default and meaning.
 //!
 //! The bounds keep all that the simulation computes far from overflow and are beyond anything that
 //! floats. To add a key: add it here, then use it in [`crate::assemble`].
@@ -58,7 +58,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             name: "contact",
             kind: Kind::Table(&CONTACT),
             absent: Is("{}"),
-            doc: "How contact forces are found.",
+            doc: "How contact forces are computed.",
             examples: &[],
         },
         KeySpec {
@@ -79,7 +79,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             name: "pair",
             kind: Kind::List(&PAIR),
             absent: Is("[]"),
-            doc: "Which bodies may touch. Bodies that no pair names do not touch.",
+            doc: "Pairs of bodies that may touch. Bodies without a pair do not touch.",
             examples: &[],
         },
         KeySpec {
@@ -115,7 +115,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             name: "vessel",
             kind: Kind::Named(&vessel::VESSEL),
             absent: Is("{}"),
-            doc: "Kinds of vessels of the scenario's own, by name; those of the library need no table here.",
+            doc: "Kinds of vessels that the scenario defines, by name. Vessels of the library need no table.",
             examples: &[],
         },
         KeySpec {
@@ -150,7 +150,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             name: "provider",
             kind: Kind::List(&provider::PROVIDER),
             absent: Is("[]"),
-            doc: "Programs that put forces on bodies.",
+            doc: "External programs that apply forces to bodies.",
             examples: &[],
         },
         KeySpec {

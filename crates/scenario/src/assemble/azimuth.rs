@@ -30,7 +30,7 @@ pub(crate) fn azimuths(tables: &[(String, Table)]) -> Vec<AzimuthSetup> {
         }
     };
     let mut units: Vec<_> = tables.iter().map(read).collect();
-    // Their forces are added up in this order, whatever that of the file.
+    // Sorted by name: forces are summed in this order, so that the order in the file has no effect.
     units.sort_by(|one, other| one.name.cmp(&other.name));
     units
 }

@@ -88,7 +88,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "fairlead",
             Kind::Point(POSITION_M),
-            Means("`chock` says it"),
+            Means("`chock` is given instead"),
             "Fairlead, forward and starboard of the body's origin.",
             &["[140, 5]"],
         ),
@@ -102,7 +102,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "chock",
             Kind::Text,
-            Means("`fairlead` says it"),
+            Means("`fairlead` is given instead"),
             "A chock of the vessel that `from` is, instead of `fairlead` and `fairlead_height`.",
             &["\"head\""],
         ),
@@ -116,7 +116,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "bollard",
             Kind::Point(POSITION_M),
-            Means("`bitts` says it"),
+            Means("`bitts` is given instead"),
             "Bollard, forward and starboard of that body's origin.",
             &["[170, 4]"],
         ),
@@ -130,7 +130,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "bitts",
             Kind::Text,
-            Means("`bollard` says it"),
+            Means("`bollard` is given instead"),
             "Bitts of the vessel that `to` is, instead of `bollard` and `bollard_height`.",
             &["\"fore\""],
         ),
