@@ -9,6 +9,7 @@ import { Help } from "./help";
 import { Hints } from "./hints";
 import { History } from "./history";
 import { Live, structure } from "./live";
+import { ON_PAGE, isOrder, unknownOrders } from "./orders";
 import type { Page } from "./page";
 import { PALETTE_NAMES, type PaletteName, applyPalette } from "./palette";
 import type { Action, Alarm, FromServer, Hello, Role } from "./protocol";
@@ -113,11 +114,20 @@ export class App implements Page {
   // ---------------------------------------------------------------------------------------- what views may use
 
   async order(action: Action): Promise<boolean> {
-    return this.answered(await this.connection.send(action));
+    const done = this.answered(await this.connection.send(action));
+    if (done) this.hinted(action);
+    return done;
   }
 
   drag(control: string, action: Action): void {
     this.connection.drag(control, action, (reason) => this.answered(reason));
+    this.hinted(action);
+  }
+
+  /** The hint for what was ordered is no longer needed. */
+  private hinted(action: Action): void {
+    const hint = isOrder(action.do) ? ON_PAGE[action.do].hint : action.do;
+    if (hint !== null) this.did(hint);
   }
 
   private answered(reason: string | null): boolean {
@@ -174,6 +184,11 @@ export class App implements Page {
   }
 
   private welcome(hello: Hello): void {
+    const unknown = unknownOrders(hello);
+    if (unknown.length > 0)
+      this.say(
+        `This page is of another version than the program: load it again (${unknown.join(", ")}).`,
+      );
     this.why = "";
     const fresh = this.live.hello?.file !== hello.file;
     this.live.welcome(hello);
@@ -274,7 +289,7 @@ export class App implements Page {
     }
     if (hello.role.name === "instructor") groups.push(new Run(this));
     if (hello.role.name === "pilot" || hello.role.name === "instructor") {
-      if (own) groups.push(new Helm(this, own, ship));
+      if (own) groups.push(new Helm(this, own, ship, hello));
       const tugs = new Tugs(this, hello);
       if (tugs.count > 0) groups.push(tugs);
     }

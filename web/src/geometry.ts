@@ -91,15 +91,3 @@ export function roundLength(most_m: number): number {
   const power = 10 ** Math.floor(Math.log10(most_m));
   return [5, 2, 1].map((n) => n * power).find((n) => n <= most_m) ?? power;
 }
-
-/** Half-breadth of an outline at a place along it, on a side (−1 port, 1 starboard); `null` beyond its ends. */
-export function sideAt(outline: Pair[], along_m: number, side: -1 | 1): number | null {
-  let widest: number | null = null;
-  outline.forEach((a, i) => {
-    const b = outline[(i + 1) % outline.length] ?? a;
-    if ((a[0] - along_m) * (b[0] - along_m) > 0 || a[0] === b[0]) return;
-    const y = a[1] + ((b[1] - a[1]) * (along_m - a[0])) / (b[0] - a[0]);
-    if (widest === null || y * side > widest * side) widest = y;
-  });
-  return widest;
-}

@@ -1,11 +1,13 @@
 /**
- * What server and page say to each other over the websocket `/live?token=…`, as JSON text, one message a frame.
+ * The messages between server and page over the websocket `/live?token=…`: JSON text, one message a frame.
  *
- * The server's side is `crates/live/src/message.rs`, `action.rs` and `request.rs`; `crates/live/tests/protocol.rs` reads
- * the names out of this file. Units are
+ * The server's side is `crates/live/src/message.rs`, `action.rs` and `request.rs`; `crates/live/tests/protocol.rs`
+ * compares the names with this file. Orders are in `orders.ts`. Units are
  * SI: metres, seconds, radians, newtons, joules, kilograms. Earth-fixed places are [north, east]; headings and
  * bearings are from north, positive to starboard; body-fixed places are [forward, starboard].
  */
+
+import type { Order } from "./orders";
 
 // ---------------------------------------------------------------- server → page
 
@@ -17,7 +19,7 @@ export type Pair = [number, number];
 /** Sent first, and again whenever the scenario, the branch or the claims change. */
 export interface Hello {
   type: "hello";
-  protocol: 1;
+  protocol: 2;
   role: Role;
   title: string;
   /** File name of the scenario, as in `gallery`. */
@@ -28,6 +30,10 @@ export interface Hello {
   fenders: FenderInfo[];
   lines: LineInfo[];
   tugs: TugInfo[];
+  /** The table of orders: words, units and limits. */
+  orders: OrderInfo[];
+  /** Places at the side of the pilot's ship where a tug may work. */
+  places: Place[];
   /** What this page may command: see [`Control`]. */
   mine: Control[];
   /** Who holds what, everywhere; `null`: nobody. */
@@ -49,6 +55,31 @@ export type Role =
 
 /** A helm: a vessel by her name, or a tug by hers. One client holds it at a time. */
 export type Control = { vessel: string } | { tug: string } | { session: true };
+
+export interface OrderInfo {
+  /** The word in `do`. */
+  name: string;
+  /** The field that names whom it is for. */
+  target: "vessel" | "tug" | "line";
+  /** The gear that the target must have. */
+  needs: string | null;
+  meaning: string;
+  arguments: ArgumentInfo[];
+}
+
+export interface ArgumentInfo {
+  /** The field. */
+  name: string;
+  kind: "number" | "place" | "name";
+  /** Empty for a share and a name. */
+  unit: string;
+  /** The least and the greatest value. */
+  limits: Pair | null;
+  /** The value where it is not given. */
+  default: number | null;
+  required: boolean;
+  meaning: string;
+}
 
 export interface BodyInfo {
   name: string;
@@ -72,6 +103,10 @@ export interface VesselInfo {
   azimuths: { name: string; at_m: Pair; bollard_n: number }[];
   /** She is a tug that assists the named vessel, or the pilot's own ship. */
   is_tug: boolean;
+  /** She has a line to the pilot's ship. */
+  has_towline: boolean;
+  /** The orders that she has the gear for. */
+  orders: string[];
 }
 
 export interface FenderInfo {
@@ -94,7 +129,7 @@ export interface LineInfo {
   /** Of its other end: a place on the earth, or on a body. */
   end: { place_m: Pair } | { body: number; at_m: Pair };
   breaking_n: number;
-  /** The tension beyond which the page alarms: half of the breaking load. */
+  /** The tension from which on it is an alarm: half of the breaking load. */
   working_n: number;
   has_winch: boolean;
 }
@@ -130,6 +165,8 @@ export interface Frame {
   /** Towards where. */
   current: { speed_mps: number; to_rad: number };
   waves: { height_m: number; period_s: number; from_rad: number } | null;
+  /** The speed limit at the fenders, of docking board and alarms [m/s]. */
+  approach_mps: number;
   alarms: Alarm[];
   /** Since the last frame. */
   events: { t_s: number; text: string }[];
@@ -181,7 +218,7 @@ export interface VesselNow {
   aground: boolean;
   /** How she lies to the berth, where there is one. */
   berth: BerthNow | null;
-  /** Of a tug that is a vessel: what she was told to do at the ship, and with what force. */
+  /** Of a tug that is a vessel: what she is ordered to do at the ship. */
   assist: AssistNow | null;
   faults: Fault[];
 }
@@ -194,10 +231,20 @@ export interface VesselNow {
 export type BerthEnd =
   "off" | "at_fenders" | "no_fender" | "past_end" | "touched" | "over_rated" | "structure";
 
+/** The docking board's signal for an end: the worse of her speed and of what the end is at. */
+export interface Lamp {
+  light: "ok" | "caution" | "alarm";
+  text: string;
+}
+
 /** A ship beside the berth's line of fenders: the two ends of the flat of her side. */
 export interface BerthNow {
   bow: BerthEnd;
   stern: BerthEnd;
+  /** The speed limit at the nearer end's distance [m/s]. */
+  limit_mps: number;
+  bow_lamp: Lamp;
+  stern_lamp: Lamp;
   /** Off the line [m]. */
   bow_m: number;
   stern_m: number;
@@ -211,7 +258,14 @@ export interface BerthNow {
 }
 
 export interface AssistNow {
-  job: "follow" | "push" | "pull";
+  order: TugWord;
+  /** Of the order, over her bollard pull. */
+  power: number;
+  /** Where she works, if it is one of the places that words name. */
+  place: Place | null;
+  /** How far she has come with her order. */
+  state: "stands_off" | "comes_alongside" | "alongside" | "pushes" | "takes_up_slack" | "pulls";
+  /** At the ship: of her push, or in her line. Not her thrust, which may only move herself. */
   force_n: number;
 }
 
@@ -219,12 +273,14 @@ export interface FenderNow {
   deflection_m: number;
   reaction_n: number;
   energy_j: number;
-  /** Of what it is rated for; 0 where nobody said. */
+  /** Over its rating; 0 where no rating is given. */
   of_energy: number;
   of_reaction: number;
   peak_of_energy: number;
   peak_of_reaction: number;
   failed: boolean;
+  /** It has been loaded beyond its rating. */
+  over_rated: boolean;
   /** Since the start. */
   touched: boolean;
 }
@@ -242,11 +298,15 @@ export interface LineNow {
   /** `ashore` before it is made fast, `fast`, `gone`. */
   state: "ashore" | "fast" | "parted" | "gone";
   tension_n: number;
+  /** The tension is above the working load. */
+  over_working: boolean;
   winch: "hold" | "heave" | "pay_out";
 }
 
 export interface TugNow {
-  order: "stand_by" | "push" | "pull";
+  order: "push" | "pull" | "stop";
+  /** Of the order, over her bollard pull. */
+  power: number;
   order_n: number;
   order_direction_rad: number;
   force_n: number;
@@ -304,32 +364,26 @@ export interface Command {
   action: Action;
 }
 
-export type Action =
-  // The helm of a vessel, for who holds her.
-  | { do: "rudder"; vessel: string; angle_rad: number }
-  | { do: "engine"; vessel: string; share: number }
-  | { do: "thruster"; vessel: string; thruster: string; share: number }
-  | {
-      do: "azimuth";
-      vessel: string;
-      unit: string;
-      power: number | null;
-      direction_rad: number | null;
-    }
-  | { do: "course"; vessel: string; heading_rad: number }
-  | { do: "speed"; vessel: string; speed_mps: number }
-  | { do: "hands"; vessel: string }
-  // A tug by her master, or by the pilot's order.
-  | { do: "tug"; tug: string; order: "stand_by" }
-  | { do: "tug"; tug: string; order: "push" | "pull"; force_n: number; direction_rad: number }
-  // A tug that is a vessel, told by the pilot: she goes there by herself.
-  | { do: "push_ship"; vessel: string; ship: string; at_m: Pair; force_n: number }
-  /** On a line between her and the ship; from the ship's bow. */
-  | { do: "pull_ship"; vessel: string; line: string; direction_rad: number; force_n: number }
-  | { do: "follow_ship"; vessel: string; ship: string; at_m: Pair; heading_rad: number }
-  // Lines.
-  | { do: "winch"; line: string; order: "hold" | "heave" | "pay_out"; rate_mps: number }
-  | { do: "let_go"; line: string }
+/** Whatever a page may send: an order of the table, or one of the other commands. */
+export type Action = Order | OtherAction;
+
+/** What a pilot tells a tug; `stop`: no force, `stand_off`: keep clear of the side. */
+export type TugWord = "push" | "pull" | "stop" | "stand_off";
+/** How a tug lays herself: square to the side, or 45° towards the ship's bow or stern. */
+export type Lead = "square" | "forward" | "aft";
+/** Where at the ship's side a tug works; those that the ship has are in `Hello.places`. */
+export type Place =
+  | "nearest"
+  | "port shoulder"
+  | "port midships"
+  | "port quarter"
+  | "starboard shoulder"
+  | "starboard midships"
+  | "starboard quarter";
+
+export type OtherAction =
+  /** To a tug of either kind, in words: the server finds force, direction and place. `power` is over her bollard pull. */
+  | { do: "tug"; tug: string; order: TugWord; power: number; lead: Lead; place: Place }
   // Claims.
   | { do: "claim"; control: Control }
   | { do: "release"; control: Control }
@@ -348,6 +402,8 @@ export type Action =
   | { do: "save"; name: string }
   // An alarm was seen: by pilot and instructor, and by a tugmaster his own tug's.
   | { do: "acknowledge"; key: string }
+  /** The speed limit at the fenders, of docking board and alarms: by pilot and instructor. */
+  | { do: "approach_limit"; speed_mps: number }
   | { do: "wind"; speed_mps: number; from_rad: number }
   | { do: "current"; speed_mps: number; to_rad: number }
   | { do: "fault"; vessel: string; fault: Fault; on: boolean };

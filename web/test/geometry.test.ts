@@ -5,7 +5,6 @@ import {
   fitted,
   onEarth,
   roundLength,
-  sideAt,
   toEarth,
   toScreen,
   zoomed,
@@ -80,17 +79,4 @@ describe("the camera", () => {
 
 test("a scale bar has a round length", () => {
   expect([0.9, 1.5, 3, 99, 100, 730].map(roundLength)).toEqual([0.5, 1, 2, 50, 100, 500]);
-});
-
-test("a ship's side is found on her outline, and nothing beyond her ends", () => {
-  const outline: Pair[] = [
-    [-50, -8],
-    [30, -8],
-    [50, 0],
-    [30, 8],
-    [-50, 8],
-  ];
-  expect(sideAt(outline, 0, -1)).toBe(-8);
-  expect(sideAt(outline, 40, 1)).toBeCloseTo(4, 12);
-  expect(sideAt(outline, 60, 1)).toBeNull();
 });

@@ -1,7 +1,6 @@
 import { expect, test } from "vitest";
 import { Latency, Live, STALE_MS } from "../src/live";
 import type { BodyNow, Frame } from "../src/protocol";
-import { light, limitAt } from "../src/views/limits";
 
 function frame(tick: number, north: number, paused = false): Frame {
   const bodies: BodyNow[] = [
@@ -33,6 +32,7 @@ function frame(tick: number, north: number, paused = false): Frame {
     wind: { speed_mps: 5, from_rad: 0 },
     current: { speed_mps: 0, to_rad: 0 },
     waves: null,
+    approach_mps: 0.15,
     alarms: [],
     events: [],
   };
@@ -70,12 +70,4 @@ test("latency is told as such where clocks agree, and as a spread where they do 
   const apart = new Latency();
   for (const ms of [-50_000, -49_990, -49_980]) apart.add(ms);
   expect(apart.figures()).toEqual({ median: 10, p99: 20, clocks: true });
-});
-
-test("the docking lights: the limit holds at the fenders and grows further off; opening is never too fast", () => {
-  expect(limitAt(0, 0.15)).toBe(0.15);
-  expect(limitAt(-0.3, 0.15)).toBe(0.15);
-  expect(limitAt(20, 0.15)).toBeCloseTo(Math.sqrt(0.0225 + 0.08), 12);
-  expect([0.09, 0.11, 0.16].map((v) => light(v, 0, 0.15))).toEqual(["ok", "caution", "alarm"]);
-  expect(light(-1, 0, 0.15)).toBe("ok");
 });

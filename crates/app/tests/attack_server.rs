@@ -104,18 +104,21 @@ fn command(draw: &mut Draw) -> Value {
     match draw.below(kinds) {
         0 => json!({ "do": "rudder", "vessel": who, "angle_rad": n }),
         1 => json!({ "do": "engine", "vessel": who, "share": n }),
-        2 => json!({ "do": "thruster", "vessel": who, "thruster": "bow", "share": n }),
+        2 => json!({ "do": "thruster", "vessel": who, "name": "bow", "power": n }),
         3 => {
-            json!({ "do": "azimuth", "vessel": who, "unit": "port", "power": n, "direction_rad": m })
+            json!({ "do": "azimuth", "vessel": who, "name": "port", "power": n, "direction_rad": m })
         }
         4 => json!({ "do": "course", "vessel": who, "heading_rad": n }),
         5 => json!({ "do": "speed", "vessel": who, "speed_mps": n }),
         6 => json!({ "do": "hands", "vessel": who }),
-        7 => json!({ "do": "tug", "tug": who, "order": "push", "force_n": n, "direction_rad": m }),
+        7 if draw.below(2) == 0 => {
+            json!({ "do": "push", "tug": who, "force_n": n, "direction_rad": m })
+        }
+        7 => json!({ "do": "tug", "tug": who, "order": "push", "power": n }),
         8 => {
             json!({ "do": "push_ship", "vessel": who, "ship": "ship", "at_m": [n, m], "force_n": 1e5 })
         }
-        9 => json!({ "do": "winch", "line": who, "order": "heave", "rate_mps": n }),
+        9 => json!({ "do": "heave", "line": who, "rate_mps": n }),
         10 => json!({ "do": "let_go", "line": who }),
         11 => json!({ "do": "claim", "control": { "vessel": who } }),
         12 => json!({ "do": "release", "control": { "tug": who } }),

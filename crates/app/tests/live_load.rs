@@ -143,11 +143,11 @@ async fn steer(server: &Server, role: &str, until: Instant) -> Saw {
             ("pilot", 0) => json!({ "do": "engine", "vessel": "ship", "share": 0.2 * share }),
             ("pilot", 1) => json!({ "do": "rudder", "vessel": "ship", "angle_rad": share }),
             ("pilot", _) => {
-                json!({ "do": "thruster", "vessel": "ship", "thruster": "bow", "share": share })
+                json!({ "do": "thruster", "vessel": "ship", "name": "bow", "power": share })
             }
             _ => match tug {
                 Some(tug) => {
-                    json!({ "do": "tug", "tug": tug, "order": "push", "force_n": 2e5, "direction_rad": 1.5 + share })
+                    json!({ "do": "push", "tug": tug, "force_n": 2e5, "direction_rad": 1.5 + share })
                 }
                 None => continue,
             },

@@ -14,7 +14,8 @@ use std::time::{Duration, Instant};
 
 use client::Client;
 use damage::{damaged, forged, objects, sealed};
-use fenderline_live::{Action, Session, Source};
+use fenderline_live::{NamedOrder, Session, Source};
+use fenderline_sim::OrderName;
 use serde_json::json;
 use server::{Server, replayed};
 
@@ -52,7 +53,8 @@ fn recording(ticks: u64) -> String {
     for tick in 0..ticks {
         if tick.is_multiple_of(20) {
             let angle_rad = if tick.is_multiple_of(40) { 0.1 } else { -0.1 };
-            let rudder = Action::Rudder { vessel: "ship".into(), angle_rad };
+            let rudder =
+                NamedOrder::new(OrderName::Rudder, "ship").number("angle", angle_rad).into();
             session.command("pilot 1", 1_790_000_000_000 + tick, rudder).expect("a good command");
         }
         session.step().expect("a good step");
@@ -175,7 +177,8 @@ fn a_session_of_more_than_16_mib_is_played_again_and_goes_on() {
         for tick in 0..9000_u32 {
             for hand in 0..12 {
                 let angle_rad = 1e-6 * f64::from((tick * 12 + hand) % 100_003);
-                let rudder = Action::Rudder { vessel: "ship".into(), angle_rad };
+                let rudder =
+                    NamedOrder::new(OrderName::Rudder, "ship").number("angle", angle_rad).into();
                 let who = format!("the hand of the pilot {}", hand % 4);
                 session.command(&who, 1_790_000_000_000, rudder).expect("a good command");
             }

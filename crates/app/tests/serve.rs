@@ -46,7 +46,7 @@ fn each_link_opens_its_role_and_each_role_its_own_actions() {
         assert!(pilot.hello["links"].is_null(), "no role learns another's link");
         let mut clients = [instructor, pilot, master, observer];
         let [instructor, pilot, master, observer] = [0, 1, 2, 3];
-        let push = |tug: &str| json!({ "do": "tug", "tug": tug, "order": "push", "force_n": 1e5, "direction_rad": 1.57 });
+        let push = |tug: &str| json!({ "do": "tug", "tug": tug, "order": "push", "power": 0.25 });
         let wind = json!({ "do": "wind", "speed_mps": 9, "from_rad": 1 });
         // What is theirs.
         for (client, action) in [

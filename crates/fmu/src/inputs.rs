@@ -2,16 +2,14 @@
 
 use fenderline_contact::number::bounded;
 use fenderline_contact::{BodyState, Rotation, Vec2, Wrench, vec2};
-use fenderline_sim::tug::TugOrder;
-use fenderline_sim::{Action, BodySetup, Setup};
+use fenderline_sim::order::{Arguments, OrderName, Value};
+use fenderline_sim::{BodySetup, Setup};
 
 use crate::table::{Causality, Class, StandsFor, Table, Variable};
 use crate::unit::Unit;
 
 /// The largest load that the engine takes (N, N·m).
 const LARGEST_LOAD: f64 = 1e15;
-/// The largest angle that is taken as an order (rad).
-const LARGEST_ANGLE: f64 = 100.0;
 
 /// What an input stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,8 +151,7 @@ fn add_loads(table: &mut Table, (body, of): (usize, &BodySetup), stem: &str, abo
 
 /// Controls of vessels and tugs.
 pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
-    let share = Some([-1.0, 1.0]);
-    let angle = Some([-LARGEST_ANGLE, LARGEST_ANGLE]);
+    let limits = |order: OrderName, argument| Some(order.limits(argument));
     let (one, radian) = (Unit::One, Unit::Radian);
     for (index, vessel) in setup.world.vessels.iter().enumerate() {
         let body = &setup.bodies[vessel.body].name;
@@ -165,25 +162,51 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
         let what =
             "true: the inputs below control the vessel; false: the scenario's orders and pilots do";
         row("external_control", what, one, None, 0.0, Input::ByHand(index));
-        let what = "rudder ordered, positive turns to starboard";
-        let at_start = vessel.rudder.value;
-        row("rudder_order_rad", what, radian, angle, at_start, Input::Rudder(index));
-        let what = "revolutions ordered over full ones, positive ahead";
-        let at_start = bounded(vessel.shaft.value / vessel.shaft.stop, -1.0, 1.0);
-        let at_start = if at_start.is_finite() { at_start } else { 0.0 };
-        row("engine_order", what, one, share, at_start, Input::Engine(index));
+        // An input that nothing on her carries out would do nothing.
+        if OrderName::Rudder.spec().gear.is_on(index, setup) {
+            let what = "rudder ordered, positive turns to starboard";
+            let at_start = vessel.rudder.value;
+            row(
+                "rudder_order_rad",
+                what,
+                radian,
+                limits(OrderName::Rudder, "angle"),
+                at_start,
+                Input::Rudder(index),
+            );
+            let what = "revolutions ordered over full ones, positive ahead";
+            let at_start = bounded(vessel.shaft.value / vessel.shaft.stop, -1.0, 1.0);
+            let at_start = if at_start.is_finite() { at_start } else { 0.0 };
+            row(
+                "engine_order",
+                what,
+                one,
+                limits(OrderName::Engine, "share"),
+                at_start,
+                Input::Engine(index),
+            );
+        }
         for (unit, thruster) in vessel.thrusters.iter().enumerate() {
             let field = format!("thruster.{}.order", thruster.name);
             let what = "thrust ordered over the largest, positive to starboard";
-            row(&field, what, one, share, 0.0, Input::Thruster(index, unit));
+            row(
+                &field,
+                what,
+                one,
+                limits(OrderName::Thruster, "power"),
+                0.0,
+                Input::Thruster(index, unit),
+            );
         }
         for (unit, azimuth) in vessel.azimuths.iter().enumerate() {
             let field = format!("azimuth.{}.power_order", azimuth.name);
-            let (what, range) = ("thrust ordered over that at rest", Some([0.0, 1.0]));
+            let range = limits(OrderName::Azimuth, "power");
+            let what = "thrust ordered over the thrust at rest and full power";
             row(&field, what, one, range, 0.0, Input::AzimuthPower(index, unit));
             let field = format!("azimuth.{}.direction_order_rad", azimuth.name);
             let what = "direction of the thrust ordered, from the bow, positive to starboard";
-            row(&field, what, radian, angle, 0.0, Input::AzimuthDirection(index, unit));
+            let range = limits(OrderName::Azimuth, "direction");
+            row(&field, what, radian, range, 0.0, Input::AzimuthDirection(index, unit));
         }
     }
     for (index, tug) in setup.world.tugs.iter().enumerate() {
@@ -194,9 +217,11 @@ pub(crate) fn add_controls(table: &mut Table, setup: &Setup) {
         let what = "true: the inputs below control the tug; false: the scenario's orders do";
         row("external_control", what, one, None, Input::TugByHand(index));
         let what = "force ordered; 0 is to stand by";
-        row("force_order_n", what, Unit::Newton, Some([0.0, 1e8]), Input::TugForce(index));
+        let range = limits(OrderName::Push, "force");
+        row("force_order_n", what, Unit::Newton, range, Input::TugForce(index));
         let what = "direction of the force ordered, from the ship's bow, positive to starboard";
-        row("direction_order_rad", what, radian, angle, Input::TugDirection(index));
+        let range = limits(OrderName::Push, "direction");
+        row("direction_order_rad", what, radian, range, Input::TugDirection(index));
         let what = "true: the tug pulls on her line; false: she pushes";
         row("pull", what, one, None, Input::TugPulls(index));
     }
@@ -268,65 +293,80 @@ impl Inputs<'_> {
         loads
     }
 
-    /// The orders to vessels and tugs that follow from what changed since `before`, with the vessel.
-    pub(crate) fn orders(&self, before: &Inputs<'_>) -> Vec<(usize, Action)> {
-        let mut orders = Vec::new();
+    /// The orders that follow from what changed since `before`.
+    pub(crate) fn orders(&self, before: &Inputs<'_>) -> Vec<InputOrder> {
         let changed = |input: Input| self.of(input).to_bits() != before.of(input).to_bits();
         let taken = |by: Input| self.is_on(by) && !before.is_on(by);
-        for (input, value) in self.all() {
-            let vessel = match input {
-                Input::ByHand(vessel) => {
-                    if taken(input) {
-                        orders.push((vessel, Action::Hands));
-                    }
-                    continue;
-                }
-                Input::TugForce(tug) => {
-                    let by = Input::TugByHand(tug);
-                    let parts =
-                        [Input::TugForce(tug), Input::TugDirection(tug), Input::TugPulls(tug)];
-                    if self.is_on(by) && (taken(by) || parts.into_iter().any(changed)) {
-                        orders.push((0, Action::Tug(tug, self.tug_order(tug))));
-                    }
-                    continue;
-                }
-                Input::Rudder(vessel)
-                | Input::Engine(vessel)
-                | Input::Thruster(vessel, _)
-                | Input::AzimuthPower(vessel, _)
-                | Input::AzimuthDirection(vessel, _) => vessel,
-                _ => continue,
-            };
-            let by = Input::ByHand(vessel);
-            if !self.is_on(by) || !(taken(by) || changed(input)) {
-                continue;
+        let mut orders = Vec::new();
+        for (input, _) in self.all() {
+            let Some((by, parts, order)) = self.order_of(input) else { continue };
+            if self.is_on(by) && (taken(by) || parts.into_iter().any(changed)) {
+                orders.push(order);
             }
-            let action = match input {
-                Input::Rudder(_) => Action::Rudder(value),
-                Input::Engine(_) => Action::Engine(value),
-                Input::Thruster(_, unit) => Action::Thruster(unit, value),
-                Input::AzimuthPower(_, unit) => {
-                    Action::Azimuth { unit, power: Some(value), direction_rad: None }
-                }
-                Input::AzimuthDirection(_, unit) => {
-                    Action::Azimuth { unit, power: None, direction_rad: Some(value) }
-                }
-                _ => unreachable!("the others have gone on"),
-            };
-            orders.push((vessel, action));
         }
         orders
     }
 
-    fn tug_order(&self, tug: usize) -> TugOrder {
+    /// The order that an input gives, with the input that says whether the master gives orders, and the inputs whose
+    /// change is a new order. `None`: it is not an order.
+    fn order_of(&self, input: Input) -> Option<(Input, Vec<Input>, InputOrder)> {
+        let none = Arguments::new();
+        let of_vessel = |vessel, order, arguments| {
+            (Input::ByHand(vessel), vec![input], InputOrder { order, target: vessel, arguments })
+        };
+        let value = self.of(input);
+        let named = |index| Arguments::new().with("name", Value::Index(index));
+        Some(match input {
+            Input::ByHand(vessel) => {
+                let order = InputOrder { order: OrderName::Hands, target: vessel, arguments: none };
+                (input, vec![], order)
+            }
+            Input::Rudder(vessel) => {
+                of_vessel(vessel, OrderName::Rudder, none.number("angle", value))
+            }
+            Input::Engine(vessel) => {
+                of_vessel(vessel, OrderName::Engine, none.number("share", value))
+            }
+            Input::Thruster(vessel, index) => {
+                of_vessel(vessel, OrderName::Thruster, named(index).number("power", value))
+            }
+            Input::AzimuthPower(vessel, index) => {
+                of_vessel(vessel, OrderName::Azimuth, named(index).number("power", value))
+            }
+            Input::AzimuthDirection(vessel, index) => {
+                of_vessel(vessel, OrderName::Azimuth, named(index).number("direction", value))
+            }
+            Input::TugForce(tug) => {
+                let parts =
+                    vec![Input::TugForce(tug), Input::TugDirection(tug), Input::TugPulls(tug)];
+                (Input::TugByHand(tug), parts, self.tug_order(tug))
+            }
+            // With the force, as one order.
+            Input::TugByHand(_) | Input::TugDirection(_) | Input::TugPulls(_) => return None,
+            Input::State { .. } | Input::Placed(_) | Input::Load { .. } => return None,
+        })
+    }
+
+    fn tug_order(&self, tug: usize) -> InputOrder {
         let force_n = self.of(Input::TugForce(tug));
         let direction_rad = self.of(Input::TugDirection(tug));
-        match (force_n == 0.0, self.is_on(Input::TugPulls(tug))) {
-            (true, _) => TugOrder::StandBy,
-            (_, true) => TugOrder::Pull { force_n, direction_rad },
-            (_, false) => TugOrder::Push { force_n, direction_rad },
-        }
+        let numbers = Arguments::new().number("force", force_n).number("direction", direction_rad);
+        let (order, arguments) = match (force_n == 0.0, self.is_on(Input::TugPulls(tug))) {
+            (true, _) => (OrderName::StandBy, Arguments::new()),
+            (_, true) => (OrderName::Pull, numbers),
+            (_, false) => (OrderName::Push, numbers),
+        };
+        InputOrder { order, target: tug, arguments }
     }
+}
+
+/// An order that a master gives by inputs.
+#[derive(Clone, Debug)]
+pub(crate) struct InputOrder {
+    pub(crate) order: OrderName,
+    /// Index of the vessel or tug.
+    pub(crate) target: usize,
+    pub(crate) arguments: Arguments,
 }
 
 /// A vector in a body's axes, earth-fixed.

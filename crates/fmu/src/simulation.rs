@@ -3,7 +3,7 @@
 use fenderline_contact::number::greater;
 use fenderline_sim::{Order, Simulation};
 
-use crate::inputs::Inputs;
+use crate::inputs::{InputOrder, Inputs};
 use crate::outputs::{View, read};
 use crate::parameters::applied;
 use crate::plan::Plan;
@@ -110,8 +110,10 @@ impl SimulationRun {
         }
         let before = Inputs { table, values: &self.taken };
         let now = Inputs { table, values };
-        for (vessel, action) in now.orders(&before) {
-            let order = Order { at_s: self.simulation.time_s(), vessel, action };
+        for InputOrder { order, target, arguments } in now.orders(&before) {
+            let action = order.build(target, &arguments, self.simulation.setup());
+            let action = action.map_err(|error| error.to_string())?;
+            let order = Order { at_s: self.simulation.time_s(), action };
             self.simulation.order(order).map_err(|error| error.to_string())?;
         }
         self.simulation.set_external(&now.loads(self.simulation.states().len()));

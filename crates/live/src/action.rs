@@ -1,81 +1,90 @@
-//! What hands do to the simulation: the commands that are recorded.
+//! What people do to the simulation: the commands that are recorded.
 
-use serde::{Deserialize, Serialize};
+use fenderline_sim::order::{Lead, OrderName, SidePlace, TugWord, TugWords};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Map, Value};
 
-/// A command that changes the simulated world, by the names of the scenario. Its JSON is that of
-/// `web/src/protocol.ts`, where every field is told; units are SI.
+use crate::named_order::NamedOrder;
+
+/// A command that changes the simulated world, by the names of the scenario; units are SI. Its JSON is that of
+/// `web/src/protocol.ts`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// An order of the table in `fenderline_sim`.
+    Order(NamedOrder),
+    /// Anything else.
+    Other(OtherAction),
+}
+
+/// A command that is not an order of the table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
-#[allow(missing_docs, reason = "the fields are those of protocol.ts")]
-pub enum Action {
-    /// Rudder angle, positive turns to starboard going ahead.
-    Rudder { vessel: String, angle_rad: f64 },
-    /// Revolutions over full ones, −1 to 1.
-    Engine { vessel: String, share: f64 },
-    /// A tunnel thruster, −1 (to port) to 1.
-    Thruster { vessel: String, thruster: String, share: f64 },
-    /// An azimuth unit; what is `null` stays.
-    Azimuth { vessel: String, unit: String, power: Option<f64>, direction_rad: Option<f64> },
-    /// Keep a heading.
-    Course { vessel: String, heading_rad: f64 },
-    /// Keep a speed through the water.
-    Speed { vessel: String, speed_mps: f64 },
-    /// Pilots off.
-    Hands { vessel: String },
-    /// A vector tug; force and direction for `push` and `pull`.
+#[allow(missing_docs, reason = "protocol.ts explains the fields")]
+pub enum OtherAction {
+    /// A pilot's words to a tug of either kind. The simulation finds force, direction and place.
     Tug {
         tug: String,
+        #[serde(with = "crate::word")]
         order: TugWord,
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        force_n: Option<f64>,
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        direction_rad: Option<f64>,
-    },
-    /// A tug that is a vessel goes to a ship's side and pushes.
-    PushShip { vessel: String, ship: String, at_m: [f64; 2], force_n: f64 },
-    /// A tug that is a vessel pulls on a line between her and a ship; the direction is from the ship's bow.
-    PullShip { vessel: String, line: String, direction_rad: f64, force_n: f64 },
-    /// A tug that is a vessel keeps a place beside a ship.
-    FollowShip { vessel: String, ship: String, at_m: [f64; 2], heading_rad: f64 },
-    /// A line's winch; the rate counts for `heave` and `pay_out`.
-    Winch {
-        line: String,
-        order: WinchWord,
+        /// Force over her bollard pull.
         #[serde(default)]
-        rate_mps: f64,
+        power: f64,
+        #[serde(default, with = "crate::word")]
+        lead: Lead,
+        #[serde(default, with = "crate::word")]
+        place: SidePlace,
     },
-    /// A line is cast off.
-    LetGo { line: String },
-    /// A steady wind at 10 m in place of what blew.
+    /// A steady wind at 10 m in place of the present one.
     Wind { speed_mps: f64, from_rad: f64 },
-    /// A uniform current in place of what ran.
+    /// A uniform current in place of the present one.
     Current { speed_mps: f64, to_rad: f64 },
     /// Something on a vessel fails, or is repaired.
     Fault { vessel: String, fault: Fault, on: bool },
+    /// The greatest closing speed at the fenders that is no alarm.
+    ApproachLimit { speed_mps: f64 },
 }
 
-/// What a vector tug is told.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum TugWord {
-    /// No force.
-    StandBy,
-    /// At the hull.
-    Push,
-    /// On her line.
-    Pull,
+impl Action {
+    /// A pilot's words to a tug.
+    #[must_use]
+    pub fn tug(tug: &str, words: TugWords) -> Action {
+        let TugWords { word: order, power, lead, place } = words;
+        Action::Other(OtherAction::Tug { tug: tug.to_owned(), order, power, lead, place })
+    }
 }
 
-/// What a winch is told.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum WinchWord {
-    /// Brake on.
-    Hold,
-    /// In.
-    Heave,
-    /// Out.
-    PayOut,
+impl From<NamedOrder> for Action {
+    fn from(order: NamedOrder) -> Action {
+        Action::Order(order)
+    }
+}
+
+impl From<OtherAction> for Action {
+    fn from(other: OtherAction) -> Action {
+        Action::Other(other)
+    }
+}
+
+impl Serialize for Action {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Action::Order(order) => order.to_json().serialize(to),
+            Action::Other(other) => other.serialize(to),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Action {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Action, D::Error> {
+        let mut map = Map::deserialize(from)?;
+        let order = map.get("do").and_then(Value::as_str).and_then(OrderName::of_word);
+        if let Some(order) = order {
+            map.remove("do");
+            return NamedOrder::from_json(order, map).map(Action::Order).map_err(D::Error::custom);
+        }
+        serde_json::from_value(Value::Object(map)).map(Action::Other).map_err(D::Error::custom)
+    }
 }
 
 /// What can fail on a vessel: see [`fenderline_sim::Faults`].
@@ -93,7 +102,7 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// Those of a vessel that stand.
+    /// Those of a vessel that are on.
     #[must_use]
     pub fn standing(faults: &fenderline_sim::Faults) -> Vec<Fault> {
         [
@@ -107,7 +116,7 @@ impl Fault {
         .collect()
     }
 
-    /// Switches it.
+    /// Switches it on or off.
     pub(crate) fn switch(self, faults: &mut fenderline_sim::Faults, on: bool) {
         match self {
             Fault::RudderStuck => faults.rudder_stuck = on,

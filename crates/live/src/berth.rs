@@ -4,9 +4,10 @@ use fenderline_contact::number::{bounded, greater, lesser};
 use fenderline_contact::{BodyState, Outline, Rotation, Vec2, vec2};
 use fenderline_sim::Setup;
 
+use crate::approach::Light;
 use crate::cast::Cast;
 use crate::info::pair;
-use crate::message::{BerthEnd, BerthInfo, BerthNow};
+use crate::message::{BerthEnd, BerthInfo, BerthNow, Lamp};
 
 /// Fenders belong to one berth where they face the same way to within this angle (rad).
 const SAME_WAY_RAD: f64 = 0.1;
@@ -113,7 +114,7 @@ impl Berth {
     /// How a ship lies to it, where the body that it is on is: distances of the two ends of the flat of her side, on
     /// the side that the berth is on, positive off the fenders; the speeds of these ends, positive towards the berth;
     /// her speed along it, positive ahead; the angle between her and the berth, positive with the bow nearer. What her
-    /// ends are at is left for the board to say.
+    /// ends are at is left to the board.
     pub(crate) fn seen_from(
         &self,
         on: &BodyState,
@@ -140,6 +141,9 @@ impl Berth {
         BerthNow {
             bow: BerthEnd::Off,
             stern: BerthEnd::Off,
+            limit_mps: 0.0,
+            bow_lamp: Lamp { light: Light::Ok, text: "" },
+            stern_lamp: Lamp { light: Light::Ok, text: "" },
             bow_m,
             stern_m,
             bow_mps: closing_mps(bow),

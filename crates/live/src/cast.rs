@@ -1,8 +1,10 @@
 //! Who is who in a scenario: the pilot's own ship, the tugs, and which helm a command is for.
 
+use fenderline_sim::order::TargetKind;
 use fenderline_sim::{LineEnd, Setup, VesselSetup};
 
-use crate::action::Action;
+use crate::action::{Action, OtherAction};
+use crate::named_order::NamedOrder;
 use crate::request::Control;
 
 /// A vessel is a tug where she goes by azimuth units alone and is no longer than this (m). The longest harbour
@@ -34,6 +36,8 @@ pub enum Helm {
     Line(Vec<String>),
     /// Weather and faults.
     World,
+    /// The docking board and the alarms of an approach.
+    Board,
 }
 
 impl Cast {
@@ -87,27 +91,29 @@ impl Cast {
         index.is_some_and(|index| self.is_tug[index])
     }
 
-    /// The helm that a command is for; names that are not there are told when it is carried out.
+    /// The helm that a command is for. Names that do not exist are refused when it is carried out.
     #[must_use]
     pub fn helm(&self, action: &Action) -> Helm {
         match action {
-            Action::Rudder { vessel, .. }
-            | Action::Engine { vessel, .. }
-            | Action::Thruster { vessel, .. }
-            | Action::Azimuth { vessel, .. }
-            | Action::Course { vessel, .. }
-            | Action::Speed { vessel, .. }
-            | Action::Hands { vessel }
-            | Action::PushShip { vessel, .. }
-            | Action::PullShip { vessel, .. }
-            | Action::FollowShip { vessel, .. } => Helm::Of(Control::Vessel(vessel.clone())),
-            Action::Tug { tug, .. } => Helm::Of(Control::Tug(tug.clone())),
-            Action::Winch { line, .. } | Action::LetGo { line } => {
-                let ends = self.lines.iter().find(|(name, _)| name == line);
-                let ends = ends.map(|(_, ends)| ends.as_slice()).unwrap_or_default();
-                Helm::Line(ends.iter().map(|&vessel| self.vessels[vessel].clone()).collect())
-            }
-            Action::Wind { .. } | Action::Current { .. } | Action::Fault { .. } => Helm::World,
+            Action::Order(NamedOrder { order, to, .. }) => match order.spec().target {
+                TargetKind::Vessel => Helm::Of(Control::Vessel(to.clone())),
+                TargetKind::Tug => Helm::Of(Control::Tug(to.clone())),
+                TargetKind::Line => {
+                    let ends = self.lines.iter().find(|(name, _)| name == to);
+                    let ends = ends.map(|(_, ends)| ends.as_slice()).unwrap_or_default();
+                    Helm::Line(ends.iter().map(|&vessel| self.vessels[vessel].clone()).collect())
+                }
+            },
+            Action::Other(other) => match other {
+                OtherAction::Tug { tug, .. } if self.vessels.contains(tug) => {
+                    Helm::Of(Control::Vessel(tug.clone()))
+                }
+                OtherAction::Tug { tug, .. } => Helm::Of(Control::Tug(tug.clone())),
+                OtherAction::Wind { .. }
+                | OtherAction::Current { .. }
+                | OtherAction::Fault { .. } => Helm::World,
+                OtherAction::ApproachLimit { .. } => Helm::Board,
+            },
         }
     }
 }

@@ -1,18 +1,20 @@
-//! What pages are told of a scenario once: hulls, machinery, fenders, lines, tugs.
+//! What pages need to know of a scenario once: hulls, machinery, fenders, lines, tugs, orders.
 
 use fenderline_contact::Vec2;
 use fenderline_contact::number::lesser;
 use fenderline_sim::mooring::{InboardEnd, LineKind};
+use fenderline_sim::order::{OrderName, SidePlace, TargetKind, Word, towline};
 use fenderline_sim::{LineEnd, MooringSetup, Setup, TugSetup, VesselSetup};
 
 use crate::berth::Berth;
 use crate::cast::Cast;
 use crate::message::{
-    AzimuthInfo, BodyInfo, FenderInfo, LineEndInfo, LineInfo, Pair, ThrusterInfo, TugInfo,
-    VesselInfo,
+    AzimuthInfo, BodyInfo, FenderInfo, LineEndInfo, LineInfo, OrderInfo, Pair, ThrusterInfo,
+    TugInfo, VesselInfo,
 };
+use crate::order_info::order_infos;
 
-/// A line works up to this part of its breaking load: half, as the protocol says. Public summaries of OCIMF's MEG4 have
+/// The working load of a line over its breaking load. Public summaries of OCIMF's MEG4 have
 /// the same for synthetic ropes, and 55 % for wire.
 pub(crate) const WORKING_SHARE: f64 = 0.5;
 
@@ -29,6 +31,10 @@ pub struct Info {
     pub lines: Vec<LineInfo>,
     /// As in [`crate::message::Hello`].
     pub tugs: Vec<TugInfo>,
+    /// As in [`crate::message::Hello`].
+    pub orders: Vec<OrderInfo>,
+    /// Places at the side of the pilot's own ship where a tug may work.
+    pub places: Vec<&'static str>,
     /// The berth that distances are to.
     pub berth: Option<Berth>,
     /// Depth of the water (m).
@@ -59,10 +65,14 @@ impl Info {
         });
         Info {
             bodies: bodies.collect(),
-            vessels: vessels.map(|(vessel, &is_tug)| vessel_info(setup, vessel, is_tug)).collect(),
+            vessels: vessels
+                .map(|(vessel, &is_tug)| vessel_info(setup, cast, vessel, is_tug))
+                .collect(),
             fenders: fenders.collect(),
             lines: world.lines.iter().map(line_info).collect(),
             tugs: world.tugs.iter().map(|tug| tug_info(tug, &world.vessels)).collect(),
+            orders: order_infos(),
+            places: cast.own.map_or_else(Vec::new, |own| places(setup, &world.vessels[own])),
             berth: Berth::of(setup, cast),
             depth_m: world.environment.depth_m,
         }
@@ -73,7 +83,16 @@ pub(crate) fn pair(of: Vec2) -> Pair {
     [of.x, of.y]
 }
 
-fn vessel_info(setup: &Setup, vessel: &VesselSetup, is_tug: bool) -> VesselInfo {
+fn vessel_info(setup: &Setup, cast: &Cast, vessel: &VesselSetup, is_tug: bool) -> VesselInfo {
+    let own = cast.own.map(|own| setup.world.vessels[own].body);
+    let index = setup.world.vessels.iter().position(|other| other.body == vessel.body);
+    let has_gear = |order: &&OrderName| {
+        let spec = order.spec();
+        spec.target == TargetKind::Vessel
+            && index.is_some_and(|index| spec.gear.is_on(index, setup))
+    };
+    let orders = OrderName::ALL.iter().filter(has_gear).map(|order| order.spec().word);
+    let has_towline = own.is_some_and(|ship| towline(setup, vessel.body, ship).is_some());
     let hull = &vessel.ship.particulars;
     let name = setup.bodies[vessel.body].name.clone();
     let title = if vessel.origin.title.is_empty() { &name } else { &vessel.origin.title };
@@ -102,7 +121,17 @@ fn vessel_info(setup: &Setup, vessel: &VesselSetup, is_tug: bool) -> VesselInfo 
         thrusters: thrusters.collect(),
         azimuths: azimuths.collect(),
         is_tug,
+        has_towline,
+        orders: orders.collect(),
     }
+}
+
+/// Places at a ship's side, the nearest first.
+fn places(setup: &Setup, ship: &VesselSetup) -> Vec<&'static str> {
+    let (outline, length_m) = (&setup.bodies[ship.body].outline, ship.ship.particulars.length_m);
+    let has_side =
+        |place: &&SidePlace| **place == SidePlace::Nearest || place.on(outline, length_m).is_some();
+    SidePlace::ALL.iter().filter(has_side).map(|place| place.word()).collect()
 }
 
 fn line_info(line: &MooringSetup) -> LineInfo {

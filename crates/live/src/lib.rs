@@ -10,6 +10,7 @@
 
 mod action;
 mod alarm_book;
+mod approach;
 mod berth;
 mod bits;
 mod carry_out;
@@ -19,6 +20,8 @@ mod frame;
 mod info;
 mod limits;
 pub mod message;
+mod named_order;
+mod order_info;
 mod prediction;
 mod recording;
 mod refusal;
@@ -26,12 +29,16 @@ mod replay;
 mod request;
 mod session;
 mod source;
+mod word;
 
-pub use action::{Action, Fault, TugWord, WinchWord};
+pub use action::{Action, Fault, OtherAction};
 pub use alarm_book::{Alarm, AlarmBook, Level};
+pub use approach::{ApproachLimit, Light};
 pub use cast::{Cast, Helm};
 pub use info::Info;
 pub use limits::{Full, LARGEST_RECORDING_BYTES};
+pub use named_order::NamedOrder;
+pub use order_info::order_infos;
 pub use prediction::Prediction;
 pub use recording::{
     CopyError, Ending, Fault as RecordingFault, Line, Outline, RecordingError, RecordingReader,

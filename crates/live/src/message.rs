@@ -1,11 +1,15 @@
-//! What pages are told, field by field as `web/src/protocol.ts` has it: there each is explained. `tests/protocol.rs`
-//! holds the names here against that file.
-#![allow(missing_docs, reason = "protocol.ts tells every field")]
+//! Messages to pages, with the fields of `web/src/protocol.ts`, where each is explained. `tests/protocol.rs` compares the
+//! names.
+#![allow(missing_docs, reason = "protocol.ts explains every field")]
 
 use serde::{Deserialize, Serialize};
 
 use crate::action::Fault;
+use crate::approach::Light;
 use crate::request::Control;
+
+/// The protocol's number; a page of another one asks to be loaded anew.
+pub const PROTOCOL: u32 = 2;
 
 /// A place or a vector.
 pub type Pair = [f64; 2];
@@ -23,6 +27,8 @@ pub struct Hello<'a> {
     pub fenders: &'a [FenderInfo],
     pub lines: &'a [LineInfo],
     pub tugs: &'a [TugInfo],
+    pub orders: &'a [OrderInfo],
+    pub places: &'a [&'static str],
     pub mine: Vec<Control>,
     pub claims: &'a [Claim],
     pub gallery: &'a [GalleryEntry],
@@ -30,6 +36,27 @@ pub struct Hello<'a> {
     pub depth_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub links: Option<&'a [Link]>,
+}
+
+/// One order of the table in `fenderline_sim`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OrderInfo {
+    pub name: &'static str,
+    pub target: &'static str,
+    pub needs: Option<&'static str>,
+    pub meaning: &'static str,
+    pub arguments: Vec<ArgumentInfo>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ArgumentInfo {
+    pub name: String,
+    pub kind: &'static str,
+    pub unit: &'static str,
+    pub limits: Option<Pair>,
+    pub default: Option<f64>,
+    pub required: bool,
+    pub meaning: &'static str,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -89,6 +116,8 @@ pub struct VesselInfo {
     pub thrusters: Vec<ThrusterInfo>,
     pub azimuths: Vec<AzimuthInfo>,
     pub is_tug: bool,
+    pub has_towline: bool,
+    pub orders: Vec<&'static str>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -164,6 +193,7 @@ pub struct Frame {
     pub wind: WindNow,
     pub current: CurrentNow,
     pub waves: Option<WavesNow>,
+    pub approach_mps: f64,
     pub alarms: Vec<AlarmNow>,
 }
 
@@ -240,14 +270,32 @@ pub struct AzimuthNow {
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct AssistNow {
-    pub job: &'static str,
+    pub order: &'static str,
+    pub power: f64,
+    pub place: Option<&'static str>,
+    pub state: AssistState,
     pub force_n: f64,
+}
+
+/// How far a tug that is a vessel has come with her order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AssistState {
+    StandsOff,
+    ComesAlongside,
+    Alongside,
+    Pushes,
+    TakesUpSlack,
+    Pulls,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BerthNow {
     pub bow: BerthEnd,
     pub stern: BerthEnd,
+    pub limit_mps: f64,
+    pub bow_lamp: Lamp,
+    pub stern_lamp: Lamp,
     pub bow_m: f64,
     pub stern_m: f64,
     pub bow_mps: f64,
@@ -256,7 +304,14 @@ pub struct BerthNow {
     pub angle_rad: f64,
 }
 
-/// What an end of a ship is at, as the docking board says it.
+/// The signal of the docking board for an end of a ship: the worse of her speed and of what the end is at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Lamp {
+    pub light: Light,
+    pub text: &'static str,
+}
+
+/// What an end of a ship is at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BerthEnd {
@@ -279,6 +334,7 @@ pub struct FenderNow {
     pub peak_of_energy: f64,
     pub peak_of_reaction: f64,
     pub failed: bool,
+    pub over_rated: bool,
     pub touched: bool,
 }
 
@@ -295,12 +351,14 @@ pub struct ContactNow {
 pub struct LineNow {
     pub state: &'static str,
     pub tension_n: f64,
+    pub over_working: bool,
     pub winch: &'static str,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TugNow {
     pub order: &'static str,
+    pub power: f64,
     pub order_n: f64,
     pub order_direction_rad: f64,
     pub force_n: f64,

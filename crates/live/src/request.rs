@@ -51,6 +51,25 @@ pub enum Conduct {
     Save { name: String },
 }
 
+impl Conduct {
+    /// The word of each; a test holds them against the variants.
+    pub const WORDS: &[&str] = &[
+        "claim",
+        "release",
+        "pause",
+        "resume",
+        "single_step",
+        "pace",
+        "rewind",
+        "branch",
+        "show_branch",
+        "load",
+        "stop_opening",
+        "acknowledge",
+        "save",
+    ];
+}
+
 /// Anything that a page may ask for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
@@ -67,22 +86,6 @@ enum Message {
     Command { id: i64, action: Value },
 }
 
-const CONDUCT: [&str; 13] = [
-    "claim",
-    "release",
-    "pause",
-    "resume",
-    "single_step",
-    "pace",
-    "rewind",
-    "branch",
-    "show_branch",
-    "load",
-    "stop_opening",
-    "acknowledge",
-    "save",
-];
-
 impl Request {
     /// Reads a message of a page: its number, where one could be read, and what it asks for.
     ///
@@ -95,11 +98,11 @@ impl Request {
             Err(e) => return (None, Err(told(e))),
         };
         let Message::Command { id, action } = message;
-        let word = action.get("do").and_then(Value::as_str);
-        let request = if word.is_some_and(|word| CONDUCT.contains(&word)) {
-            serde_json::from_value(action).map(Request::Conduct)
-        } else {
-            serde_json::from_value(action).map(Request::Action)
+        let request = match action.get("do").and_then(Value::as_str) {
+            Some(word) if Conduct::WORDS.contains(&word) => {
+                serde_json::from_value(action).map(Request::Conduct)
+            }
+            _ => serde_json::from_value(action).map(Request::Action),
         };
         (Some(id), request.map_err(told))
     }
@@ -107,13 +110,16 @@ impl Request {
 
 #[cfg(test)]
 mod tests {
+    use fenderline_sim::OrderName;
+
     use super::*;
+    use crate::named_order::NamedOrder;
 
     #[test]
     fn a_message_is_read_and_what_is_none_is_told() {
         let good =
             r#"{"type":"command","id":7,"action":{"do":"rudder","vessel":"a","angle_rad":0.5}}"#;
-        let action = Action::Rudder { vessel: "a".into(), angle_rad: 0.5 };
+        let action = Action::from(NamedOrder::new(OrderName::Rudder, "a").number("angle", 0.5));
         assert_eq!(Request::parse(good), (Some(7), Ok(Request::Action(action))));
         let pause = r#"{"type":"command","id":8,"action":{"do":"pause"}}"#;
         assert_eq!(Request::parse(pause), (Some(8), Ok(Request::Conduct(Conduct::Pause {}))));
@@ -134,7 +140,7 @@ mod tests {
             ),
             (
                 r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"a","share":null}}"#,
-                "invalid type: null",
+                "`share` is a number",
             ),
             (
                 r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"a"}}"#,

@@ -6,8 +6,9 @@ use fenderline_scenario::ScenarioError;
 use fenderline_sim::{SetupError, SimError, Simulation};
 
 use crate::action::Action;
+use crate::approach::ApproachLimit;
 use crate::bits::fingerprint;
-use crate::carry_out::{InHand, carry_out};
+use crate::carry_out::{ManualControl, carry_out};
 use crate::cast::Cast;
 use crate::checkpoints::Checkpoints;
 use crate::frame::Seen;
@@ -33,7 +34,8 @@ pub struct Branch {
 #[derive(Clone, Debug)]
 pub(crate) struct Now {
     pub(crate) simulation: Simulation,
-    pub(crate) in_hand: InHand,
+    pub(crate) manual: ManualControl,
+    pub(crate) approach: ApproachLimit,
     pub(crate) seen: Seen,
     /// Steps taken.
     pub(crate) tick: u64,
@@ -115,7 +117,8 @@ impl Session {
         let simulation = Simulation::new(scenario.setup).map_err(SessionError::Setup)?;
         let cast = Cast::of(simulation.setup());
         let seen = Seen::before_the_first_step(&simulation);
-        let now = Now { simulation, in_hand: InHand::default(), seen, tick: 0 };
+        let (manual, approach) = (ManualControl::default(), ApproachLimit::default());
+        let now = Now { simulation, manual, approach, seen, tick: 0 };
         let first = Branch { parent: None, from_tick: 0, ends_tick: 0, commands: Vec::new() };
         Ok(Session {
             source,
@@ -208,10 +211,9 @@ impl Session {
         let line =
             Line::Command { branch, tick, who: who.to_owned(), at_ms, action: action.clone() };
         let line = self.writer.prepare(&line).map_err(Refusal::new)?;
-        let Now { simulation, in_hand, .. } = &mut self.now;
-        let forgotten = carry_out(&action, simulation, in_hand)?;
-        if forgotten {
-            let text = "in hand: the scenario's own orders to this control are off".to_owned();
+        let dropped = carry_out(&action, &self.cast, &mut self.now)?;
+        if dropped {
+            let text = "manual control: the scenario's own orders to it are dropped".to_owned();
             self.events.push((self.now.simulation.time_s(), text));
         }
         self.commands += 1;
@@ -275,9 +277,8 @@ impl Session {
         let commands = &self.branches[segment].commands;
         let from = commands.partition_point(|(tick, _)| *tick < at);
         let own = commands[from..].iter().take_while(|(tick, _)| *tick == at);
-        let Now { simulation, in_hand, .. } = &mut self.now;
         for (_, action) in own {
-            let again = carry_out(action, simulation, in_hand);
+            let again = carry_out(action, &self.cast, &mut self.now);
             assert!(again.is_ok(), "it was carried out before in this state: {action:?}");
         }
     }

@@ -1,11 +1,13 @@
-//! The names in our messages are those in `web/src/protocol.ts`.
+//! The names in messages and orders are those of `web/src/protocol.ts`.
 
 mod support;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_live::message::{self, Hello, Role, RunState};
-use fenderline_live::{Alarm, AlarmBook, Info, Level, Request, Session};
+use fenderline_live::{Alarm, AlarmBook, Conduct, Info, Level, Request, Session};
+use fenderline_sim::OrderName;
+use fenderline_sim::order::Argument;
 use serde_json::Value;
 
 /// The interfaces of the file: each name with its fields, and whether a field may be left out.
@@ -32,10 +34,25 @@ fn interfaces(text: &str) -> BTreeMap<String, Vec<(String, bool)>> {
     all
 }
 
-/// Every command of the file, as a line of its union.
-fn commands(text: &str) -> Vec<String> {
-    let union = text.split("export type Action =").nth(1).expect("the union of commands");
-    let union = union.split("export type Fault").next().expect("its end");
+/// The orders of the file with their fields.
+fn orders(text: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let body = text.split("export interface Orders {").nth(1).expect("the orders");
+    let body = body.split("\n}").next().expect("their end");
+    let rows = body.lines().filter_map(|line| line.trim().split_once(": {"));
+    rows.map(|(name, fields)| {
+        let fields = fields.split(';').filter_map(|field| field.split_once(':'));
+        (
+            name.to_owned(),
+            fields.map(|(field, _)| field.trim().trim_end_matches('?').to_owned()).collect(),
+        )
+    })
+    .collect()
+}
+
+/// The words of all commands of the file that are not orders.
+fn other_commands(text: &str) -> BTreeSet<String> {
+    let union = text.split("export type OtherAction =").nth(1).expect("the other commands");
+    let union = union.split("export type Fault").next().expect("their end");
     let words = union.split("do: \"").skip(1);
     words.map(|rest| rest.split('"').next().expect("a word").to_owned()).collect()
 }
@@ -89,7 +106,7 @@ fn shown(session: &Session) -> (Value, Value) {
         .collect();
     let links = [message::Link { role: Role::Pilot, path: "/".into() }];
     let hello = Hello {
-        protocol: 1,
+        protocol: message::PROTOCOL,
         role: &Role::Tugmaster { tug: "aft".into() },
         title: session.title(),
         file: &session.source().file,
@@ -99,6 +116,8 @@ fn shown(session: &Session) -> (Value, Value) {
         fenders: &info.fenders,
         lines: &info.lines,
         tugs: &info.tugs,
+        orders: &info.orders,
+        places: &info.places,
         mine: vec![],
         claims: &claims,
         gallery: &[],
@@ -138,6 +157,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
         ("fenders", "FenderInfo"),
         ("lines", "LineInfo"),
         ("tugs", "TugInfo"),
+        ("orders", "OrderInfo"),
     ] {
         each(&hello, key).for_each(|value| has_fields(value, name, &known));
     }
@@ -164,11 +184,22 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
 }
 
 #[test]
-fn every_command_of_the_protocol_is_known_here_and_no_other_is() {
-    let mut words = commands(&protocol());
-    words.sort();
-    words.dedup();
-    assert_eq!(words.len(), 29, "{words:?}");
+fn the_orders_of_the_protocol_are_those_of_the_table_field_by_field() {
+    let table = OrderName::ALL.iter().map(|order| {
+        let spec = order.spec();
+        let target = std::iter::once(spec.target.word().to_owned());
+        (spec.word.to_owned(), target.chain(spec.arguments.iter().map(Argument::field)).collect())
+    });
+    let page = std::fs::read_to_string(support::repository("web/src/orders.ts"));
+    assert_eq!(
+        orders(&page.expect("the page's orders")),
+        table.collect::<BTreeMap<String, BTreeSet<String>>>()
+    );
+}
+
+#[test]
+fn every_other_command_of_the_protocol_is_known_here_and_no_other_is() {
+    let words = other_commands(&protocol());
     for word in &words {
         let text = format!(r#"{{"type":"command","id":1,"action":{{"do":"{word}"}}}}"#);
         if let Err(reason) = Request::parse(&text).1 {
@@ -177,9 +208,8 @@ fn every_command_of_the_protocol_is_known_here_and_no_other_is() {
     }
     let text = r#"{"type":"command","id":1,"action":{"do":"fly"}}"#;
     let reason = Request::parse(text).1.expect_err("no such command").to_string();
-    for known in reason.split('`').skip(3).step_by(2) {
-        assert!(words.iter().any(|word| word == known), "`{known}` is not in the protocol");
-    }
+    let ours = reason.split('`').skip(3).step_by(2).chain(Conduct::WORDS.iter().copied());
+    assert_eq!(words, ours.map(str::to_owned).collect());
 }
 
 #[test]

@@ -228,8 +228,8 @@ fn a_recording_that_somebody_forged_is_told_at_its_line() {
     assert!(why.contains("line 2: there is no vessel `shop`"), "{why}");
     let why = forge("\"angle_rad\":", "\"angle\":").expect_err("no such field");
     assert!(why.contains("line 2: no session says this"), "{why}");
-    let why = forge("\"fenderline_session\":2", "\"fenderline_session\":1").expect_err("old");
-    assert!(why.contains("format 1, but this program reads 2"), "{why}");
+    let why = forge("\"fenderline_session\":3", "\"fenderline_session\":2").expect_err("old");
+    assert!(why.contains("format 2, but this program reads 3"), "{why}");
     let more = text.clone() + "{}";
     assert_eq!(fault(more.as_bytes()).1, RecordingFault::AfterEnd);
     let long = text.lines().next().expect("a line").to_owned() + "\n" + &"x".repeat(100_000);
@@ -244,11 +244,11 @@ fn four_hands_for_fifteen_minutes_are_recorded_and_played_again() {
     for tick in 0..9000_u32 {
         for hand in 0..12 {
             let share = f64::from((tick * 12 + hand) % 1999) / 1999.0;
-            let action = fenderline_live::Action::Thruster {
-                vessel: "ship".into(),
-                thruster: "bow".into(),
-                share: 0.7 * share,
-            };
+            let action =
+                fenderline_live::NamedOrder::new(fenderline_sim::OrderName::Thruster, "ship")
+                    .name("name", "bow")
+                    .number("power", 0.7 * share)
+                    .into();
             let who = format!("master of forward {hand}");
             session.command(&who, 1_790_000_000_000, action).expect("a good command");
         }

@@ -3,42 +3,40 @@
 
 mod support;
 
-use fenderline_live::{Action, Fault, Request, Session, TugWord, WinchWord};
+use fenderline_live::{Action, Fault, OtherAction, Request, Session};
+use fenderline_sim::OrderName;
+use fenderline_sim::order::{Lead, SidePlace, TugWord, TugWords};
 use proptest::prelude::*;
-use support::{engine, go, harbour, open, replay, rudder, saved, say};
+use support::{engine, go, harbour, open, order, replay, rudder, saved, say};
 
 fn commands() -> Vec<Action> {
-    let ship = || "ship".to_owned();
-    let push_n = Some(3e5);
     vec![
         rudder(0.3),
         rudder(-0.6),
         engine(0.4),
         engine(-0.7),
-        Action::Thruster { vessel: ship(), thruster: "bow".into(), share: 0.9 },
-        Action::Course { vessel: ship(), heading_rad: 0.2 },
-        Action::Speed { vessel: ship(), speed_mps: 1.5 },
-        Action::Hands { vessel: ship() },
-        Action::Tug {
-            tug: "forward".into(),
-            order: TugWord::Push,
-            force_n: push_n,
-            direction_rad: Some(1.5),
-        },
-        Action::Tug {
-            tug: "aft".into(),
-            order: TugWord::StandBy,
-            force_n: None,
-            direction_rad: None,
-        },
-        Action::Winch { line: "head".into(), order: WinchWord::Heave, rate_mps: 0.2 },
-        Action::LetGo { line: "head".into() },
-        Action::Wind { speed_mps: 17.0, from_rad: 4.0 },
-        Action::Current { speed_mps: 0.8, to_rad: 1.0 },
-        Action::Fault { vessel: ship(), fault: Fault::RudderStuck, on: true },
-        Action::Fault { vessel: ship(), fault: Fault::Blackout, on: true },
-        Action::Fault { vessel: ship(), fault: Fault::Blackout, on: false },
+        order(OrderName::Thruster, "ship").name("name", "bow").number("power", 0.9).into(),
+        order(OrderName::Course, "ship").number("heading", 0.2).into(),
+        order(OrderName::Speed, "ship").number("speed", 1.5).into(),
+        order(OrderName::Hands, "ship").into(),
+        order(OrderName::Push, "forward").number("force", 3e5).number("direction", 1.5).into(),
+        order(OrderName::StandBy, "aft").into(),
+        order(OrderName::Heave, "head").number("rate", 0.2).into(),
+        order(OrderName::LetGo, "head").into(),
+        words("aft", TugWord::Pull),
+        OtherAction::ApproachLimit { speed_mps: 0.2 }.into(),
+        OtherAction::Wind { speed_mps: 17.0, from_rad: 4.0 }.into(),
+        OtherAction::Current { speed_mps: 0.8, to_rad: 1.0 }.into(),
+        OtherAction::Fault { vessel: "ship".into(), fault: Fault::RudderStuck, on: true }.into(),
+        OtherAction::Fault { vessel: "ship".into(), fault: Fault::Blackout, on: true }.into(),
+        OtherAction::Fault { vessel: "ship".into(), fault: Fault::Blackout, on: false }.into(),
     ]
+}
+
+/// A pilot's words to a tug, at half her power.
+fn words(tug: &str, word: TugWord) -> Action {
+    let (lead, place) = (Lead::default(), SidePlace::default());
+    Action::tug(tug, TugWords { word, power: 0.5, lead, place })
 }
 
 /// What a hand may do to a session, drawn at random.
@@ -180,96 +178,77 @@ fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
     let (mut bothered, mut left_alone) = (harbour(), harbour());
     go(&mut bothered, 30);
     go(&mut left_alone, 30);
-    let ship = || "ship".to_owned();
     let before = bothered.take_lines();
-    for (bad, reason) in [
-        (Action::Rudder { vessel: "shop".into(), angle_rad: 0.1 }, "no vessel `shop`"),
-        (Action::Rudder { vessel: "quay".into(), angle_rad: 0.1 }, "no vessel `quay`"),
-        (rudder(f64::NAN), "is not within"),
-        (engine(1.5), "is not within"),
-        (engine(f64::INFINITY), "is not within"),
-        (Action::Thruster { vessel: ship(), thruster: "stern".into(), share: 0.1 }, "no thruster"),
+    for (bad, reason) in <[(Action, &str); _]>::from([
+        (order(OrderName::Rudder, "shop").number("angle", 0.1).into(), "no vessel `shop`"),
+        (order(OrderName::Rudder, "quay").number("angle", 0.1).into(), "no vessel `quay`"),
+        (rudder(f64::NAN), "must be between"),
+        (engine(1.5), "must be between -1 and 1"),
+        (engine(f64::INFINITY), "must be between"),
         (
-            Action::Azimuth { vessel: ship(), unit: "a".into(), power: None, direction_rad: None },
-            "no azimuth unit",
+            order(OrderName::Thruster, "ship").name("name", "stern").number("power", 0.1).into(),
+            "no thruster",
         ),
+        (order(OrderName::Azimuth, "ship").name("name", "a").into(), "no azimuth unit"),
+        (order(OrderName::StandBy, "third").into(), "no tug `third`"),
+        (order(OrderName::Push, "aft").number("direction", 1.0).into(), "needs `force`"),
         (
-            Action::Tug {
-                tug: "third".into(),
-                order: TugWord::StandBy,
-                force_n: None,
-                direction_rad: None,
-            },
-            "no tug `third`",
+            order(OrderName::Pull, "aft").number("force", -1.0).number("direction", 1.0).into(),
+            "must be between",
         ),
+        (order(OrderName::LetGo, "none").into(), "no line `none`"),
+        (order(OrderName::Heave, "head").number("rate", -1.0).into(), "must be between"),
         (
-            Action::Tug {
-                tug: "aft".into(),
-                order: TugWord::Push,
-                force_n: None,
-                direction_rad: Some(1.0),
-            },
-            "needs `force_n`",
-        ),
-        (
-            Action::Tug {
-                tug: "aft".into(),
-                order: TugWord::Pull,
-                force_n: Some(-1.0),
-                direction_rad: Some(1.0),
-            },
-            "is not within",
-        ),
-        (Action::LetGo { line: "none".into() }, "no line `none`"),
-        (
-            Action::Winch { line: "head".into(), order: WinchWord::Heave, rate_mps: -1.0 },
-            "is not within",
-        ),
-        (
-            Action::PushShip { vessel: ship(), ship: ship(), at_m: [0.0, 0.0], force_n: 1.0 },
-            "push herself",
-        ),
-        (
-            Action::PushShip {
-                vessel: ship(),
-                ship: "quay".into(),
-                at_m: [900.0, 0.0],
-                force_n: 1.0,
-            },
+            order(OrderName::PushShip, "ship")
+                .name("ship", "ship")
+                .place("at", [0.0, 0.0])
+                .number("force", 1.0)
+                .into(),
             "from the ship's outline",
         ),
         (
-            Action::FollowShip {
-                vessel: ship(),
-                ship: "quay".into(),
-                at_m: [0.0, 0.0],
-                heading_rad: 0.0,
-            },
+            order(OrderName::PushShip, "ship")
+                .name("ship", "quay")
+                .place("at", [900.0, 0.0])
+                .number("force", 1.0)
+                .into(),
+            "from the ship's outline",
+        ),
+        (
+            order(OrderName::FollowShip, "ship")
+                .name("ship", "quay")
+                .place("at", [0.0, 0.0])
+                .number("heading", 0.0)
+                .into(),
             "azimuth",
         ),
         (
-            Action::PullShip {
-                vessel: ship(),
-                line: "head".into(),
-                direction_rad: 0.0,
-                force_n: 1.0,
-            },
-            "not between `ship` and a ship",
+            order(OrderName::PullShip, "ship")
+                .name("line", "head")
+                .number("direction", 0.0)
+                .number("force", 1.0)
+                .into(),
+            "no azimuth units",
         ),
         (
-            Action::PullShip {
-                vessel: ship(),
-                line: "none".into(),
-                direction_rad: 0.0,
-                force_n: 1.0,
-            },
+            order(OrderName::PullShip, "ship")
+                .name("line", "none")
+                .number("direction", 0.0)
+                .number("force", 1.0)
+                .into(),
             "no line `none`",
         ),
-        (Action::Wind { speed_mps: 400.0, from_rad: 0.0 }, "wind speed"),
-        (Action::Wind { speed_mps: f64::NAN, from_rad: 0.0 }, "wind speed"),
-        (Action::Current { speed_mps: -1.0, to_rad: 0.0 }, "is not within"),
-        (Action::Fault { vessel: "x".into(), fault: Fault::Blackout, on: true }, "no vessel"),
-    ] {
+        (OtherAction::Wind { speed_mps: 400.0, from_rad: 0.0 }.into(), "wind speed"),
+        (OtherAction::Wind { speed_mps: f64::NAN, from_rad: 0.0 }.into(), "wind speed"),
+        (OtherAction::Current { speed_mps: -1.0, to_rad: 0.0 }.into(), "is not within"),
+        (
+            OtherAction::Fault { vessel: "x".into(), fault: Fault::Blackout, on: true }.into(),
+            "no vessel",
+        ),
+        (OtherAction::ApproachLimit { speed_mps: 2.0 }.into(), "is not within"),
+        (words("third", TugWord::Push), "no tug `third`"),
+        (words("ship", TugWord::Push), "no tug `ship`"),
+    ]) {
         let why = bothered.command("test", 0, bad.clone()).expect_err("refused").to_string();
         assert!(why.contains(reason), "{bad:?}: {why}");
     }
@@ -298,21 +277,13 @@ fn a_tug_that_is_a_vessel_pulls_the_ship_off_on_her_line() {
     let mut session = open("scenarios/live/berthing.toml", &["body.ship.velocity.surge=0"]);
     let towards_quay = |session: &Session| session.simulation().states()[0].velocity_mps.y;
     let mut left_alone = open("scenarios/live/berthing.toml", &["body.ship.velocity.surge=0"]);
-    for tug in ["forward", "after"] {
-        say(
-            &mut session,
-            Action::PullShip {
-                vessel: format!("{tug}_tug"),
-                line: format!("{tug}_tow"),
-                direction_rad: -1.57,
-                force_n: 3e5,
-            },
-        );
+    for tug in ["forward_tug", "after_tug"] {
+        say(&mut session, words(tug, TugWord::Pull));
     }
     go(&mut session, 1800);
     go(&mut left_alone, 1800);
     let [pulled, alone] = [&session, &left_alone].map(towards_quay);
-    // 600 kN for a good minute on 47,000 t and as much added mass is 0.4 m/s and more.
+    // Some 600 kN for a good minute on 47,000 t and as much added mass is 0.4 m/s and more.
     assert!(pulled < alone - 0.3, "{pulled} beside {alone} m/s");
 }
 
@@ -320,15 +291,11 @@ fn a_tug_that_is_a_vessel_pulls_the_ship_off_on_her_line() {
 fn a_tug_is_not_ordered_by_hand_while_the_station_pilot_uses_her() {
     let mut session = harbour();
     go(&mut session, 1000);
-    let push = Action::Tug {
-        tug: "aft".into(),
-        order: TugWord::Push,
-        force_n: Some(1e5),
-        direction_rad: Some(1.5),
-    };
+    let push: Action =
+        order(OrderName::Push, "aft").number("force", 1e5).number("direction", 1.5).into();
     let why = session.command("test", 0, push.clone()).expect_err("refused").to_string();
     assert!(why.contains("station"), "{why}");
-    say(&mut session, Action::Hands { vessel: "ship".into() });
+    say(&mut session, order(OrderName::Hands, "ship").into());
     go(&mut session, 1);
     say(&mut session, push);
 }

@@ -1,82 +1,87 @@
-//! Controls: each a number that stands until it is set again.
+//! Controls: each a number that holds until it is set again. Here they only get their names; orders and limits are those
+//! of the table in `fenderline_sim`.
 
-use std::f64::consts::FRAC_PI_2;
+use fenderline_sim::order::{Arguments, OrderName, Target, Value};
+use fenderline_sim::{Order, OrderError, Setup};
 
-use fenderline_sim::tug::TugOrder;
-use fenderline_sim::{Action, Order, Setup};
-
-/// What a control moves: indices into the set-up's vessels and tugs, and into a vessel's own.
+/// How a control's value becomes an order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
-    Rudder(usize),
-    Engine(usize),
-    Thruster(usize, usize),
-    AzimuthPower(usize, usize),
-    AzimuthDirection(usize, usize),
-    Tug { tug: usize, vessel: usize, away_rad: f64 },
+    /// The value is this argument of an order; `part` is the thruster or azimuth unit.
+    Argument { order: OrderName, argument: &'static str, part: Option<usize> },
+    /// The force of a vector tug, square to the ship: a push where it is positive, a pull where it is negative.
+    TugForce,
 }
 
 /// A control of a set-up.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Control {
-    /// As users name it: `ship.rudder_rad`.
+    /// The user's name for it: `ship.rudder_rad`.
     pub(crate) name: String,
+    target: Target,
     kind: Kind,
 }
 
-/// All controls of a set-up, in their order.
+/// All controls of a set-up: of vessels, then of tugs.
 pub(crate) fn controls(setup: &Setup) -> Vec<Control> {
     let world = &setup.world;
     let mut all = Vec::new();
-    let mut add = |name: String, kind| all.push(Control { name, kind });
     for (index, vessel) in world.vessels.iter().enumerate() {
         let ship = &setup.bodies[vessel.body].name;
-        if vessel.ship.propulsion.is_some() {
-            add(format!("{ship}.rudder_rad"), Kind::Rudder(index));
-            add(format!("{ship}.engine"), Kind::Engine(index));
+        let target = Target::Vessel(index);
+        let mut add = |name: String, order, argument, part| {
+            let kind = Kind::Argument { order, argument, part };
+            all.push(Control { name: format!("{ship}.{name}"), target, kind });
+        };
+        if OrderName::Rudder.spec().gear.is_on(index, setup) {
+            add("rudder_rad".to_owned(), OrderName::Rudder, "angle", None);
+            add("engine".to_owned(), OrderName::Engine, "share", None);
         }
-        for (thruster, of) in vessel.thrusters.iter().enumerate() {
-            add(format!("{ship}.thruster.{}", of.name), Kind::Thruster(index, thruster));
+        for (part, of) in vessel.thrusters.iter().enumerate() {
+            let name = format!("thruster.{}", of.name);
+            add(name, OrderName::Thruster, "power", Some(part));
         }
-        for (azimuth, of) in vessel.azimuths.iter().enumerate() {
-            let of = format!("{ship}.azimuth.{}", of.name);
-            add(format!("{of}.power"), Kind::AzimuthPower(index, azimuth));
-            add(format!("{of}.direction_rad"), Kind::AzimuthDirection(index, azimuth));
+        for (part, of) in vessel.azimuths.iter().enumerate() {
+            let name = format!("azimuth.{}", of.name);
+            add(format!("{name}.power"), OrderName::Azimuth, "power", Some(part));
+            add(format!("{name}.direction_rad"), OrderName::Azimuth, "direction", Some(part));
         }
     }
     for (tug, of) in world.tugs.iter().enumerate() {
-        // As in a scenario without a direction: square to the ship, away from the tug's side.
-        let away_rad = -FRAC_PI_2.copysign(of.tug.push_at_m.y);
-        let kind = Kind::Tug { tug, vessel: of.vessel, away_rad };
-        add(format!("tug.{}.force_n", of.tug.name), kind);
+        let name = format!("tug.{}.force_n", of.tug.name);
+        all.push(Control { name, target: Target::Tug(tug), kind: Kind::TugForce });
     }
     all
 }
 
 impl Control {
+    /// The least and the greatest value.
+    pub(crate) fn limits(&self) -> [f64; 2] {
+        match self.kind {
+            Kind::Argument { order, argument, .. } => order.limits(argument),
+            Kind::TugForce => {
+                let [_, most_n] = OrderName::Push.limits("force");
+                [-most_n, most_n]
+            }
+        }
+    }
+
     /// The order that sets this control to a value at a time.
-    pub(crate) fn order(&self, value: f64, at_s: f64) -> Order {
-        let (vessel, action) = match self.kind {
-            Kind::Rudder(vessel) => (vessel, Action::Rudder(value)),
-            Kind::Engine(vessel) => (vessel, Action::Engine(value)),
-            Kind::Thruster(vessel, index) => (vessel, Action::Thruster(index, value)),
-            Kind::AzimuthPower(vessel, unit) => {
-                (vessel, Action::Azimuth { unit, power: Some(value), direction_rad: None })
+    ///
+    /// # Errors
+    /// A value out of its limits.
+    pub(crate) fn order(&self, value: f64, at_s: f64, setup: &Setup) -> Result<Order, OrderError> {
+        let none = Arguments::new();
+        let (order, arguments) = match self.kind {
+            Kind::Argument { order, argument, part } => {
+                let named = part.map_or(none.clone(), |part| none.with("name", Value::Index(part)));
+                (order, named.number(argument, value))
             }
-            Kind::AzimuthDirection(vessel, unit) => {
-                (vessel, Action::Azimuth { unit, power: None, direction_rad: Some(value) })
-            }
-            Kind::Tug { tug, vessel, away_rad } => {
-                let order = if value > 0.0 {
-                    TugOrder::Push { force_n: value, direction_rad: away_rad }
-                } else if value < 0.0 {
-                    TugOrder::Pull { force_n: -value, direction_rad: -away_rad }
-                } else {
-                    TugOrder::StandBy
-                };
-                (vessel, Action::Tug(tug, order))
-            }
+            Kind::TugForce if value > 0.0 => (OrderName::Push, none.number("force", value)),
+            Kind::TugForce if value < 0.0 => (OrderName::Pull, none.number("force", -value)),
+            Kind::TugForce => (OrderName::StandBy, none),
         };
-        Order { at_s, vessel, action }
+        let (Target::Vessel(target) | Target::Tug(target) | Target::Line(target)) = self.target;
+        Ok(Order { at_s, action: order.build(target, &arguments, setup)? })
     }
 }

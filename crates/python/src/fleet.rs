@@ -75,8 +75,8 @@ impl Fleet {
         if values.len() != wanted {
             return Err(PyValueError::new_err("the array of controls has another shape"));
         }
-        if let Some(name) = Run::refused(&self.common.controls, &values) {
-            return Err(errors::refused(py, format!("control {name} is infinite")));
+        if let Some(reason) = Run::refused(&self.common.controls, &values) {
+            return Err(errors::refused(py, reason));
         }
         let Fleet { runs, threads, common, .. } = self;
         let each = common.controls.len();

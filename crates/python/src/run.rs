@@ -12,7 +12,7 @@ use crate::controls::Control;
 pub(crate) struct Run {
     pub(crate) simulation: Simulation,
     pub(crate) controls: Arc<Vec<Control>>,
-    /// NaN for a control that was never set, which stays with the scenario's orders and pilots.
+    /// NaN where a control was never set: an order of the scenario or a pilot keeps it.
     set: Vec<f64>,
 }
 
@@ -45,13 +45,19 @@ impl Run {
         Ok(Run { simulation, controls, set })
     }
 
-    /// The first control with an invalid value, which is an infinite one.
-    pub(crate) fn refused<'c>(controls: &'c [Control], values: &[f64]) -> Option<&'c str> {
-        let infinite = values.iter().position(|value| value.is_infinite())?;
-        controls.get(infinite % controls.len()).map(|control| control.name.as_str())
+    /// The first control whose value is out of its limits, in words. NaN is not: it leaves a control alone.
+    pub(crate) fn refused(controls: &[Control], values: &[f64]) -> Option<String> {
+        let each = controls.iter().cycle().zip(values);
+        each.filter(|(_, value)| !value.is_nan()).find_map(|(control, value)| {
+            let [low, high] = control.limits();
+            let is_within = *value >= low && *value <= high;
+            (!is_within).then(|| {
+                format!("control {} must be between {low} and {high}, but is {value}", control.name)
+            })
+        })
     }
 
-    /// Gives orders for the controls whose values have changed; NaN leaves a control unchanged.
+    /// Orders the controls whose values have changed; NaN leaves a control alone. The values are within their limits.
     pub(crate) fn order(&mut self, values: &[f64]) {
         let at_s = self.simulation.time_s();
         for ((control, set), &value) in self.controls.iter().zip(&mut self.set).zip(values) {
@@ -59,8 +65,9 @@ impl Run {
                 continue;
             }
             *set = value;
-            let ordered = self.simulation.order(control.order(value, at_s));
-            ordered.expect("controls are those of the set-up");
+            let order = control.order(value, at_s, self.simulation.setup());
+            let order = order.expect("the controls are the set-up's and within their limits");
+            self.simulation.order(order).expect("an order that was checked");
         }
     }
 

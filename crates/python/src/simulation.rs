@@ -373,8 +373,8 @@ impl Simulation {
         if values.len() != self.run.controls.len() {
             return Err(PyValueError::new_err("the array of controls has another length"));
         }
-        if let Some(name) = Run::refused(&self.run.controls, values) {
-            return Err(errors::refused(py, format!("control {name} is infinite")));
+        if let Some(reason) = Run::refused(&self.run.controls, values) {
+            return Err(errors::refused(py, reason));
         }
         let rows = &mut self.external_rows;
         let is_finite = |w: &Wrench| w.force_n.is_finite() && w.moment_nm.is_finite();

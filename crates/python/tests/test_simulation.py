@@ -106,7 +106,7 @@ def test_a_wrong_order_names_its_key(scenarios: Path) -> None:
 def test_what_cannot_be_set_is_refused(scenarios: Path) -> None:
     simulation = Simulation(berth(scenarios))
     simulation.controls[1] = np.inf
-    with pytest.raises(SimulationError, match=r"ship\.engine is infinite"):
+    with pytest.raises(SimulationError, match=r"ship\.engine must be between -1 and 1"):
         simulation.step()
     simulation.controls[1] = 0.0
     simulation.external_wrenches[0, 0] = np.nan

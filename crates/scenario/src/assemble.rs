@@ -1,5 +1,5 @@
-//! From checked tables to a simulation set-up: what the key table cannot say, because it holds
-//! between keys.
+//! From checked tables to a simulation set-up: rules that hold between keys, which the key
+//! table cannot express.
 
 mod azimuth;
 mod berthing;
@@ -9,6 +9,7 @@ mod environment;
 mod fenders;
 mod loads;
 mod materials;
+mod orders;
 mod pairs;
 mod performance;
 mod providers;
@@ -18,11 +19,8 @@ mod vessel;
 mod windage;
 mod world;
 
-use self::azimuth::Afloat;
-
 pub(crate) use self::azimuth::azimuths;
 use self::vessel::Decks;
-use self::world::WorldNames;
 use crate::checked::{Item, Table};
 use crate::error::{Notice, ScenarioError};
 use crate::files::Files;
@@ -35,7 +33,7 @@ use fenderline_sim::hydro::Particulars;
 use fenderline_sim::{BodySetup, Integrator, NamedMaterial, Order, Setup, WorldSetup};
 use std::collections::BTreeMap;
 
-use self::pairs::Pairs;
+use self::orders::OrderNames;
 use self::unused::listed;
 
 type Checked<T> = Result<T, ScenarioError>;
@@ -84,14 +82,11 @@ pub(crate) fn setup(
     let tugs = assembly.tugs(file.given("tug").named(), &vessels, &names)?;
     let lines =
         assembly.lines(file.given("line").named(), (&bodies, &environment.tide), &decks, &names)?;
-    let afloat = Afloat::new(&bodies, &fenders, &pairs, &lines);
-    let known = WorldNames::new(&vessels, &tugs, afloat);
-    let orders = assembly.orders(file.given("order").list(), &known, &names)?;
     let providers = assembly.providers(file.given("provider").list(), &bodies, &names)?;
     let berthing = file.item("berthing").map(Item::table);
     let berthing = assembly.berthing(berthing, &bodies, &names)?;
     assembly.note_unused(file, &bodies, &pairs, &fenders);
-    Ok(Setup {
+    let mut setup = Setup {
         step_s,
         duration_s,
         integrator,
@@ -103,8 +98,11 @@ pub(crate) fn setup(
         fenders,
         berthing,
         loads,
-        world: WorldSetup { environment, vessels, orders, tugs, lines, providers },
-    })
+        world: WorldSetup { environment, vessels, orders: vec![], tugs, lines, providers },
+    };
+    let orders = file.given("order").list();
+    setup.world.orders = assembly.orders(orders, &OrderNames::new(&setup, &names))?;
+    Ok(setup)
 }
 
 /// An order to the vessels, tugs and lines of a set-up.
@@ -112,11 +110,7 @@ pub(crate) fn order(sources: &Sources<'_>, table: &Table, setup: &Setup) -> Chec
     let (files, mut notices) = (Files::default(), Vec::new());
     let assembly = Assembly { sources, files: &files, notices: &mut notices };
     let names = Names::new(&setup.bodies, &setup.materials);
-    let pairs = Pairs::new(setup.pairs.clone(), setup.all_other_pairs);
-    let world = &setup.world;
-    let afloat = Afloat::new(&setup.bodies, &setup.fenders, &pairs, &world.lines);
-    let known = WorldNames::new(&world.vessels, &world.tugs, afloat);
-    assembly.order(table, &known, &names)
+    assembly.order(table, &OrderNames::new(setup, &names))
 }
 
 /// The names that pairs and loads refer to.

@@ -1,9 +1,8 @@
-//! Every key of a scenario file: its kind, unit, bounds, default and meaning, said once.
+//! Every key of a scenario file: its kind, unit, bounds, default and meaning.
 //!
 //! The bounds keep all that the simulation computes far from overflow and are beyond anything that
 //! floats. To add a key: add it here, then use it in [`crate::assemble`].
 
-mod assist;
 mod azimuth;
 mod berthing;
 mod body;
@@ -11,6 +10,7 @@ mod environment;
 mod fender;
 mod load;
 mod material;
+pub(crate) mod order;
 mod provider;
 mod run;
 mod standing;
@@ -26,30 +26,12 @@ pub(crate) use azimuth::AZIMUTH;
 pub(crate) use standing::STANDINGS;
 pub(crate) use vessel::{STABILITY, THRUSTER};
 pub(crate) use windage::WINDAGE;
-pub(crate) use world::{LENGTH as LENGTH_M, ORDER, PLACE as FORWARD_M, key};
+pub(crate) use world::{LENGTH as LENGTH_M, PLACE as FORWARD_M, key};
 
 use self::body::{BODY, POSITION_M};
 use self::load::LOAD;
 use self::material::{MATERIAL, PAIR};
 use self::run::{CONTACT, TIME};
-
-/// What an order may ask of a vessel, a tug or a line: one of them.
-pub(crate) const VESSEL_ORDERS: &[&str] = &[
-    "rudder",
-    "engine",
-    "telegraph",
-    "thruster",
-    "azimuth",
-    "course",
-    "speed",
-    "station",
-    "push_ship",
-    "pull_ship",
-    "follow_ship",
-    "hands",
-];
-pub(crate) const TUG_ORDERS: &[&str] = &["push", "pull", "stand_by"];
-pub(crate) const LINE_ORDERS: &[&str] = &["heave", "pay_out", "hold", "let_go"];
 
 /// The whole file.
 pub(crate) static SCENARIO: TableSpec = TableSpec {
@@ -76,7 +58,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             name: "contact",
             kind: Kind::Table(&CONTACT),
             absent: Is("{}"),
-            doc: "How contact forces are found.",
+            doc: "How contact forces are computed.",
             examples: &[],
         },
         KeySpec {
@@ -97,7 +79,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             name: "pair",
             kind: Kind::List(&PAIR),
             absent: Is("[]"),
-            doc: "Which bodies may touch. Bodies that no pair names do not touch.",
+            doc: "Pairs of bodies that may touch. Bodies without a pair do not touch.",
             examples: &[],
         },
         KeySpec {
@@ -133,7 +115,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             name: "vessel",
             kind: Kind::Named(&vessel::VESSEL),
             absent: Is("{}"),
-            doc: "Kinds of vessels of the scenario's own, by name; those of the library need no table here.",
+            doc: "Kinds of vessels that the scenario defines, by name. Vessels of the library need no table.",
             examples: &[],
         },
         KeySpec {
@@ -159,7 +141,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
         },
         KeySpec {
             name: "order",
-            kind: Kind::List(&world::ORDER),
+            kind: Kind::List(&order::ORDER),
             absent: Is("[]"),
             doc: "Orders at times of the run.",
             examples: &[],
@@ -168,7 +150,7 @@ pub(crate) static SCENARIO: TableSpec = TableSpec {
             name: "provider",
             kind: Kind::List(&provider::PROVIDER),
             absent: Is("[]"),
-            doc: "Programs that put forces on bodies.",
+            doc: "External programs that apply forces to bodies.",
             examples: &[],
         },
         KeySpec {

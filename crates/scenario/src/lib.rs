@@ -2,15 +2,14 @@
 //!
 //! The only crate that knows what a scenario file looks like. A plain number is SI (angles in
 //! radians); a string carries its unit, as `"4 kn"`. Every mistake is one [`ScenarioError`] that
-//! points at file, line and key; what was put right is told in [`Notice`]s.
+//! points at file, line and key; corrections and unusual values are reported as [`Notice`]s.
 //!
-//! The way through the code: `syntax` makes a TOML tree of the text, `overrides` lays the command
-//! line's keys over it, `reader` checks every key against the key table in `keys`, and `assemble`
+//! The path through the code: `syntax` parses the text to a TOML tree, `overrides` applies the keys of
+//! the command line, `reader` checks every key against the key table in `keys`, and `assemble`
 //! builds the set-up and checks what holds between keys. `schema` makes a JSON Schema of the same
 //! key table.
 //!
-//! `library` reads fender data by the same way and hands out fenders of a catalogue; `vessels` does the same
-//! with vessels.
+//! `library` reads fender files in the same way and looks up catalogue fenders; `vessels` does so for vessel files.
 //!
 //! ```
 //! use fenderline_scenario::{Override, Scenario};

@@ -1,23 +1,23 @@
-//! An order by itself, for a simulation that is under way.
+//! A single order, for a simulation that is running.
 
 use fenderline_sim::{Order, Setup};
 
 use crate::assemble;
 use crate::error::ScenarioError;
-use crate::keys::ORDER;
+use crate::keys::order::ORDER;
 use crate::reader;
 use crate::sources::Sources;
 use crate::syntax;
 
-/// Reads the keys of one `[[order]]`, without that line, for whom a set-up has. `name` is for messages.
+/// Reads the keys of one `[[order]]`, without that line, as an order to what a set-up has. `name` is for messages.
 ///
 /// ```
 /// # let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/berth/alongside_with_two_tugs.toml");
 /// # let scenario = fenderline_scenario::Scenario::load(file.as_ref(), &[])?;
 /// use fenderline_scenario::order;
-/// use fenderline_sim::Action;
+/// use fenderline_sim::{Action, VesselAction};
 /// let port_ten = order("vessel = 'ship'\nrudder = '-10 deg'", "helm", &scenario.setup)?;
-/// assert_eq!(port_ten.action, Action::Rudder(-10f64.to_radians()));
+/// assert_eq!(port_ten.action, Action::Vessel(0, VesselAction::Rudder(-10f64.to_radians())));
 /// let error = order("vessel = 'ship'\nruder = 0", "helm", &scenario.setup).unwrap_err();
 /// assert_eq!((error.line(), error.key()), (Some(2), Some("order.ruder")));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

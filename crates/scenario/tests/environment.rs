@@ -141,7 +141,7 @@ fn a_method_without_its_particulars_or_with_another_s_is_refused() {
     of(
         "method = \"fujiwara\", deck_area = 0.01, deck_centroid_forward = 0, top_height = 45",
         windage,
-        &["coefficient of the wind's"],
+        &["coefficient of the longitudinal wind force"],
     );
 }
 

@@ -152,7 +152,11 @@ fn idle_bodies_and_materials_are_told() {
     assert!(shown[1].contains("`body.barge`: no pair names this body"), "{}", shown[1]);
     let shown = told(&SMALL[..start]);
     assert_eq!(shown.len(), 1, "one for all");
-    assert!(shown[0].ends_with("`pair`: the scenario has none: nothing can touch"), "{}", shown[0]);
+    assert!(
+        shown[0].ends_with("`pair`: there are no pairs, so no bodies can touch"),
+        "{}",
+        shown[0]
+    );
 }
 
 #[test]

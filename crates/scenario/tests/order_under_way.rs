@@ -1,7 +1,7 @@
 //! An order given while a simulation is under way does what one in the file does, bit for bit.
 
 use fenderline_scenario::{Override, Scenario, order};
-use fenderline_sim::Simulation;
+use fenderline_sim::{Action, Simulation, VesselAction};
 
 const FILE: &str =
     concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/berth/alongside_with_two_tugs.toml");
@@ -36,7 +36,7 @@ fn an_order_to_nobody_changes_nothing() {
     assert_eq!(error.key(), Some("order.vessel"));
     let mut simulation = Simulation::new(setup.clone()).unwrap();
     let mut wrong = order("vessel = 'ship'\nrudder = 0", "helm", &setup).unwrap();
-    wrong.vessel = 7;
+    wrong.action = Action::Vessel(7, VesselAction::Rudder(0.0));
     assert!(simulation.order(wrong).is_err());
     let mut other = Simulation::new(setup).unwrap();
     for _ in 0..100 {

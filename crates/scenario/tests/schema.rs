@@ -95,7 +95,14 @@ fn fulls() -> Vec<Json> {
     by_depth["environment"]["current"] = json!({ "profile": [
         { "depth": 0, "speed": "1 kn", "towards": 0 }, { "depth": "9 m", "speed": 0, "towards": 0 }
     ] });
-    vec![full(), by_file, by_depth]
+    // Apart from the others: a line that a winch order is for has to have its winch.
+    let mut on_winches = full();
+    on_winches["order"] = json!([
+        { "line": "spring", "heave": 0.1 },
+        { "line": "spring", "pay_out": 0.1 },
+        { "line": "spring", "hold": true }
+    ]);
+    vec![full(), by_file, by_depth, on_winches]
 }
 
 /// The files that the scenarios name.
@@ -231,9 +238,6 @@ fn full() -> Json {
             { "tug": "one", "push": "300 kN", "direction": "90 deg" },
             { "tug": "one", "pull": "300 kN" },
             { "tug": "one", "stand_by": true },
-            { "line": "spring", "heave": 0.1 },
-            { "line": "spring", "pay_out": 0.1 },
-            { "line": "spring", "hold": true },
             { "line": "spring", "let_go": true }
         ],
         "fender": {

@@ -643,7 +643,7 @@ impl Engine {
         let links = is_instructor.then(|| self.links());
         let claims = self.claims.told(&controls);
         let hello = Hello {
-            protocol: 1,
+            protocol: message::PROTOCOL,
             role: &of.role,
             title: self.session.title(),
             file: &self.session.source().file,
@@ -653,6 +653,8 @@ impl Engine {
             fenders: &self.info.fenders,
             lines: &self.info.lines,
             tugs: &self.info.tugs,
+            orders: &self.info.orders,
+            places: &self.info.places,
             mine: controls
                 .iter()
                 .filter(|control| is_mine(control))

@@ -23,11 +23,11 @@ pub(crate) fn for_action(role: &Role, action: &Action, cast: &Cast) -> Result<Ne
     match (role, helm) {
         (Role::Observer, _) => Err(Refusal::new("an observer commands nothing")),
         (Role::Instructor, Helm::Of(control)) => Ok(Needs::NobodyAt(control)),
-        (Role::Instructor, Helm::Line(_) | Helm::World) => Ok(Needs::Nothing),
+        (Role::Instructor, Helm::Line(_) | Helm::World | Helm::Board) => Ok(Needs::Nothing),
         (_, Helm::World) => Err(Refusal::new("only the instructor makes weather and faults")),
         (_, Helm::Of(control)) if may_claim(role, &control, cast) => Ok(Needs::Helm(control)),
         (Role::Pilot, Helm::Of(control)) => Ok(Needs::NobodyAt(control)),
-        (Role::Pilot, Helm::Line(_)) => Ok(Needs::Nothing),
+        (Role::Pilot, Helm::Line(_) | Helm::Board) => Ok(Needs::Nothing),
         (Role::Tugmaster { tug }, Helm::Line(ends)) if ends.contains(tug) => Ok(Needs::Nothing),
         (Role::Tugmaster { tug }, _) => {
             Err(Refusal::new(format_args!("the master of {tug} commands her alone")))
@@ -73,6 +73,9 @@ pub(crate) fn for_conduct(role: &Role, conduct: &Conduct) -> Result<(), Refusal>
 
 #[cfg(test)]
 mod tests {
+    use fenderline_live::{NamedOrder, OtherAction};
+    use fenderline_sim::OrderName;
+
     use super::*;
 
     #[test]
@@ -83,15 +86,19 @@ mod tests {
         assert_eq!(cast.tug_names(), ["forward_tug", "after_tug"]);
         let master = Role::Tugmaster { tug: "forward_tug".into() };
         let vessel = |name: &str| Control::Vessel(name.into());
-        let rudder = |name: &str| Action::Rudder { vessel: name.into(), angle_rad: 0.0 };
-        let hands = |name: &str| Action::Hands { vessel: name.into() };
-        let wind = Action::Wind { speed_mps: 1.0, from_rad: 0.0 };
-        let line = Action::LetGo { line: "none".into() };
+        let rudder =
+            |name: &str| NamedOrder::new(OrderName::Rudder, name).number("angle", 0.0).into();
+        let hands = |name: &str| NamedOrder::new(OrderName::Hands, name).into();
+        let wind = Action::from(OtherAction::Wind { speed_mps: 1.0, from_rad: 0.0 });
+        let limit = Action::from(OtherAction::ApproachLimit { speed_mps: 0.2 });
+        let line = Action::from(NamedOrder::new(OrderName::LetGo, "none"));
         for (role, action, needs) in [
             (&Role::Pilot, rudder("ship"), Some(Needs::Helm(vessel("ship")))),
             (&Role::Pilot, hands("after_tug"), Some(Needs::NobodyAt(vessel("after_tug")))),
             (&Role::Pilot, line.clone(), Some(Needs::Nothing)),
             (&Role::Pilot, wind.clone(), None),
+            (&Role::Pilot, limit.clone(), Some(Needs::Nothing)),
+            (&master, limit, None),
             (&master, hands("forward_tug"), Some(Needs::Helm(vessel("forward_tug")))),
             (&master, hands("after_tug"), None),
             (&master, rudder("ship"), None),

@@ -7,6 +7,7 @@ use fenderline_contact::{DisplayNumber, ModelError, StepError};
 use crate::berthing::BerthingError;
 use crate::environment::EnvironmentError;
 use crate::mooring::MooringError;
+use crate::order::OrderError;
 use crate::range::OutOfRange;
 
 /// A set-up that cannot be simulated.
@@ -42,20 +43,8 @@ pub enum SetupError {
     Environment(EnvironmentError),
     /// A line does not fit between the initial positions of its ends.
     Line(MooringError),
-    /// An order to a thruster that the vessel does not have.
-    NoThruster {
-        /// The index of the vessel.
-        vessel: usize,
-        /// The index of the thruster.
-        thruster: usize,
-    },
-    /// An order to an azimuth unit that the vessel does not have.
-    NoAzimuth {
-        /// The index of the vessel.
-        vessel: usize,
-        /// The index of the unit.
-        azimuth: usize,
-    },
+    /// An order that cannot be carried out.
+    Order(OrderError),
     /// A vessel with the paper's contact method, which has one mass for all directions.
     VesselByPaperMethod {
         /// The index of her body.
@@ -83,12 +72,7 @@ impl fmt::Display for SetupError {
             SetupError::Tug { tug, error } => write!(f, "tug `{tug}`: {error}"),
             SetupError::Environment(error) => error.fmt(f),
             SetupError::Line(error) => error.fmt(f),
-            SetupError::NoThruster { vessel, thruster } => {
-                write!(f, "vessel {vessel} has no thruster {thruster}")
-            }
-            SetupError::NoAzimuth { vessel, azimuth } => {
-                write!(f, "vessel {vessel} has no azimuth unit {azimuth}")
-            }
+            SetupError::Order(error) => error.fmt(f),
             SetupError::VesselByPaperMethod { body } => {
                 write!(
                     f,

@@ -171,7 +171,7 @@ mod ledger;
 mod load_work;
 mod mean_velocity;
 pub mod mooring;
-mod order;
+pub mod order;
 mod random;
 mod range;
 mod record;
@@ -186,6 +186,7 @@ mod world;
 pub use error::{SetupError, SimError};
 pub use fender::{FenderSetup, FenderSource, FenderSummary, HullPressure, Rated};
 pub use gain::EnergyGain;
+pub use order::{Action, LineAction, Order, OrderError, OrderName, Station, VesselAction};
 pub use range::OutOfRange;
 pub use record::{ContactEnergy, Energy, LoadWork, StepRecord};
 pub use setup::{
@@ -195,8 +196,8 @@ pub use setup::{
 pub use simulation::Simulation;
 pub use summary::PairSummary;
 pub use world::{
-    Action, Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Faults,
-    Float, Job, LineEnd, Mooring, MooringSetup, NotAtTheSide, Order, Pilots, ProviderSetup,
-    PushJob, Station, ThrusterSetup, TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup,
-    VesselState, WorldEvent, WorldEventKind, WorldSetup, mass_matrix,
+    Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Faults, Float, Job,
+    LineEnd, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, ThrusterSetup,
+    TugAtWork, TugSetup, VesselForces, VesselOrders, VesselSetup, VesselState, WorldEvent,
+    WorldEventKind, WorldSetup, mass_matrix,
 };

@@ -35,6 +35,15 @@ pub struct Setup {
     pub world: WorldSetup,
 }
 
+impl Setup {
+    /// Whether two bodies can touch each other.
+    #[must_use]
+    pub fn may_touch(&self, [one, other]: [usize; 2]) -> bool {
+        let named = |pair: &PairSetup| pair.bodies == [one, other] || pair.bodies == [other, one];
+        self.all_other_pairs.is_some() || self.pairs.iter().any(named)
+    }
+}
+
 /// Time integrator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integrator {

@@ -13,7 +13,7 @@ use fenderline_sim::hydro::vessels::{Origin, Vessel};
 use fenderline_sim::hydro::{Model3, Water, manoeuvres};
 use fenderline_sim::{
     Action, Energy, Environment, Integrator, Load, MassProperties, Method, Order, Setup,
-    Simulation, VesselSetup, WorldSetup,
+    Simulation, VesselAction, VesselSetup, WorldSetup,
 };
 use support::{fixed, rectangle};
 
@@ -62,11 +62,12 @@ fn run(
     let mut body = fixed("ship", rectangle(deep.particulars.length_m, deep.particulars.beam_m));
     body.mass = Some(MassProperties { mass_kg: 1.0, yaw_inertia_kgm2: 1.0, ..Default::default() });
     let (shaft_rps, orders) = match manoeuvre {
-        Manoeuvre::Turning => (approach.shaft_rps, vec![(0.0, Action::Rudder(0.61))]),
-        Manoeuvre::Stopping => {
-            (approach.shaft_rps, vec![(0.0, Action::Engine(-1.0)), (0.0, Action::Rudder(-0.3))])
-        }
-        Manoeuvre::Crabbing => (approach.shaft_rps, vec![(0.0, Action::Engine(0.0))]),
+        Manoeuvre::Turning => (approach.shaft_rps, vec![(0.0, VesselAction::Rudder(0.61))]),
+        Manoeuvre::Stopping => (
+            approach.shaft_rps,
+            vec![(0.0, VesselAction::Engine(-1.0)), (0.0, VesselAction::Rudder(-0.3))],
+        ),
+        Manoeuvre::Crabbing => (approach.shaft_rps, vec![(0.0, VesselAction::Engine(0.0))]),
     };
     let adrift_mps = current.as_ref().map_or(Vec2::ZERO, |current| {
         current.velocity(Vec2::ZERO, 0.0, deep.particulars.draught_m)
@@ -116,7 +117,7 @@ fn run(
             }],
             orders: orders
                 .into_iter()
-                .map(|(at_s, action)| Order { at_s, vessel: 0, action })
+                .map(|(at_s, action)| Order { at_s, action: Action::Vessel(0, action) })
                 .collect(),
             ..WorldSetup::default()
         },

@@ -11,8 +11,8 @@ use fenderline_sim::hydro::actuator::RateLimited;
 use fenderline_sim::hydro::vessels::Origin;
 use fenderline_sim::hydro::{Model3, Water, manoeuvres};
 use fenderline_sim::{
-    Action, Environment, Faults, Integrator, MassProperties, Method, Order, Setup, Simulation,
-    VesselSetup, WorldSetup,
+    Action, Environment, Faults, Integrator, LineAction, MassProperties, Method, Order, Setup,
+    Simulation, VesselAction, VesselSetup, WorldSetup,
 };
 use support::{fixed, rectangle};
 
@@ -61,8 +61,7 @@ fn kvlcc2(rudder_deg: f64, current_mps: Vec2, step_s: f64) -> (Setup, f64) {
             }],
             orders: vec![Order {
                 at_s: 0.0,
-                vessel: 0,
-                action: Action::Rudder(rudder_deg.to_radians()),
+                action: Action::Vessel(0, VesselAction::Rudder(rudder_deg.to_radians())),
             }],
             ..WorldSetup::default()
         },
@@ -136,7 +135,7 @@ fn a_uniform_current_carries_a_manoeuvre_along_and_changes_nothing_else() {
 fn an_order_by_hand_is_carried_out_as_one_of_the_set_up_bit_for_bit() {
     let (mut setup, _) = kvlcc2(35.0, Vec2::ZERO, 0.5);
     setup.duration_s = 100.0;
-    let later = Order { at_s: 40.0, vessel: 0, action: Action::Rudder(-0.2) };
+    let later = Order { at_s: 40.0, action: Action::Vessel(0, VesselAction::Rudder(-0.2)) };
     let mut planned = setup.clone();
     planned.world.orders.push(later.clone());
     let mut planned = Simulation::new(planned).expect("a good set-up");
@@ -144,7 +143,8 @@ fn an_order_by_hand_is_carried_out_as_one_of_the_set_up_bit_for_bit() {
     setup.world.orders.clear();
     let mut steered = Simulation::new(setup).expect("a good set-up");
     steered.order(later).expect("she has a rudder");
-    let first = Order { at_s: 0.0, vessel: 0, action: Action::Rudder(35.0_f64.to_radians()) };
+    let first =
+        Order { at_s: 0.0, action: Action::Vessel(0, VesselAction::Rudder(35.0_f64.to_radians())) };
     steered.order(first).expect("she has a rudder");
     while !planned.is_done() {
         planned.step().expect("a good step");
@@ -161,17 +161,20 @@ fn an_order_that_cannot_be_is_refused_and_changes_nothing() {
     let mut bothered = Simulation::new(setup).expect("a good set-up");
     let push = fenderline_sim::tug::TugOrder::Push { force_n: 1e5, direction_rad: 0.0 };
     while !left_alone.is_done() {
-        for (at_s, vessel, action) in [
-            (f64::NAN, 0, Action::Rudder(0.1)),
-            (0.0, 0, Action::Rudder(f64::NAN)),
-            (0.0, 0, Action::Engine(f64::INFINITY)),
-            (0.0, 1, Action::Engine(0.5)),
-            (0.0, 0, Action::Thruster(0, 0.5)),
-            (0.0, 0, Action::Azimuth { unit: 0, power: Some(1.0), direction_rad: None }),
-            (0.0, 0, Action::Tug(0, push)),
-            (0.0, 0, Action::LetGo(0)),
+        let vessel = |action| Action::Vessel(0, action);
+        for (at_s, action) in [
+            (f64::NAN, vessel(VesselAction::Rudder(0.1))),
+            (0.0, vessel(VesselAction::Rudder(f64::NAN))),
+            (0.0, vessel(VesselAction::Engine(f64::INFINITY))),
+            (0.0, vessel(VesselAction::Engine(1.5))),
+            (0.0, vessel(VesselAction::Speed(-31.0))),
+            (0.0, Action::Vessel(1, VesselAction::Engine(0.5))),
+            (0.0, vessel(VesselAction::Thruster(0, 0.5))),
+            (0.0, vessel(VesselAction::Azimuth { unit: 0, power: Some(1.0), direction_rad: None })),
+            (0.0, Action::Tug(0, push)),
+            (0.0, Action::Line(0, LineAction::LetGo)),
         ] {
-            let order = Order { at_s, vessel, action };
+            let order = Order { at_s, action };
             bothered.order(order.clone()).expect_err(&format!("{order:?}"));
         }
         left_alone.step().expect("a good step");
@@ -208,7 +211,8 @@ fn a_current_set_during_a_run_takes_a_drifting_ship_along_as_one_from_the_start(
         let current_mps = vec2(0.0, 0.5);
         let (mut setup, _) = kvlcc2(0.0, if at_start { current_mps } else { Vec2::ZERO }, 0.5);
         setup.bodies[0].velocity = fenderline_sim::BodyVelocity::default();
-        setup.world.orders = vec![Order { at_s: 0.0, vessel: 0, action: Action::Engine(0.0) }];
+        setup.world.orders =
+            vec![Order { at_s: 0.0, action: Action::Vessel(0, VesselAction::Engine(0.0)) }];
         setup.duration_s = 600.0;
         let mut run = Simulation::new(setup).expect("a good set-up");
         if !at_start {
@@ -229,11 +233,11 @@ fn orders_that_are_forgotten_are_not_carried_out_and_the_others_are() {
     let (mut setup, _) = kvlcc2(0.0, Vec2::ZERO, 0.5);
     setup.duration_s = 60.0;
     setup.world.orders = vec![
-        Order { at_s: 10.0, vessel: 0, action: Action::Rudder(0.3) },
-        Order { at_s: 20.0, vessel: 0, action: Action::Engine(0.2) },
+        Order { at_s: 10.0, action: Action::Vessel(0, VesselAction::Rudder(0.3)) },
+        Order { at_s: 20.0, action: Action::Vessel(0, VesselAction::Engine(0.2)) },
     ];
     let mut run = Simulation::new(setup).expect("a good set-up");
-    run.retain_orders(|order| matches!(order.action, Action::Engine(_)));
+    run.retain_orders(|order| matches!(order.action, Action::Vessel(_, VesselAction::Engine(_))));
     while !run.is_done() {
         run.step().expect("a good step");
     }

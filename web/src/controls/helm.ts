@@ -1,13 +1,14 @@
-/** Rudder and engine of one ship, with what keeps course and speed for her. */
+/** Rudder, engine and thrusters of one ship, and the pilots that keep her course and speed. */
+import { type Card, type Order, buttonsOn, limits } from "../orders";
 import type { Page } from "../page";
-import type { Action, Frame, Hello, VesselInfo, VesselNow } from "../protocol";
+import type { Frame, Hello, VesselInfo, VesselNow } from "../protocol";
 import { button, h, setAttribute, setText } from "../ui/dom";
 import { Slider } from "../ui/slider";
 import { KNOT_MPS, fixed, heading, percent, sided, toDegrees, toKnots, toRadians } from "../units";
 import { ClaimBar, type Group, type KeyAction } from "./group";
 
 const RUDDER_STEPS_DEG = [5, 10, 20, 35];
-/** So long after a key the next one counts on from it. */
+/** A key pressed within this time after another counts on from its value. */
 const KEY_HELD_MS = 500;
 /** The telegraph's detents as shares of full. */
 const AHEAD = [
@@ -32,6 +33,7 @@ export class Helm implements Group {
     private readonly page: Page,
     private readonly info: VesselInfo,
     private readonly index: number,
+    private readonly hello: Hello,
   ) {
     this.claim = new ClaimBar(page, { vessel: info.name }, "the helm");
     this.held = this.claim.held;
@@ -48,20 +50,37 @@ export class Helm implements Group {
     this.keys = this.keyboard();
   }
 
-  private order(action: Action, what: string): void {
-    void this.page.order(action).then((done) => done && this.page.did(what));
+  private order(order: Order): void {
+    void this.page.order(order);
   }
 
   private setRudder(rad: number): void {
     const stop = this.info.rudder_stop_rad ?? 0;
-    this.order(
-      { do: "rudder", vessel: this.info.name, angle_rad: Math.min(stop, Math.max(-stop, rad)) },
-      "rudder",
-    );
+    this.order({
+      do: "rudder",
+      vessel: this.info.name,
+      angle_rad: Math.min(stop, Math.max(-stop, rad)),
+    });
   }
 
   private setEngine(share: number): void {
-    this.order({ do: "engine", vessel: this.info.name, share }, "engine");
+    this.order({ do: "engine", vessel: this.info.name, share });
+  }
+
+  /** The buttons of a card that are registered in `orders.ts`, for the orders that this vessel can carry out. */
+  private registered(card: Card): HTMLElement | null {
+    const vessel = this.info.name;
+    const own = buttonsOn(card).filter(({ order }) => this.info.orders.includes(order));
+    const buttons = own.map(({ order, text }) =>
+      button(text, () => this.order({ do: order, vessel })),
+    );
+    this.parts.push({
+      enable: (on) => {
+        for (const each of buttons) each.disabled = !on;
+      },
+      show: () => {},
+    });
+    return buttons.length > 0 ? h("div", { class: "row" }, ...buttons) : null;
   }
 
   private rudder(stop_rad: number): HTMLElement {
@@ -78,7 +97,6 @@ export class Helm implements Group {
       say: (d) => sided(toRadians(d)),
       order: (d) => {
         this.page.drag("rudder", { do: "rudder", vessel, angle_rad: toRadians(d) });
-        this.page.did("rudder");
       },
       marks: [-30, -20, -10, 0, 10, 20, 30]
         .filter((d) => Math.abs(d) < stop)
@@ -106,6 +124,7 @@ export class Helm implements Group {
       slider.root,
       h("div", { class: "row rudder-buttons" }, ...buttons),
       keeper.root,
+      this.registered("rudder"),
     );
     this.parts.push({
       enable: (on) => {
@@ -129,8 +148,7 @@ export class Helm implements Group {
     const change = (by: number) => () => {
       const from = wanted ?? this.heading_rad;
       const next = toRadians(Math.round(toDegrees(from)) + by);
-      if (this.now?.course_rad !== null)
-        this.order({ do: "course", vessel, heading_rad: next }, "course");
+      if (this.now?.course_rad !== null) this.order({ do: "course", vessel, heading_rad: next });
       wanted = next;
       setText(figure, heading(next, 0));
     };
@@ -139,7 +157,7 @@ export class Helm implements Group {
       "Keep course",
       () => {
         if (this.now?.course_rad === null)
-          this.order({ do: "course", vessel, heading_rad: wanted ?? this.heading_rad }, "course");
+          this.order({ do: "course", vessel, heading_rad: wanted ?? this.heading_rad });
         else this.toHands("course");
       },
       { "aria-pressed": "false" },
@@ -164,15 +182,14 @@ export class Helm implements Group {
     };
   }
 
-  /** Takes one keeper off; the other is asked again, for hands take both. */
+  /** Switches one keeper off. Hand steering switches both off, so the other is ordered again. */
   private toHands(off: "course" | "speed"): void {
     const vessel = this.info.name;
     const [course, speed] = [this.now?.course_rad ?? null, this.now?.speed_order_mps ?? null];
-    this.order({ do: "hands", vessel }, "hands");
-    if (off === "course" && speed !== null)
-      this.order({ do: "speed", vessel, speed_mps: speed }, "speed");
+    this.order({ do: "hands", vessel });
+    if (off === "course" && speed !== null) this.order({ do: "speed", vessel, speed_mps: speed });
     if (off === "speed" && course !== null)
-      this.order({ do: "course", vessel, heading_rad: course }, "course");
+      this.order({ do: "course", vessel, heading_rad: course });
   }
 
   private engine(full_rps: number): HTMLElement {
@@ -211,6 +228,7 @@ export class Helm implements Group {
         ...astern.map((d) => d.root),
       ),
       keeper.root,
+      this.registered("engine"),
     );
     this.parts.push({
       enable: (on) => {
@@ -239,17 +257,14 @@ export class Helm implements Group {
     const change = (by: number) => () => {
       wanted_kn = (wanted_kn ?? ahead_kn()) + by;
       if (this.now?.speed_order_mps !== null)
-        this.order({ do: "speed", vessel, speed_mps: wanted_kn * KNOT_MPS }, "speed");
+        this.order({ do: "speed", vessel, speed_mps: wanted_kn * KNOT_MPS });
       setText(figure, `${fixed(wanted_kn, 1)} kn`);
     };
     const engage = button(
       "Keep speed",
       () => {
         if (this.now?.speed_order_mps === null)
-          this.order(
-            { do: "speed", vessel, speed_mps: (wanted_kn ?? ahead_kn()) * KNOT_MPS },
-            "speed",
-          );
+          this.order({ do: "speed", vessel, speed_mps: (wanted_kn ?? ahead_kn()) * KNOT_MPS });
         else this.toHands("speed");
       },
       { "aria-pressed": "false" },
@@ -273,26 +288,27 @@ export class Helm implements Group {
 
   private thrusters(): HTMLElement {
     const vessel = this.info.name;
+    const [least, most] = limits(this.hello, "thruster", "power");
     const rows = this.info.thrusters.map((thruster, i) => {
       const slider = new Slider({
         label: `${thruster.name} thruster order`,
-        least: -100,
-        most: 100,
+        least: least * 100,
+        most: most * 100,
         step: 5,
         say: (p) => `${p < 0 ? "port" : "starboard"} ${Math.abs(p)} %`,
         order: (p) =>
           this.page.drag(`thruster ${i}`, {
             do: "thruster",
             vessel,
-            thruster: thruster.name,
-            share: p / 100,
+            name: thruster.name,
+            power: p / 100,
           }),
         marks: [],
       });
       const figure = h("span", { class: "ordered" });
       const stop = button(
         "Stop",
-        () => this.order({ do: "thruster", vessel, thruster: thruster.name, share: 0 }, "thruster"),
+        () => this.order({ do: "thruster", vessel, name: thruster.name, power: 0 }),
         { name: `${thruster.name} thruster stop` },
       );
       this.parts.push({
@@ -328,11 +344,16 @@ export class Helm implements Group {
         h("div", { class: "row" }, slider.root, stop),
       );
     });
-    return h("section", { class: "card thrusters", "aria-label": "Thrusters" }, ...rows);
+    return h(
+      "section",
+      { class: "card thrusters", "aria-label": "Thrusters" },
+      ...rows,
+      this.registered("thrusters"),
+    );
   }
 
   private keyboard(): KeyAction[] {
-    // A key that is held repeats faster than ticks come: it counts on from what it last asked for.
+    // A held key repeats faster than ticks come: it counts on from what it last ordered.
     let asked = { degrees: 0, until_ms: 0 };
     const stepRudder = (degrees: number) => () => {
       const stop = Math.round(toDegrees(this.info.rudder_stop_rad ?? 0));
@@ -349,7 +370,6 @@ export class Helm implements Group {
         vessel: this.info.name,
         angle_rad: toRadians(asked.degrees),
       });
-      this.page.did("rudder");
     };
     const detent = (by: 1 | -1) => () => {
       const order = this.now?.shaft.order ?? 0;
@@ -374,17 +394,15 @@ export class Helm implements Group {
     }
     const bow = this.info.thrusters[0];
     if (bow) {
+      const [least, most] = limits(this.hello, "thruster", "power");
       const by = (share: number) => () => {
         const order = this.now?.thrusters[0]?.order ?? 0;
-        this.order(
-          {
-            do: "thruster",
-            vessel: this.info.name,
-            thruster: bow.name,
-            share: Math.min(1, Math.max(-1, order + share)),
-          },
-          "thruster",
-        );
+        this.order({
+          do: "thruster",
+          vessel: this.info.name,
+          name: bow.name,
+          power: Math.min(most, Math.max(least, order + share)),
+        });
       };
       keys.push(
         { key: "[", text: `${bow.name} thruster to port`, run: by(-0.25) },

@@ -1,17 +1,16 @@
 /** The tugmaster's own helm: of a tug that is a force, or of one that is a vessel with azimuth units. */
 import type { Page } from "../page";
-import type { Frame, Hello, TugInfo, TugNow, VesselInfo, VesselNow } from "../protocol";
+import type { Action, Frame, Hello, TugInfo, TugNow, VesselInfo, VesselNow } from "../protocol";
 import { button, choices, h, setAttribute, setClass, setText } from "../ui/dom";
 import { Ring } from "../ui/ring";
 import { Slider } from "../ui/slider";
 import { TONNE_N, fixed, percent, sided, spoken, tonnes } from "../units";
 import { ClaimBar, type Group, type KeyAction } from "./group";
-import { tugDirection } from "./orders";
 import { VesselTug } from "./tugs";
 
 const POWERS = [0, 25, 50, 75, 100];
 
-/** A tug that is a force: push or pull, how hard, and whither. */
+/** A tug that is a force: push or pull, how hard, and in which direction. */
 export class VectorHelm implements Group {
   readonly name = "Tug";
   readonly root: HTMLElement;
@@ -25,25 +24,27 @@ export class VectorHelm implements Group {
   private readonly state = h("output", { class: "big", "aria-label": "Force on the ship" });
   private readonly ordered = h("span", { class: "ordered" });
   private percent = 25;
-  private order: TugNow["order"] = "stand_by";
+  private order: TugNow["order"] = "stop";
+  /** The order was given in words, and no frame has its direction yet. */
+  private inWords = false;
   private now: TugNow | null = null;
 
   constructor(
     private readonly page: Page,
     private readonly info: TugInfo,
     private readonly index: number,
-    private readonly beam_m: number,
   ) {
     this.claim = new ClaimBar(page, { tug: info.name }, spoken(info.name));
     this.held = this.claim.held;
-    this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "ship", () =>
-      this.send(true),
-    );
+    this.ring = new Ring(`Direction of ${info.name}'s force on the ship`, "ship", () => {
+      this.inWords = false;
+      this.send(true);
+    });
     this.orders = choices<TugNow["order"]>(
       "Order",
       [
         { value: "push", label: "Push" },
-        { value: "stand_by", label: "Stop" },
+        { value: "stop", label: "Stop" },
         { value: "pull", label: "Pull" },
       ],
       (order) => this.choose(order),
@@ -111,21 +112,13 @@ export class VectorHelm implements Group {
       },
       { key: "p", text: "Push", run: () => this.choose("push") },
       { key: "l", text: "Pull", run: () => this.choose("pull") },
-      { key: "o", text: "Stop", run: () => this.choose("stand_by") },
+      { key: "o", text: "Stop", run: () => this.choose("stop") },
     ];
   }
 
   private choose(order: TugNow["order"]): void {
-    // Push and pull start square to the side; the ring turns them from there.
-    if (order !== "stand_by" && order !== this.order)
-      this.ring.follow(
-        tugDirection(
-          order === "push" ? this.info.push_at_m : this.info.pull_at_m,
-          order,
-          0,
-          this.beam_m,
-        ),
-      );
+    // Push and pull begin square to the side; the ring turns them from there.
+    if (order !== this.order) this.inWords = true;
     this.order = order;
     this.send(false);
   }
@@ -136,21 +129,18 @@ export class VectorHelm implements Group {
   }
 
   private send(dragged: boolean): void {
+    const action = this.action();
+    if (!dragged) void this.page.order(action);
+    else if (this.order !== "stop") this.page.drag("tug", action);
+  }
+
+  private action(): Action {
     const tug = this.info.name;
-    const action =
-      this.order === "stand_by"
-        ? ({ do: "tug", tug, order: "stand_by" } as const)
-        : ({
-            do: "tug",
-            tug,
-            order: this.order,
-            force_n: (this.info.bollard_pull_n * this.percent) / 100,
-            direction_rad: this.ring.value,
-          } as const);
-    if (dragged) {
-      if (this.order !== "stand_by") this.page.drag("tug", action);
-    } else void this.page.order(action);
-    this.page.did("tug");
+    const power = this.percent / 100;
+    if (this.inWords || this.order === "stop")
+      return { do: "tug", tug, order: this.order, power, lead: "square", place: "nearest" };
+    const force_n = this.info.bollard_pull_n * power;
+    return { do: this.order, tug, force_n, direction_rad: this.ring.value };
   }
 
   tick(frame: Frame): void {
@@ -164,9 +154,10 @@ export class VectorHelm implements Group {
     // What is ordered may come from the pilot or from a rewind.
     if (changed) {
       this.order = now.order;
-      if (now.order !== "stand_by") {
+      this.inWords = false;
+      if (now.order !== "stop") {
         this.ring.follow(now.order_direction_rad);
-        this.percent = Math.round((now.order_n / this.info.bollard_pull_n) * 100);
+        this.percent = Math.round(now.power * 100);
       }
     }
     this.orders.show(now.order);
@@ -175,7 +166,7 @@ export class VectorHelm implements Group {
     setText(this.state, tonnes(now.force_n));
     setText(
       this.ordered,
-      now.order === "stand_by"
+      now.order === "stop"
         ? "stands by"
         : `${now.order} ${tonnes(now.order_n)} at ${sided(now.order_direction_rad)}${now.limited ? ", all she has" : ""}`,
     );
@@ -255,8 +246,8 @@ export class AzimuthHelm implements Group {
       figure: h("span", { class: "ordered" }),
     }));
     const ship = hello.vessels[page.live.ship()];
-    // Her own pilot can take her to the ship's side and push there; a hand on a unit takes her back.
-    if (ship && ship !== info) this.work = new VesselTug(page, info, index, ship, hello);
+    // Her own pilot can take her to the ship's side and push there; an order to a unit takes it off.
+    if (ship && ship !== info) this.work = new VesselTug(page, info, index, hello);
     this.root = h(
       "div",
       { class: "group tugmaster", role: "group", "aria-label": `Helm of ${info.title}` },
@@ -345,14 +336,13 @@ export class AzimuthHelm implements Group {
     const action = {
       do: "azimuth",
       vessel: this.info.name,
-      unit: name,
+      name,
       power,
       direction_rad,
     } as const;
     if (dragged)
       this.page.drag(`azimuth ${unit} ${power === null ? "direction" : "power"}`, action);
     else void this.page.order(action);
-    this.page.did("tug");
   }
 
   tick(frame: Frame): void {
@@ -405,7 +395,7 @@ export class AzimuthHelm implements Group {
 export function tugHelm(page: Page, hello: Hello, name: string): Group | null {
   const tug = hello.tugs.findIndex((t) => t.name === name);
   const info = hello.tugs[tug];
-  if (info) return new VectorHelm(page, info, tug, hello.vessels[info.vessel]?.beam_m ?? 0);
+  if (info) return new VectorHelm(page, info, tug);
   const vessel = hello.vessels.findIndex((v) => v.name === name);
   const own = hello.vessels[vessel];
   return own ? new AzimuthHelm(page, own, vessel, hello) : null;

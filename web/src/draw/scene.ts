@@ -328,7 +328,7 @@ export function drawVectorTugs({ to, camera, colours, hello, frame, bodies }: Sc
     const pulls = now.order === "pull";
     const at = pulls ? info.pull_at_m : info.push_at_m;
     const side = Math.sign(at[1]) || 1;
-    const works = now.force_n > 1e3 || now.order !== "stand_by";
+    const works = now.force_n > 1e3 || now.order !== "stop";
     const toward = works ? now.direction_rad : (-side * Math.PI) / 2;
     const half = info.length_m / 2;
     // Pushing she stands off by her own half length, pulling at the end of her line, else a little off the side.

@@ -1,23 +1,16 @@
-/** The docking board: what a laser docking system shows in digits that are read across a bridge wing. */
+/** The docking board: distances and speeds at bow and stern, in digits to be read across a bridge wing. The server has
+ * its limits and signals. */
 import { dot, turned } from "../geometry";
 import type { Page } from "../page";
-import type { BerthEnd, Frame, Hello } from "../protocol";
+import type { BerthEnd, Frame, Hello, Lamp } from "../protocol";
 import { button, h, setAttribute, setClass, setText } from "../ui/dom";
 import { fixed, toDegrees } from "../units";
-import { DEFAULT_LIMIT_MPS, type Light, light, limitAt } from "./limits";
 import type { View } from "./view";
 
-const WORDS: Record<Light, string> = { ok: "OK", caution: "CAUTION", alarm: "TOO FAST" };
-/** What the server says an end is at: its light and its word. `off` has neither, there the speed counts alone. */
-const AT: Record<Exclude<BerthEnd, "off">, [Light, string]> = {
-  at_fenders: ["ok", "AT FENDERS"],
-  no_fender: ["caution", "NO FENDER"],
-  past_end: ["caution", "PAST END"],
-  touched: ["caution", "TOUCHED"],
-  over_rated: ["alarm", "FENDER LIMIT"],
-  structure: ["alarm", "STRUCTURE"],
-};
-const LIGHTS: readonly Light[] = ["ok", "caution", "alarm"];
+const LIGHTS: readonly Lamp["light"][] = ["ok", "caution", "alarm"];
+/** Two limits that differ by less are shown as one [m/s]. */
+const SAME_LIMIT_MPS = 0.02;
+/** Below this an end counts as still [m/s]. */
 const STILL_MPS = 0.005;
 
 class End {
@@ -39,19 +32,15 @@ class End {
     );
   }
 
-  show(end: BerthEnd, off_m: number, closing_mps: number, limit_mps: number): void {
-    const speed = light(closing_mps, off_m, limit_mps);
-    const [place, word] = end === "off" ? [speed, WORDS[speed]] : AT[end];
-    // The worse of the two; of two as bad, what she is at.
-    const shown = LIGHTS.indexOf(speed) > LIGHTS.indexOf(place) ? speed : place;
+  show(end: BerthEnd, lamp: Lamp, off_m: number, closing_mps: number): void {
     setText(this.distance, fixed(off_m, Math.abs(off_m) < 100 ? 1 : 0));
     setText(this.speed, fixed(Math.abs(closing_mps), 2));
     setText(
       this.way,
       closing_mps > STILL_MPS ? "▲ closing" : closing_mps < -STILL_MPS ? "▼ opening" : "■ still",
     );
-    setText(this.lamp, shown === place ? word : WORDS[shown]);
-    for (const name of LIGHTS) setClass(this.root, name, shown === name);
+    setText(this.lamp, lamp.text);
+    for (const name of LIGHTS) setClass(this.root, name, lamp.light === name);
     setAttribute(this.distance, "aria-label", `${this.name} distance`);
     setAttribute(this.speed, "aria-label", `${this.name} speed`);
     // Read by tests and screen readers: closing is positive.
@@ -83,16 +72,19 @@ export class Docking implements View {
   });
   private readonly none = h("p", { class: "nothing" }, "No berth in this scenario.");
   readonly root: HTMLElement;
-  private limit_mps: number;
+  private approach_mps = 0;
+  private readonly changes: HTMLButtonElement[];
 
   constructor(private readonly page: Page) {
-    const kept = Number(localStorage.getItem("docking limit"));
-    this.limit_mps = kept > 0 ? kept : DEFAULT_LIMIT_MPS;
     const change = (by: number) => () => {
-      this.limit_mps = Math.min(1, Math.max(0.05, Math.round((this.limit_mps + by) * 100) / 100));
-      localStorage.setItem("docking limit", String(this.limit_mps));
-      this.showLimit(0);
+      const speed_mps = Math.round((this.approach_mps + by) * 100) / 100;
+      void this.page.order({ do: "approach_limit", speed_mps });
     };
+    const [lower, higher] = [
+      button("−", change(-0.01), { name: "Lower speed limit" }),
+      button("+", change(0.01), { name: "Higher speed limit" }),
+    ];
+    this.changes = [lower, higher];
     this.root = h(
       "div",
       { class: "docking" },
@@ -119,21 +111,22 @@ export class Docking implements View {
             this.alongWay,
           ),
         ),
-        h(
-          "div",
-          { class: "limits" },
-          button("−", change(-0.01), { name: "Lower speed limit" }),
-          this.limit,
-          button("+", change(0.01), { name: "Higher speed limit" }),
-        ),
+        h("div", { class: "limits" }, lower, this.limit, higher),
       ),
     );
-    this.showLimit(0);
   }
 
-  private showLimit(off_m: number): void {
-    const here = off_m > 3 ? `; limit here ${fixed(limitAt(off_m, this.limit_mps), 2)}` : "";
-    setText(this.limit, `Limit at the fenders ${fixed(this.limit_mps, 2)} m/s${here}`);
+  private showLimit(at_fenders_mps: number, here_mps: number): void {
+    this.approach_mps = at_fenders_mps;
+    const here =
+      here_mps - at_fenders_mps > SAME_LIMIT_MPS ? `; limit here ${fixed(here_mps, 2)}` : "";
+    setText(this.limit, `Limit at the fenders ${fixed(at_fenders_mps, 2)} m/s${here}`);
+  }
+
+  /** Pilot and instructor set the limit. */
+  claims({ role }: Hello): void {
+    const may = role.name === "pilot" || role.name === "instructor";
+    for (const each of this.changes) each.disabled = !may;
   }
 
   tick(frame: Frame, hello: Hello): void {
@@ -144,9 +137,9 @@ export class Docking implements View {
     const berth = now?.berth;
     setClass(this.root, "none", !berth);
     if (!berth || !hello.berth || !body || !quay) return;
-    this.bow.show(berth.bow, berth.bow_m, berth.bow_mps, this.limit_mps);
-    this.stern.show(berth.stern, berth.stern_m, berth.stern_mps, this.limit_mps);
-    this.showLimit(Math.min(berth.bow_m, berth.stern_m));
+    this.bow.show(berth.bow, berth.bow_lamp, berth.bow_m, berth.bow_mps);
+    this.stern.show(berth.stern, berth.stern_lamp, berth.stern_m, berth.stern_mps);
+    this.showLimit(frame.approach_mps, berth.limit_mps);
     // As she lies when one looks at the quay over her side: starboard side to, her bow is to the left.
     const starboardTo = dot(turned(body[2] - quay[2], [0, 1]), hello.berth.facing) < 0;
     setClass(this.ends, "starboard-to", starboardTo);

@@ -1,11 +1,11 @@
-/** The fender panel: force and energy of each against what it is rated for, its peaks, and whether it has failed. */
+/** The fender panel: reaction and energy of each fender over its rating, their peaks, and whether it has failed. */
 import { type Palette, loadColour, palette } from "../palette";
 import type { FenderInfo, FenderNow, Frame, Hello } from "../protocol";
 import { h, setAttribute, setClass, setStyle, setText } from "../ui/dom";
 import { energy, fixed, force, percent, spoken } from "../units";
 import type { View } from "./view";
 
-/** Bars go to so much of what is rated. */
+/** The full width of a bar over the rating. */
 const BAR_SHARE = 1.25;
 
 class Bar {
@@ -50,7 +50,7 @@ class Row {
       {},
       h("div", { class: "row-head" }, h("b", {}, spoken(info.name)), this.state, this.figures),
       info.rated_reaction_n === null && info.rated_energy_j === null
-        ? h("p", { class: "note" }, "Nobody said what it is rated for.")
+        ? h("p", { class: "note" }, "No rating given.")
         : h(
             "div",
             { class: "bars" },
@@ -70,13 +70,18 @@ class Row {
       ? `${fixed((now.deflection_m / rated) * 100, 0)} % of ${fixed(rated, 2)} m`
       : `${fixed(now.deflection_m, 2)} m`;
     setText(this.figures, `${force(now.reaction_n)} · ${energy(now.energy_j)} · ${deep}`);
-    const over = Math.max(now.peak_of_energy, now.peak_of_reaction) > 1;
     setText(
       this.state,
-      now.failed ? "FAILED" : over ? "WAS OVER RATED" : now.reaction_n > 0 ? "in contact" : "",
+      now.failed
+        ? "FAILED"
+        : now.over_rated
+          ? "WAS OVER RATED"
+          : now.reaction_n > 0
+            ? "in contact"
+            : "",
     );
     setClass(this.root, "alarm", now.failed);
-    setClass(this.root, "caution", over && !now.failed);
+    setClass(this.root, "caution", now.over_rated && !now.failed);
   }
 }
 
@@ -97,7 +102,7 @@ export class Fenders implements View {
       h(
         "p",
         { class: "note" },
-        "R reaction, E energy; the stroke is what the fender is rated for, the thin mark the peak so far.",
+        "R reaction, E energy; the stroke marks the rating, the thin mark the peak so far.",
       ),
     );
   }

@@ -1,12 +1,13 @@
 /** The lines: tension against working and breaking load; the winches, for who holds the ship. */
 import { loadColour, palette } from "../palette";
+import type { Order } from "../orders";
 import type { Page } from "../page";
 import type { Frame, Hello, LineInfo, LineNow } from "../protocol";
 import { choices, h, setAttribute, setClass, setStyle, setText, sureButton } from "../ui/dom";
 import { fixed, percent, spoken, tonnes } from "../units";
 import type { View } from "./view";
 
-/** How fast a winch hauls or veers when told by hand: a usual speed for warping under load. */
+/** Rate of a manual winch order: a usual speed for warping under load [m/s]. */
 const WINCH_MPS = 0.15;
 const STATES: Record<LineNow["state"], string> = {
   ashore: "not yet fast",
@@ -16,6 +17,10 @@ const STATES: Record<LineNow["state"], string> = {
 };
 
 type Winch = LineNow["winch"];
+
+function winchOrder(order: Winch, line: string): Order {
+  return order === "hold" ? { do: order, line } : { do: order, line, rate_mps: WINCH_MPS };
+}
 
 class Row {
   private readonly fill = h("div", { class: "fill" });
@@ -50,13 +55,7 @@ class Row {
         { value: "hold", label: "Hold", name: `Hold ${info.name}` },
         { value: "pay_out", label: "Pay out", name: `Pay out ${info.name}` },
       ],
-      (order) =>
-        void page.order({
-          do: "winch",
-          line: info.name,
-          order,
-          rate_mps: order === "hold" ? 0 : WINCH_MPS,
-        }),
+      (order) => void page.order(winchOrder(order, info.name)),
     );
     this.letGo = sureButton(
       "Let go",
@@ -86,12 +85,9 @@ class Row {
         ? `${tonnes(now.tension_n)} · ${percent(share)} of ${fixed(this.info.breaking_n / 9806.65, 0)} t`
         : "",
     );
-    setText(
-      this.state,
-      worked > 1 && now.state === "fast" ? "OVER WORKING LOAD" : STATES[now.state],
-    );
+    setText(this.state, now.over_working ? "OVER WORKING LOAD" : STATES[now.state]);
     setClass(this.root, "alarm", now.state === "parted");
-    setClass(this.root, "caution", now.state === "fast" && worked > 1);
+    setClass(this.root, "caution", now.over_working);
     setClass(this.root, "idle", now.state !== "fast");
     this.winch.show(now.state === "fast" ? now.winch : null);
     for (const each of [...this.winch.buttons, this.letGo])

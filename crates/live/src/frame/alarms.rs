@@ -1,33 +1,26 @@
-//! Causes of alarms: what a person at a control has to know at once. One stands for one thing; how long it is shown
-//! is the alarm book's.
+//! Causes of alarms, found anew in each tick. How long an alarm is shown is up to the alarm book.
 
 use fenderline_contact::number::greater;
 use fenderline_sim::Simulation;
 
 use crate::alarm_book::{Alarm, Level, TOUCH};
+use crate::approach::{ApproachLimit, Light};
 use crate::info::Info;
 use crate::message::{ContactNow, FenderNow, LineNow, TugNow, VesselNow};
 
-/// A fender at this part of its rating is a caution; at all of it an alarm, because that is what it is rated for.
+/// From this share of its rating on a fender is a caution; at its rating it is an alarm.
 const FENDER_CAUTION: f64 = 0.8;
-/// A line at this part of its working load is a caution; at all of it an alarm.
+/// From this share of its working load on a line is a caution; at its working load it is an alarm.
 const LINE_CAUTION: f64 = 0.8;
-/// The fastest closing speed that is no alarm (m/s), at a distance from the fenders (m), as on the pages' docking board
-/// (`web/src/views/limits.ts`):
-/// √(v₀² + 2ad), what a ship has that loses 0.002 m/s² and touches with 0.15 m/s. Our choice, no port's rule and no
-/// standard's; 0.15 m/s is about what design tables give a large ship in a sheltered berth (recalled, not read).
-const TOUCH_MPS: f64 = 0.15;
-const SLOWING_MPS2: f64 = 0.002;
-/// A caution is told from this part of it on, as on the pages' docking board.
-const APPROACH_CAUTION: f64 = 2.0 / 3.0;
-/// Approach speeds are told from here on (m).
+/// Approach speeds are watched within this distance (m).
 const NEAR_M: f64 = 100.0;
-/// Less water under the keel than this part of the draught is a caution; our choice.
+/// An under-keel clearance below this share of the draught is a caution; our choice.
 const UNDER_KEEL_SHARE: f64 = 0.1;
 
-/// What alarms are made of.
+/// What alarms are found from.
 pub(super) struct Shown<'a> {
     pub(super) simulation: &'a Simulation,
+    pub(super) approach: ApproachLimit,
     pub(super) info: &'a Info,
     pub(super) vessels: &'a [VesselNow],
     pub(super) fenders: &'a [FenderNow],
@@ -36,7 +29,7 @@ pub(super) struct Shown<'a> {
     pub(super) tugs: &'a [TugNow],
 }
 
-/// All that stand.
+/// All causes of alarm in this tick.
 pub(super) fn causes(of: &Shown<'_>) -> Vec<Alarm> {
     let mut all = Vec::new();
     vessels(of, &mut all);
@@ -52,7 +45,7 @@ pub(super) fn causes(of: &Shown<'_>) -> Vec<Alarm> {
     all
 }
 
-/// Of a kind, about some things: its key is made of both.
+/// An alarm whose key is its kind and what it is about.
 fn of_level(level: Level, kind: &str, about: &[&str], text: String) -> Alarm {
     let key = format!("{kind} {}", about.join(" "));
     Alarm { level, key, text, about: about.iter().map(|&name| name.to_owned()).collect() }
@@ -68,11 +61,6 @@ fn caution(kind: &str, about: &[&str], text: String) -> Alarm {
 
 fn alarm_if(is_alarm: bool) -> Level {
     if is_alarm { Level::Alarm } else { Level::Caution }
-}
-
-/// Closing speed that is no alarm at a distance (m/s).
-fn allowed_mps(off_m: f64) -> f64 {
-    libm::sqrt(TOUCH_MPS * TOUCH_MPS + 2.0 * SLOWING_MPS2 * greater(off_m, 0.0))
 }
 
 fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
@@ -106,14 +94,15 @@ fn vessels(of: &Shown<'_>, all: &mut Vec<Alarm>) {
         }
         let ends = [("bow", near.bow_m, near.bow_mps), ("stern", near.stern_m, near.stern_mps)];
         for (end, off_m, closing_mps) in ends {
-            let allowed_mps = allowed_mps(off_m);
-            // On the fenders a ship moves in them; what they take is their own alarm.
-            if off_m > 0.0 && closing_mps > APPROACH_CAUTION * allowed_mps {
+            let light = of.approach.light(closing_mps, off_m);
+            // A ship that lies on the fenders moves in them; their load has its own alarm.
+            if off_m > 0.0 && light != Light::Ok {
+                let limit_mps = of.approach.at_mps(off_m);
                 let text = format!(
-                    "{name}: {end} closes at {closing_mps:.2} m/s, {off_m:.0} m off (limit {allowed_mps:.2})"
+                    "{name}: {end} closes at {closing_mps:.2} m/s, {off_m:.0} m off (limit {limit_mps:.2})"
                 );
-                let too_fast = closing_mps > allowed_mps;
-                all.push(of_level(alarm_if(too_fast), &format!("approach {end}"), &[name], text));
+                let level = alarm_if(light == Light::Alarm);
+                all.push(of_level(level, &format!("approach {end}"), &[name], text));
             }
         }
     }
@@ -131,7 +120,7 @@ fn fenders(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     }
 }
 
-/// Hull on structure, or hull on hull: what no fender is between.
+/// Hull on structure or on hull without a fender between them.
 fn contacts(of: &Shown<'_>, all: &mut Vec<Alarm>) {
     for contact in of.contacts.iter().filter(|contact| contact.fender.is_none()) {
         let [one, two] = contact.bodies.map(|body| &*of.info.bodies[body].name);

@@ -1,18 +1,41 @@
-//! What the docking board says of each end of a ship: from contacts and from where the berth is, never from a distance
-//! alone. A hull behind the line of the fenders may lie at a fender, at none, or on the quay.
+//! The docking board's signals for each end of a ship, from contacts and the position of the berth. Distance alone is not
+//! enough: a hull behind the line of the fenders may lie at a fender, between fenders, or on the quay.
 
 use fenderline_contact::number::{greater, lesser};
 use fenderline_contact::{Rotation, Vec2, vec2};
 
+use crate::approach::Light;
 use crate::berth::{Berth, Ends};
-use crate::message::{BerthEnd, ContactNow, FenderNow, Pair, VesselNow};
+use crate::message::{BerthEnd, ContactNow, FenderNow, Lamp, Pair, VesselNow};
 
 use super::Context;
 
-/// At the fenders is who is nearer than this and carried by one (m): what a docking laser resolves.
+/// An end is at the fenders where it is nearer than this and a fender bears the ship (m): a docking laser's resolution.
 const AT_FENDERS_M: f64 = 0.02;
 
-/// Bow and stern of a vessel.
+/// The signal for an end: the worse of the speed's and of what the end is at; of two equal ones the latter.
+pub(super) fn lamp(end: BerthEnd, speed: Light) -> Lamp {
+    let by_speed = Lamp {
+        light: speed,
+        text: match speed {
+            Light::Ok => "OK",
+            Light::Caution => "CAUTION",
+            Light::Alarm => "TOO FAST",
+        },
+    };
+    let (light, text) = match end {
+        BerthEnd::Off => return by_speed,
+        BerthEnd::AtFenders => (Light::Ok, "AT FENDERS"),
+        BerthEnd::NoFender => (Light::Caution, "NO FENDER"),
+        BerthEnd::PastEnd => (Light::Caution, "PAST END"),
+        BerthEnd::Touched => (Light::Caution, "TOUCHED"),
+        BerthEnd::OverRated => (Light::Alarm, "FENDER LIMIT"),
+        BerthEnd::Structure => (Light::Alarm, "STRUCTURE"),
+    };
+    if speed > light { by_speed } else { Lamp { light, text } }
+}
+
+/// What bow and stern of a vessel are at.
 pub(super) fn ends(
     of: &Context<'_>,
     berth: &Berth,
@@ -60,7 +83,7 @@ pub(super) fn ends(
             worst = worst.max(BerthEnd::OverRated);
         }
         for contact in ours.iter().filter(|contact| is_at(&ends, end, of_pair(contact.at_m))) {
-            let told = match contact.fender {
+            let here = match contact.fender {
                 // On the quay or on a rock; a tug at her side is none of the board's.
                 None if contact.bodies.iter().any(|&other| is_structure(other)) => {
                     BerthEnd::Structure
@@ -68,7 +91,7 @@ pub(super) fn ends(
                 Some(fender) if is_over_rated(&of.fenders[fender]) => BerthEnd::OverRated,
                 _ => BerthEnd::Off,
             };
-            worst = worst.max(told);
+            worst = worst.max(here);
         }
         worst
     })

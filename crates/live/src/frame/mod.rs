@@ -1,4 +1,4 @@
-//! What there is to see after a tick.
+//! What pages show after a tick.
 
 mod alarms;
 mod board;
@@ -6,18 +6,22 @@ mod seen;
 mod vessel;
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::lesser;
 use fenderline_sim::mooring::WinchOrder;
+use fenderline_sim::order::{TugWord, Word};
 use fenderline_sim::tug::TugOrder;
-use fenderline_sim::{Mooring, MooringSetup, Simulation, TugAtWork};
+use fenderline_sim::{Mooring, MooringSetup, Simulation, TugAtWork, TugSetup};
 
 use crate::alarm_book::{Alarm, AlarmBook};
+use crate::approach::ApproachLimit;
 use crate::berth::Berth;
+use crate::cast::Cast;
 use crate::info::Info;
 use crate::message::{
     BranchNow, ContactNow, CurrentNow, FenderNow, Frame, LineNow, RunState, TugNow, VesselNow,
     WavesNow, WindNow,
 };
-use crate::session::{Branch, Session};
+use crate::session::{Branch, Now, Session};
 
 pub(crate) use seen::Seen;
 
@@ -27,6 +31,7 @@ struct Context<'a> {
     contacts: &'a [ContactNow],
     fenders: &'a [FenderNow],
     book: &'a AlarmBook,
+    approach: ApproachLimit,
 }
 
 impl Session {
@@ -38,10 +43,11 @@ impl Session {
         alarms::causes(&alarms::Shown {
             simulation,
             info,
-            vessels: &vessels(simulation, info),
+            vessels: &vessels(now, self.cast(), info),
             fenders: &now.seen.fenders(simulation),
             contacts: now.seen.contacts(),
-            lines: &lines(simulation),
+            lines: &lines(simulation, info),
+            approach: now.approach,
             tugs: &tugs(simulation),
         })
     }
@@ -55,9 +61,10 @@ impl Session {
         let (states, t_s) = (simulation.states(), simulation.time_s());
         let (fenders, contacts) = (now.seen.fenders(simulation), now.seen.contacts());
         let own = self.cast().own;
-        let mut vessels = vessels(simulation, info);
+        let mut vessels = vessels(now, self.cast(), info);
         if let Some(berth) = &info.berth {
-            let of = Context { simulation, contacts, fenders: &fenders, book };
+            let approach = now.approach;
+            let of = Context { simulation, contacts, fenders: &fenders, book, approach };
             show_ends(&of, berth, &mut vessels);
         }
         let bodies = states.iter().map(|state| {
@@ -83,37 +90,43 @@ impl Session {
             vessels,
             fenders,
             contacts: contacts.to_vec(),
-            lines: lines(simulation),
+            lines: lines(simulation, info),
             tugs: tugs(simulation),
             wind: wind_now(simulation, t_s),
             current: current_now(simulation, t_s, place),
             waves: waves_now(simulation),
+            approach_mps: now.approach.at_fenders_mps,
             alarms: book.told(),
         }
     }
 }
 
-fn vessels(simulation: &Simulation, info: &Info) -> Vec<VesselNow> {
-    let all = 0..simulation.vessels().len();
-    all.map(|index| vessel::now(simulation, index, info.berth.as_ref())).collect()
+fn vessels(now: &Now, cast: &Cast, info: &Info) -> Vec<VesselNow> {
+    let all = 0..now.simulation.vessels().len();
+    all.map(|index| vessel::now(now, cast, index, info.berth.as_ref())).collect()
 }
 
-fn lines(simulation: &Simulation) -> Vec<LineNow> {
+fn lines(simulation: &Simulation, info: &Info) -> Vec<LineNow> {
     let setups = simulation.setup().world.lines.iter();
     let all = simulation.lines().iter().zip(setups);
-    all.map(|(line, of)| line_now(line, of, simulation.time_s())).collect()
+    let all = all.zip(&info.lines);
+    all.map(|((line, of), info)| line_now(line, of, info.working_n, simulation.time_s())).collect()
 }
 
 fn tugs(simulation: &Simulation) -> Vec<TugNow> {
-    simulation.tugs().iter().map(tug_now).collect()
+    let setups = &simulation.setup().world.tugs;
+    simulation.tugs().iter().zip(setups).map(|(tug, of)| tug_now(tug, of)).collect()
 }
 
-/// What the docking board says of each vessel that has a distance to the berth.
+/// The docking board's signals for each vessel that has a distance to the berth.
 fn show_ends(of: &Context<'_>, berth: &Berth, vessels: &mut [VesselNow]) {
     for (index, vessel) in vessels.iter_mut().enumerate() {
         let ends = board::ends(of, berth, index, vessel);
         if let Some(lies) = &mut vessel.berth {
             [lies.bow, lies.stern] = ends;
+            lies.limit_mps = of.approach.at_mps(lesser(lies.bow_m, lies.stern_m));
+            lies.bow_lamp = board::lamp(ends[0], of.approach.light(lies.bow_mps, lies.bow_m));
+            lies.stern_lamp = board::lamp(ends[1], of.approach.light(lies.stern_mps, lies.stern_m));
         }
     }
 }
@@ -123,7 +136,7 @@ fn branch_now((id, branch): (usize, &Branch)) -> BranchNow {
     BranchNow { id, from_tick, ends_tick, parent }
 }
 
-fn line_now(line: &Mooring, setup: &MooringSetup, t_s: f64) -> LineNow {
+fn line_now(line: &Mooring, setup: &MooringSetup, working_n: f64, t_s: f64) -> LineNow {
     let state = match &line.line {
         _ if line.gone => "gone",
         // Before the first step nothing is fast yet, though it will have been from the start.
@@ -135,6 +148,7 @@ fn line_now(line: &Mooring, setup: &MooringSetup, t_s: f64) -> LineNow {
     LineNow {
         state,
         tension_n: line.load.tension_n,
+        over_working: state == "fast" && line.load.tension_n > working_n,
         winch: match line.order {
             WinchOrder::Hold => "hold",
             WinchOrder::Heave(_) => "heave",
@@ -143,16 +157,17 @@ fn line_now(line: &Mooring, setup: &MooringSetup, t_s: f64) -> LineNow {
     }
 }
 
-fn tug_now(tug: &TugAtWork) -> TugNow {
-    // The latest order, be it not begun yet: what the hand on it has just said.
+fn tug_now(tug: &TugAtWork, setup: &TugSetup) -> TugNow {
+    // The latest order, even where she has not begun it yet.
     let order = tug.state.waiting.last().map_or(tug.state.order, |(_, order)| *order);
     let (order, order_n, order_direction_rad) = match order {
-        TugOrder::StandBy => ("stand_by", 0.0, tug.state.direction_rad),
-        TugOrder::Push { force_n, direction_rad } => ("push", force_n, direction_rad),
-        TugOrder::Pull { force_n, direction_rad } => ("pull", force_n, direction_rad),
+        TugOrder::StandBy => (TugWord::Stop, 0.0, tug.state.direction_rad),
+        TugOrder::Push { force_n, direction_rad } => (TugWord::Push, force_n, direction_rad),
+        TugOrder::Pull { force_n, direction_rad } => (TugWord::Pull, force_n, direction_rad),
     };
     TugNow {
-        order,
+        order: order.word(),
+        power: order_n / setup.tug.envelope.bollard_pull_n,
         order_n,
         order_direction_rad,
         force_n: libm::hypot(tug.force.surge_n, tug.force.sway_n),

@@ -71,6 +71,8 @@ impl Seen {
                 peak_of_energy: touched.share_of_rated_energy.unwrap_or(0.0),
                 peak_of_reaction: touched.share_of_rated_reaction.unwrap_or(0.0),
                 failed: touched.failed,
+                over_rated: touched.share_of_rated_energy.is_some_and(|share| share > 1.0)
+                    || touched.share_of_rated_reaction.is_some_and(|share| share > 1.0),
                 touched: true,
             };
         }

@@ -1,15 +1,19 @@
 //! A vessel as she is now.
 
 use fenderline_contact::Rotation;
-use fenderline_sim::{Job, Pilots, Simulation};
+use fenderline_sim::order::{SidePlace, TugWord, Word};
+use fenderline_sim::{Job, Pilots};
 
 use crate::action::Fault;
 use crate::berth::Berth;
-use crate::message::{AssistNow, AzimuthNow, RudderNow, ShareNow, VesselNow};
+use crate::cast::Cast;
+use crate::message::{AssistNow, AssistState, AzimuthNow, RudderNow, ShareNow, VesselNow};
+use crate::session::Now;
 
 /// The vessel of an index. Speeds over ground and through the water are those of midship; lateral speeds those of
 /// the foremost and aftmost point of her outline.
-pub(super) fn now(simulation: &Simulation, index: usize, berth: Option<&Berth>) -> VesselNow {
+pub(super) fn now(all: &Now, cast: &Cast, index: usize, berth: Option<&Berth>) -> VesselNow {
+    let simulation = &all.simulation;
     let setup = simulation.setup();
     let environment = &setup.world.environment;
     let (of, vessel) = (&setup.world.vessels[index], &simulation.vessels()[index]);
@@ -50,18 +54,59 @@ pub(super) fn now(simulation: &Simulation, index: usize, berth: Option<&Berth>) 
         berth: berth
             .filter(|berth| berth.body != of.body)
             .map(|berth| berth.seen_from(&simulation.states()[berth.body], &body.outline, state)),
-        assist: vessel.pilots.assist.as_ref().map(|pilot| assist_now(&pilot.order.job)),
+        assist: vessel
+            .pilots
+            .assist
+            .as_ref()
+            .map(|pilot| assist_now(all, cast, index, &pilot.order.job)),
         faults: Fault::standing(&vessel.faults),
     }
 }
 
-fn assist_now(job: &Job) -> AssistNow {
-    match job {
-        Job::Follow { .. } => AssistNow { job: "follow", force_n: 0.0 },
-        Job::Push(push) => AssistNow { job: "push", force_n: push.force_n },
-        Job::Pull { force_n, .. } => AssistNow { job: "pull", force_n: *force_n },
-    }
+/// Below this a line is slack to the pilot's eye (N).
+const SLACK_N: f64 = 1e3;
+
+/// The order to a tug that is a vessel, in the pilot's words, and how far she has come with it.
+fn assist_now(now: &Now, cast: &Cast, tug: usize, job: &Job) -> AssistNow {
+    let setup = now.simulation.setup();
+    let own = setup.world.vessels[tug].body;
+    let ship = cast.own.map(|ship| &setup.world.vessels[ship]);
+    let place = |at_m| {
+        let ship = ship?;
+        let outline = &setup.bodies[ship.body].outline;
+        let place = SidePlace::nearest(at_m, outline, ship.ship.particulars.length_m)?;
+        let off_m = (place.on(outline, ship.ship.particulars.length_m)? - at_m).x.abs();
+        (off_m < SAME_PLACE_M).then(|| place.word())
+    };
+    let (word, force_n, place, state, felt_n) = match *job {
+        Job::Follow { at_m, .. } => {
+            (TugWord::StandOff, 0.0, place(at_m), AssistState::StandsOff, 0.0)
+        }
+        Job::Push(push) => {
+            let word = if push.force_n > 0.0 { TugWord::Push } else { TugWord::Stop };
+            let pairs = [[own, push.ship], [push.ship, own]];
+            let between = || now.seen.contacts().iter().filter(|c| pairs.contains(&c.bodies));
+            let felt_n = between().map(|c| libm::hypot(c.force_n[0], c.force_n[1])).sum();
+            let state = match (between().next().is_some(), word) {
+                (false, _) => AssistState::ComesAlongside,
+                (true, TugWord::Stop) => AssistState::Alongside,
+                (true, _) => AssistState::Pushes,
+            };
+            (word, push.force_n, place(push.at_m), state, felt_n)
+        }
+        Job::Pull { line, force_n, .. } => {
+            let tension_n = now.simulation.lines()[line].load.tension_n;
+            let is_taut = tension_n > SLACK_N;
+            let state = if is_taut { AssistState::Pulls } else { AssistState::TakesUpSlack };
+            (TugWord::Pull, force_n, None, state, tension_n)
+        }
+    };
+    let power = force_n / setup.world.vessels[tug].bollard_pull_n();
+    AssistNow { order: word.word(), power, place, state, force_n: felt_n }
 }
+
+/// A point within this distance along the ship is at a place that words name (m).
+const SAME_PLACE_M: f64 = 1.0;
 
 fn pilot_text(pilots: &Pilots) -> &'static str {
     match pilots {

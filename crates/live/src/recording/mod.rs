@@ -27,7 +27,7 @@ pub(crate) use sealed::Chain;
 pub(crate) use writer::Writer;
 
 /// The format's number; a file with another one is refused.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 /// What a recording begins with, up to the format's number.
 const BEGINNING: &str = "{\"fenderline_session\":";
 

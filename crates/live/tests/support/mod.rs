@@ -3,7 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
-use fenderline_live::{Action, Outline, Replay, Replayed, Session, Source};
+use fenderline_live::{Action, NamedOrder, Outline, Replay, Replayed, Session, Source};
+use fenderline_sim::OrderName;
 
 /// A path of the repository.
 pub(crate) fn repository(path: &str) -> PathBuf {
@@ -37,12 +38,17 @@ pub(crate) fn say(session: &mut Session, action: Action) -> u64 {
     session.command("test", 0, action).expect("a good command")
 }
 
+/// An order to a vessel, tug or line of a name, without arguments.
+pub(crate) fn order(order: OrderName, to: &str) -> NamedOrder {
+    NamedOrder::new(order, to)
+}
+
 pub(crate) fn rudder(angle_rad: f64) -> Action {
-    Action::Rudder { vessel: "ship".into(), angle_rad }
+    order(OrderName::Rudder, "ship").number("angle", angle_rad).into()
 }
 
 pub(crate) fn engine(share: f64) -> Action {
-    Action::Engine { vessel: "ship".into(), share }
+    order(OrderName::Engine, "ship").number("share", share).into()
 }
 
 /// The recording of a session up to now, as it is when it is saved.

@@ -60,7 +60,7 @@ impl Assembly<'_, '_> {
             (None, None) => {
                 let error = self.sources.error(&table.span, &path, format!("`{path}` is missing"));
                 return Err(error.with_help(match kind {
-                    Some(_) => "her vessel has none: give it here",
+                    Some(_) => "the vessel has no outline: give one here",
                     None => "write outline = [[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]",
                 }));
             }
@@ -79,7 +79,7 @@ impl Assembly<'_, '_> {
             let fits = |of: f64, is: f64| (0.8..=1.25).contains(&(is / of));
             if !(fits(length_m, size.x) && fits(beam_m, size.y)) {
                 let message = format!(
-                    "it is {} m by {} m, but her vessel is {length_m} m by {beam_m} m",
+                    "the outline is {} m by {} m, but the vessel is {length_m} m by {beam_m} m",
                     size.x, size.y
                 );
                 let place = self.sources.place(span);
@@ -116,7 +116,8 @@ impl Assembly<'_, '_> {
             None => Ok(()),
             Some(item) => {
                 let path = table.path_of(item.name);
-                let message = format!("`{path}` is not for a vessel, whose model gives it");
+                let message =
+                    format!("`{path}` does not go together with `vessel`, whose model gives it");
                 let error = self.sources.error(&item.key_span, &path, message);
                 Err(error.with_help(format!("remove `{}` or `vessel`", item.name)))
             }

@@ -41,7 +41,7 @@ impl Assembly<'_, '_> {
                 key: table.path_of("friction_static"),
                 message: format!(
                     "{friction_static} is more than the {HIGHEST_USUAL_FRICTION} that facings, rubber, steel and \
-                     concrete have on each other (most have 0.1 to 1): hulls will lock rather than slide"
+                     concrete have on each other (most have 0.1 to 1): hulls will stick rather than slide"
                 ),
             });
         }

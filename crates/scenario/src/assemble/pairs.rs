@@ -21,11 +21,6 @@ impl Pairs {
         let touching = named.iter().map(|pair| ordered(pair.bodies)).collect();
         Pairs { named, every_other, touching }
     }
-
-    /// Whether two bodies can touch each other.
-    pub(super) fn may_touch(&self, bodies: [usize; 2]) -> bool {
-        self.every_other.is_some() || self.touching.contains(&ordered(bodies))
-    }
 }
 
 fn ordered([one, other]: [usize; 2]) -> [usize; 2] {

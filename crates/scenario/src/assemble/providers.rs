@@ -1,4 +1,4 @@
-//! Programs that put forces on bodies.
+//! External programs that apply forces to bodies.
 
 use fenderline_sim::{BodySetup, ProviderSetup};
 

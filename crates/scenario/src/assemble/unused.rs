@@ -23,7 +23,7 @@ impl Assembly<'_, '_> {
             self.notices.push(Notice {
                 place: self.sources.place(&file.given("body").span),
                 key: "pair".to_owned(),
-                message: "the scenario has none: nothing can touch".to_owned(),
+                message: "there are no pairs, so no bodies can touch".to_owned(),
             });
             return;
         }

@@ -1,6 +1,4 @@
-//! Keys of azimuth units and of orders to them.
-
-use serde_json::json;
+//! Keys of azimuth units.
 
 use super::world::key;
 use crate::spec::Absent::{Is, Means, Refused};
@@ -65,27 +63,4 @@ pub(crate) static AZIMUTH: TableSpec = TableSpec {
         ),
     ],
     rules: None,
-};
-
-pub(super) static AZIMUTH_ORDER: TableSpec = TableSpec {
-    what: "an order to an azimuth unit",
-    doc: "Which unit, and its thrust, its direction, or both; what is not given stays.",
-    keys: &[
-        key("name", Kind::Text, Refused, "The unit.", &["\"port\""]),
-        key(
-            "power",
-            Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 }),
-            Means("as before"),
-            "Thrust over that at rest and full power, 0 to 1.",
-            &["0.5"],
-        ),
-        key(
-            "direction",
-            Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 }),
-            Means("as before"),
-            "Direction of the thrust from the bow, positive to starboard: 0 drives her ahead.",
-            &["\"90 deg\""],
-        ),
-    ],
-    rules: Some(|| json!({ "anyOf": [{ "required": ["power"] }, { "required": ["direction"] }] })),
 };

@@ -20,7 +20,7 @@ pub(super) static BODY: TableSpec = TableSpec {
         KeySpec {
             name: "outline",
             kind: Kind::Outline(Quantity { measure: &unit::LENGTH, low: -1e8, high: 1e8 }),
-            absent: Means("that of her vessel"),
+            absent: Means("the outline of the vessel"),
             doc: "Vertices, forward and to starboard of the centre of gravity, in either direction \
                   round; need not be convex.",
             examples: &["[[-16, -6.5], [16, -6.5], [16, 6.5], [-16, 6.5]]"],
@@ -29,15 +29,15 @@ pub(super) static BODY: TableSpec = TableSpec {
             name: "vessel",
             kind: Kind::Text,
             absent: Means("a plain body"),
-            doc: "The kind of vessel that she is, of this scenario, of the library (`fenderline vessels`) or of \
-                  `vessel_files`: it gives mass, added mass, outline and everything that acts on her.",
+            doc: "Kind of vessel: from this scenario, from the library (`fenderline vessels`) or from \
+                  `vessel_files`: it gives mass, added mass, outline and her coefficients.",
             examples: &["\"container-ship\""],
         },
         KeySpec {
             name: "running",
             kind: Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -1.0, high: 1.0 }),
             absent: Means("engine stopped"),
-            doc: "A vessel's revolutions over full ones at the start.",
+            doc: "Shaft revolutions at the start, as a fraction of full revolutions.",
             examples: &["0.3"],
         },
         KeySpec {

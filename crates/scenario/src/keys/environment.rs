@@ -162,7 +162,7 @@ static WIND: TableSpec = TableSpec {
             "gusts",
             Kind::Flag,
             Means("no gusts"),
-            "Whether it gusts, by the NPD spectrum of ISO 19901-1.",
+            "Adds gusts by the NPD spectrum of ISO 19901-1.",
             &["true"],
         ),
         key(
@@ -326,7 +326,7 @@ static WAVES: TableSpec = TableSpec {
 };
 
 static SQUATS: Choices<Option<Squat>> = Choices(&[
-    Choice { word: "none", value: None, doc: "she does not squat" },
+    Choice { word: "none", value: None, doc: "no squat" },
     Choice {
         word: "icorels",
         value: Some(Squat::Icorels),

@@ -28,14 +28,14 @@ pub(super) static FENDER: TableSpec = TableSpec {
         KeySpec {
             name: "position",
             kind: Kind::Point(POSITION_M),
-            absent: Means("`belting` says it"),
+            absent: Means("`belting` is given instead"),
             doc: "Middle of the line where it is mounted: forward, starboard of its body's origin.",
             examples: &["[-60, 0]"],
         },
         KeySpec {
             name: "facing",
             kind: Kind::Quantity(Quantity { measure: &unit::ANGLE, low: -100.0, high: 100.0 }),
-            absent: Means("`belting` says it"),
+            absent: Means("`belting` is given instead"),
             doc: "Direction in which it faces, clockwise from its body's forward direction.",
             examples: &["\"-90 deg\""],
         },
@@ -50,7 +50,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
         KeySpec {
             name: "width",
             kind: Kind::Quantity(SIZE),
-            absent: Means("`belting` says it"),
+            absent: Means("`belting` is given instead"),
             doc: "Width of its face (of the panel, where there is one).",
             examples: &["\"2.4 m\""],
         },
@@ -144,7 +144,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
         KeySpec {
             name: "unloading",
             kind: Kind::Curve(&CURVE),
-            absent: Means("`returned_energy` says it"),
+            absent: Means("`returned_energy` is given instead"),
             doc: "Rows of deflection and reaction, the first [0, 0], that a retreat comes down to, with straight \
                   lines between; nowhere above its `curve` or `stiffness`. By the coupled method.",
             examples: &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
@@ -153,7 +153,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
             name: "unloading_law",
             kind: Kind::Flag,
             absent: Means("true"),
-            doc: "Whether the type's unloading law is used, where it has one; else its material's restitution.",
+            doc: "Use the unloading law of the type, if it has one; otherwise the restitution of the material.",
             examples: &["false"],
         },
         KeySpec {
@@ -191,14 +191,14 @@ pub(super) static FENDER: TableSpec = TableSpec {
             name: "velocity_factor",
             kind: Kind::Flag,
             absent: Means("true"),
-            doc: "Whether the type's factor by speed of approach is used, where it has one.",
+            doc: "Use the factor of the type by speed of approach, if it has one.",
             examples: &["false"],
         },
         KeySpec {
             name: "angle_factor",
             kind: Kind::Flag,
             absent: Means("true"),
-            doc: "Whether the type's factors by angle are used, where it has them.",
+            doc: "Use the factors of the type by angle, if it has them.",
             examples: &["false"],
         },
         KeySpec {
@@ -208,14 +208,14 @@ pub(super) static FENDER: TableSpec = TableSpec {
                 low: 1.0,
                 high: 1e9,
             }),
-            absent: Means("`hull` says it, or no limit"),
+            absent: Means("`hull` is given instead, or there is no limit"),
             doc: "The pressure that the ship's side bears.",
             examples: &["\"200 kN/m^2\""],
         },
         KeySpec {
             name: "hull",
             kind: Kind::Text,
-            absent: Means("`hull_pressure_limit` says it, or no limit"),
+            absent: Means("`hull_pressure_limit` is given instead, or there is no limit"),
             doc: "Type of ship, for the pressure that her side bears by the fender data.",
             examples: &["\"container ship\""],
         },

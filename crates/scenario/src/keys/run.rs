@@ -52,7 +52,7 @@ static INTEGRATORS: Choices<Integrator> = Choices(&[
 
 pub(super) static CONTACT: TableSpec = TableSpec {
     what: "a contact table",
-    doc: "How contact forces are found.",
+    doc: "How contact forces are computed.",
     keys: &[KeySpec {
         name: "method",
         kind: Kind::Choice(&METHODS),

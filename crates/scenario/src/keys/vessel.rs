@@ -73,7 +73,7 @@ pub(super) static VESSEL: TableSpec = TableSpec {
         key(
             "windage",
             Kind::Table(&WINDAGE),
-            Means("that of `from`, or the wind does not move her"),
+            Means("that of `from`, or no wind forces"),
             "Wind areas.",
             &[],
         ),
@@ -87,8 +87,8 @@ pub(super) static VESSEL: TableSpec = TableSpec {
         key(
             "stability",
             Kind::Table(&STABILITY),
-            Means("that of `from`, or she neither heaves nor rolls nor pitches"),
-            "What heave, roll and pitch need.",
+            Means("that of `from`, or no heave, roll or pitch"),
+            "Data for heave, roll and pitch.",
             &[],
         ),
     ],
@@ -205,7 +205,7 @@ pub(crate) static THRUSTER: TableSpec = TableSpec {
 
 pub(crate) static STABILITY: TableSpec = TableSpec {
     what: "a stability",
-    doc: "What heave, roll and pitch need.",
+    doc: "Data for heave, roll and pitch.",
     keys: &[
         key(
             "gm",

@@ -18,7 +18,7 @@ pub(crate) static WINDAGE: TableSpec = TableSpec {
             "method",
             Kind::Choice(&METHODS),
             Is("\"blendermann\""),
-            "How the coefficients are found; each method has particulars of its own.",
+            "Method for the wind coefficients. Each method needs particulars of its own.",
             &["\"blendermann\""],
         ),
         key(

@@ -186,7 +186,7 @@ static UNLOADING: TableSpec = TableSpec {
                 to: ("reaction", OF_RATED),
                 fewest: 2,
             }),
-            absent: Means("`returned_energy` says it"),
+            absent: Means("`returned_energy` is given instead"),
             doc: "Rows of deflection over height and reaction over rated reaction that a retreat comes down to, \
                   from [0, 0]; straight between them, nowhere above the curve. Beyond the last row the reaction \
                   comes down to the same share of the curve as there.",

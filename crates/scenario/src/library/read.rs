@@ -1,5 +1,5 @@
-//! From a checked fender file to families: what the key table cannot say, because it holds between
-//! keys.
+//! From a checked fender file to families: rules that hold between keys, which the key table
+//! cannot express.
 
 use std::collections::BTreeMap;
 

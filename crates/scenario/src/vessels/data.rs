@@ -44,7 +44,7 @@ pub struct VesselData {
     pub bitts: Vec<DeckPoint>,
     /// Strips that a fender may lie on.
     pub beltings: Vec<Belting>,
-    /// What a vessel that is hers in shape may take from her.
+    /// Coefficients that a geometrically similar vessel may take over.
     pub(crate) coefficients: Coefficients,
 }
 
@@ -115,7 +115,7 @@ pub(crate) enum AddedMassForm {
 }
 
 impl VesselData {
-    /// She, ready for standard manoeuvres.
+    /// The vessel for standard manoeuvres.
     #[must_use]
     pub fn trial(&self) -> Vessel {
         Vessel {

@@ -18,7 +18,7 @@ use crate::units::measures as unit;
 
 const COEFFICIENT: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: -1e3, high: 1e3 };
 const POSITIVE: Quantity = Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-6, high: 1e3 };
-const ESTIMATED: &str = "estimated, and said so";
+const ESTIMATED: &str = "estimated; reports name it as an estimate";
 
 /// The whole file.
 pub(crate) static VESSEL_FILE: TableSpec = TableSpec {
@@ -32,7 +32,7 @@ pub(crate) static VESSEL_FILE: TableSpec = TableSpec {
 
 static VESSEL: TableSpec = TableSpec {
     what: "a vessel of a file",
-    doc: "A vessel. What is not given is estimated where the method needs it, and told to be an estimate.",
+    doc: "A vessel. Coefficients that are not given are estimated, and reports name them as estimates.",
     keys: &[
         key("title", Kind::Text, Refused, "Her name in reports.", &["\"KCS, 230 m\""]),
         key(
@@ -69,28 +69,28 @@ static VESSEL: TableSpec = TableSpec {
         key(
             "volume",
             Kind::Quantity(Quantity { measure: &unit::VOLUME, low: 1e-6, high: 1e8 }),
-            Means("another key says it"),
+            Means("another key gives it"),
             "Displaced volume.",
             &["\"312600 m^3\""],
         ),
         key(
             "displacement",
             Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e11 }),
-            Means("another key says it"),
+            Means("another key gives it"),
             "Displacement in sea water of 1025 kg/m³.",
             &["\"87800 t\""],
         ),
         key(
             "block_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
-            Means("another key says it"),
+            Means("another key gives it"),
             "Volume over length between perpendiculars, beam and draught.",
             &["0.71"],
         ),
         key(
             "mass_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 10.0 }),
-            Means("another key says it"),
+            Means("another key gives it"),
             "m': mass over ½ρL²d.",
             &["0.2708"],
         ),
@@ -111,7 +111,7 @@ static VESSEL: TableSpec = TableSpec {
         key(
             "resistance_of_model",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 0.1, high: 100.0 }),
-            Means("her resistance is her own, or nobody said"),
+            Means("her resistance is that of the full-scale ship, or unknown"),
             "Length of the model whose resistance she has: its friction is over a ship's share, and crash stops are \
              shown without it too.",
             &["\"7 m\""],
@@ -126,7 +126,7 @@ static VESSEL: TableSpec = TableSpec {
         key(
             "froude",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 1.0 }),
-            Means("`speed` says it"),
+            Means("`speed` is given instead"),
             "The same as a Froude number, with g = 9.81 m/s².",
             &["0.26"],
         ),
@@ -162,18 +162,12 @@ static VESSEL: TableSpec = TableSpec {
             "Azimuth units, by name. A vessel without a propeller goes and steers with them.",
             &[],
         ),
-        key(
-            "windage",
-            Kind::Table(&WINDAGE),
-            Means("the wind does not move her"),
-            "Wind areas.",
-            &[],
-        ),
+        key("windage", Kind::Table(&WINDAGE), Means("no wind forces"), "Wind areas.", &[]),
         key(
             "stability",
             Kind::Table(&STABILITY),
-            Means("she neither heaves nor rolls nor pitches"),
-            "What heave, roll and pitch need.",
+            Means("no heave, roll or pitch"),
+            "Data for heave, roll and pitch.",
             &[],
         ),
         key(

@@ -63,8 +63,8 @@ impl VesselLibrary {
     /// The library with a user's file added. `name` is for messages.
     ///
     /// # Errors
-    /// The first mistake found: what is no TOML, then unknown keys and bad values in the order of the file,
-    /// then what no ship can be, has no source, or is there already.
+    /// The first mistake: text that is not TOML, then unknown keys and bad values in the order of the file, then
+    /// impossible particulars, numbers without a source, and names that exist already.
     pub fn with_file(mut self, text: &str, name: &str) -> Result<VesselLibrary, ScenarioError> {
         let sources = Sources::new(name, text, &[]);
         let document = syntax::parse(&sources)?;

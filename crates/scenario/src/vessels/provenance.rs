@@ -62,7 +62,7 @@ pub(super) fn of_file(sources: &Sources<'_>, table: &Table) -> Result<Vec<Source
             Err(sources.error(&of.span, &path, format!("`{path}`: {message}")))
         };
         if !leaves.iter().any(|leaf| !leaf.is_default && covers(key, &leaf.figure.name)) {
-            return complain(format!("the vessel gives nothing under {}", quoted(key)));
+            return complain(format!("the vessel has no number under {}", quoted(key)));
         }
         if keys[..place].iter().any(|(_, _, other)| other == key) {
             return complain(format!("{} has two sources", quoted(key)));
@@ -113,9 +113,9 @@ fn of_leaves(leaves: Vec<Leaf>) -> Vec<Source> {
     all
 }
 
-/// What the program takes where nothing is said.
+/// Defaults of the program.
 pub(super) fn defaults_of(figures: Vec<Figure>) -> Option<Source> {
-    let source = "the program's own, where nothing is said";
+    let source = "default of the program";
     (!figures.is_empty()).then(|| given("defaults".to_owned(), figures, source, Standing::Assumed))
 }
 

@@ -1,5 +1,5 @@
-//! From a checked table to a vessel: what the key table cannot say, because it holds between keys, and what no
-//! ship can be.
+//! From a checked table to a vessel: rules that hold between keys, and particulars
+//! that are physically impossible.
 
 mod coefficients;
 mod machinery;
@@ -102,7 +102,7 @@ impl Reading<'_, '_> {
         self.sources.error(&item.key_span, &path, message)
     }
 
-    /// The whole vessel, of her own; last of all, where her numbers come from.
+    /// Reads the whole vessel. The sources of her numbers come last.
     fn vessel(
         &self,
         name: &str,
@@ -125,7 +125,7 @@ impl Reading<'_, '_> {
         })
         .map_err(|error| self.impossible(&error))?;
         let mut scaled = Vec::new();
-        // What takes a ship a second takes her model so much less.
+        // Froude\'s law: times scale with the square root of the length.
         let time_scale =
             base.map(|base| (base.ship.particulars.length_m / particulars.length_m).sqrt());
         let froude = base.zip(time_scale);
@@ -227,11 +227,11 @@ impl Reading<'_, '_> {
         Ok(vessel)
     }
 
-    /// What a scenario's own vessel needs.
+    /// Refuses a vessel of a scenario that lacks a key which vessels without `from` need.
     fn refuse_what_is_missing(&self) -> Read<()> {
         for name in ["length_bp", "beam", "draught", "block_coefficient"] {
             if self.table.item(name).is_none() {
-                let help = "give it, or say `from` which vessel of the library she is";
+                let help = "give it, or name a vessel of the library with `from`";
                 return Err(self.missing(self.table, name, help));
             }
         }
@@ -240,7 +240,7 @@ impl Reading<'_, '_> {
             let Some(inner) = self.table.item(part).map(Item::table) else { continue };
             for name in names {
                 if inner.item(name).is_none() {
-                    let help = "a vessel that is not `from` another needs it";
+                    let help = "a vessel without `from` needs it";
                     return Err(self.missing(inner, name, help));
                 }
             }
@@ -248,7 +248,7 @@ impl Reading<'_, '_> {
         Ok(())
     }
 
-    /// A vessel of the library keeps her hull, propeller and rudder.
+    /// Refuses particulars beside `from`: a vessel of the library keeps her hull, propeller and rudder.
     fn refuse_other_particulars(&self) -> Read<()> {
         let table = self.table;
         const HERS: [&str; 6] =
@@ -256,14 +256,15 @@ impl Reading<'_, '_> {
         for name in HERS {
             if let Some(item) = table.item(name) {
                 let error = self.together(table, item, "from");
-                return Err(error.with_help("that vessel brings her own particulars"));
+                return Err(error.with_help("remove it: that vessel has particulars of her own"));
             }
         }
         for (part, name) in [("propeller", "diameter"), ("rudder", "area"), ("rudder", "span")] {
             let Some(inner) = table.item(part).map(Item::table) else { continue };
             if let Some(item) = inner.item(name) {
                 let error = self.together(inner, item, "from");
-                return Err(error.with_help("that vessel brings her own propeller and rudder"));
+                return Err(error
+                    .with_help("remove it: that vessel has a propeller and a rudder of her own"));
             }
         }
         Ok(())

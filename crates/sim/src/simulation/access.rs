@@ -10,11 +10,11 @@ use crate::environment::wind::Wind;
 use crate::error::SetupError;
 use crate::fender::FenderSummary;
 use crate::gain::{EnergyGain, REPORTED_GAIN};
-use crate::order::check_order;
+use crate::order::{Action, LineAction, Order, OrderError, VesselAction, check_order};
 use crate::record::Energy;
 use crate::setup::{Integrator, Method, Setup};
 use crate::summary::PairSummary;
-use crate::world::{Faults, Mooring, Order, TugAtWork, VesselState};
+use crate::world::{Assist, Faults, Job, Mooring, TugAtWork, VesselState};
 
 impl Simulation {
     /// The set-up of the run.
@@ -168,12 +168,41 @@ impl Simulation {
     /// first, then the others as they were given.
     ///
     /// # Errors
-    /// [`SetupError`] if the order names something that does not exist, or has a non-finite number; no order is
-    /// then changed.
+    /// [`SetupError`] if the order names something that does not exist, a number is out of its limits, or the gear for
+    /// it is missing; no order is then changed.
     pub fn order(&mut self, order: Order) -> Result<(), SetupError> {
         check_order(&order, &self.setup)?;
         self.world.order(order);
         Ok(())
+    }
+
+    /// Whether an order can be carried out as things stand now: not to a line that was let go, nor to a tug that a
+    /// station pilot uses. Orders that are planned ahead are not held to this.
+    ///
+    /// # Errors
+    /// What stands in its way.
+    pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
+        let is_there = |line: usize| {
+            if !self.world.lines.get(line).is_some_and(|line| line.gone) {
+                return Ok(());
+            }
+            Err(OrderError::LineGone { line: self.setup.world.lines[line].line.name.clone() })
+        };
+        match action {
+            Action::Line(line, LineAction::Winch(_) | LineAction::LetGo) => is_there(*line),
+            Action::Vessel(_, VesselAction::Assist(Assist { job: Job::Pull { line, .. }, .. })) => {
+                is_there(*line)
+            }
+            Action::Tug(tug, _) => {
+                let Some(tug) = self.setup.world.tugs.get(*tug) else { return Ok(()) };
+                if self.world.vessels[tug.vessel].pilots.station.is_none() {
+                    return Ok(());
+                }
+                let ship = self.setup.world.vessels[tug.vessel].body;
+                Err(OrderError::TugOfStation { ship: self.setup.bodies[ship].name.clone() })
+            }
+            Action::Vessel(..) => Ok(()),
+        }
     }
 
     /// Keeps only those pending orders, including the set-up's, for which `keep` returns true. Use it when a user

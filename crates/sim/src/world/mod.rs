@@ -12,7 +12,6 @@ mod environment;
 mod event;
 mod fault;
 mod line;
-mod order;
 mod pilot;
 mod setup;
 mod shore;
@@ -26,6 +25,7 @@ use self::pilot::Abilities;
 use self::shore::Shore;
 use crate::fender::FenderSetup;
 use crate::fixed_order::SumOrder;
+use crate::order::{Action, LineAction, Order};
 use crate::setup::BodySetup;
 
 pub use assist::{Assist, AssistPilot, Job, NotAtTheSide, PushJob};
@@ -34,7 +34,6 @@ pub use environment::Environment;
 pub use event::{WorldEvent, WorldEventKind};
 pub use fault::Faults;
 pub use line::{LineEnd, Mooring, MooringSetup};
-pub use order::{Action, Order, Station};
 pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
 pub use tug::{TugAtWork, TugSetup};
@@ -179,33 +178,27 @@ impl World {
         // An order counts from the step in which its time lies.
         while let Some(order) = self.orders.get(self.taken).filter(|o| o.at_s < t_s + step_s) {
             self.taken += 1;
-            match order.action {
-                Action::Winch(line, winch) => {
-                    self.lines[line].order = winch;
-                    continue;
+            match &order.action {
+                Action::Vessel(index, action) => {
+                    let vessel = &setup.vessels[*index];
+                    pilot::take(
+                        action,
+                        &mut self.vessels[*index],
+                        vessel,
+                        &self.abilities[*index],
+                        &states[vessel.body],
+                    );
                 }
                 Action::Tug(tug, what) => {
-                    let of = &setup.tugs[tug].tug;
-                    if of.order(&mut self.tugs[tug].state, order.at_s, what).is_err() {
+                    let of = &setup.tugs[*tug].tug;
+                    if of.order(&mut self.tugs[*tug].state, order.at_s, *what).is_err() {
                         let kind = WorldEventKind::TugOrderRefused;
-                        self.events.push(WorldEvent { who: tug, kind });
+                        self.events.push(WorldEvent { who: *tug, kind });
                     }
-                    continue;
                 }
-                Action::LetGo(line) => {
-                    self.lines[line].let_go();
-                    continue;
-                }
-                _ => {}
+                Action::Line(line, LineAction::Winch(winch)) => self.lines[*line].order = *winch,
+                Action::Line(line, LineAction::LetGo) => self.lines[*line].let_go(),
             }
-            let vessel = &setup.vessels[order.vessel];
-            pilot::take(
-                &order.action,
-                &mut self.vessels[order.vessel],
-                vessel,
-                &self.abilities[order.vessel],
-                &states[vessel.body],
-            );
         }
     }
 

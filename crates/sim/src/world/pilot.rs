@@ -7,12 +7,12 @@ use fenderline_contact::{BodyState, Rotation};
 use super::assist::AssistPilot;
 use super::azimuth::AzimuthSetup;
 use super::azimuth_pilot::{Stream, largest_of_azimuths, share_with_azimuths};
-use super::order::{Action, Station};
 use super::vessel::{VesselSetup, VesselState, mass_matrix};
 use crate::control::{
     CoursePilot, Demand, Gains, LateralDevice, SpeedPilot, StationPilot, allocate,
 };
 use crate::hydro::{Controls, Velocity, Water};
+use crate::order::{Station, VesselAction};
 
 /// The pilots that a vessel has on: plain data.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -85,9 +85,9 @@ impl Abilities {
     }
 }
 
-/// Takes one order.
+/// Carries out one order to a vessel: sets her controls or puts a pilot on.
 pub(crate) fn take(
-    action: &Action,
+    action: &VesselAction,
     vessel: &mut VesselState,
     setup: &VesselSetup,
     abilities: &Abilities,
@@ -96,19 +96,19 @@ pub(crate) fn take(
     let speed_mps = state.velocity_mps.length();
     let pilots = &mut vessel.pilots;
     match *action {
-        Action::Rudder(angle_rad) => {
+        VesselAction::Rudder(angle_rad) => {
             (pilots.course, pilots.station) = (None, None);
             vessel.orders.rudder_rad = angle_rad;
         }
-        Action::Engine(share) => {
+        VesselAction::Engine(share) => {
             (pilots.speed, pilots.station) = (None, None);
             vessel.orders.shaft = share;
         }
-        Action::Thruster(index, power) => {
+        VesselAction::Thruster(index, power) => {
             (pilots.station, pilots.assist) = (None, None);
             vessel.orders.thrusters[index] = power;
         }
-        Action::Azimuth { unit, power, direction_rad } => {
+        VesselAction::Azimuth { unit, power, direction_rad } => {
             (pilots.station, pilots.assist) = (None, None);
             if setup.steers_with_azimuths() {
                 (pilots.course, pilots.speed) = (None, None);
@@ -117,10 +117,10 @@ pub(crate) fn take(
             order.power = power.unwrap_or(order.power);
             order.direction_rad = direction_rad.unwrap_or(order.direction_rad);
         }
-        Action::Assist(order) => {
+        VesselAction::Assist(order) => {
             *pilots = Pilots { assist: Some(AssistPilot::new(order)), ..Pilots::default() };
         }
-        Action::Course(heading_rad) => {
+        VesselAction::Course(heading_rad) => {
             (pilots.station, pilots.assist) = (None, None);
             let length_m = setup.ship.particulars.length_m;
             let stop_rad = setup.rudder.stop;
@@ -130,7 +130,7 @@ pub(crate) fn take(
                 .sum();
             pilots.course = Some(CoursePilot::of_ship(heading_rad, length_m, speed_mps, stop_rad));
         }
-        Action::Speed(wanted_mps) => {
+        VesselAction::Speed(wanted_mps) => {
             (pilots.station, pilots.assist) = (None, None);
             pilots.speed = Some(SpeedPilot {
                 speed_mps: wanted_mps,
@@ -139,15 +139,12 @@ pub(crate) fn take(
                 integral: 0.0,
             });
         }
-        Action::Station(station) => {
+        VesselAction::Station(station) => {
             (pilots.course, pilots.speed, pilots.assist) = (None, None, None);
             let steady = pilots.station.map_or([0.0; 3], |before| before.steady);
             pilots.station = Some(station_pilot(&station, abilities, setup, steady));
         }
-        Action::Hands => *pilots = Pilots::default(),
-        Action::Winch(..) | Action::LetGo(_) | Action::Tug(..) => {
-            unreachable!("lines and tugs take their orders themselves")
-        }
+        VesselAction::Hands => *pilots = Pilots::default(),
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::environment::Environment;
 use super::line::MooringSetup;
-use super::order::Order;
 use super::tug::TugSetup;
 use super::vessel::VesselSetup;
+use crate::order::Order;
 
 /// What surrounds the bodies of a [`crate::Setup`]; empty by default.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -91,6 +91,13 @@ impl TugAtWork {
 }
 
 impl TugSetup {
+    /// Direction of a push square to the ship, away from the tug's side, from the ship's bow (rad). A pull is in the
+    /// opposite direction.
+    #[must_use]
+    pub fn square_push_rad(&self) -> f64 {
+        -FRAC_PI_2.copysign(self.tug.push_at_m.y)
+    }
+
     /// What she is to a pilot. On a line she pulls as hard as she pushes.
     pub(crate) fn device(&self, vessel: &VesselSetup) -> LateralDevice {
         let most_n = 0.95 * self.tug.envelope.bollard_pull_n;

@@ -217,6 +217,12 @@ impl VesselState {
 }
 
 impl VesselSetup {
+    /// Thrust of all azimuth units at rest and full power (N).
+    #[must_use]
+    pub fn bollard_pull_n(&self) -> f64 {
+        self.azimuths.iter().map(|azimuth| azimuth.bollard_n).sum()
+    }
+
     /// Whether she goes and steers with her azimuth units, for want of a propeller and a rudder.
     #[must_use]
     pub fn steers_with_azimuths(&self) -> bool {

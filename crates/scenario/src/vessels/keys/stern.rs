@@ -39,7 +39,7 @@ pub(super) static PROPELLER: TableSpec = TableSpec {
         key(
             "series",
             Kind::Choice(&SERIES),
-            Means("B4-70 of pitch 0.8, and said so"),
+            Means("B4-70 of pitch ratio 0.8; reports name it as an estimate"),
             "The series propeller for what `thrust` does not cover, and for torque.",
             &["\"B4-70 pitch 1.0\""],
         ),
@@ -67,7 +67,7 @@ pub(super) static PROPELLER: TableSpec = TableSpec {
         key(
             "wake_change",
             Kind::Table(&WAKE_CHANGE),
-            Means("estimated where `wake` is, else none; said so"),
+            Means("estimated if `wake` is estimated, otherwise none; reports name it"),
             "How the wake changes in a turn.",
             &[],
         ),
@@ -120,14 +120,14 @@ pub(super) static RUDDER: TableSpec = TableSpec {
         key(
             "area",
             Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-6, high: 1e4 }),
-            Means("`area_ratio` says it"),
+            Means("`area_ratio` is given instead"),
             "Movable area.",
             &["\"60 m^2\""],
         ),
         key(
             "area_ratio",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1e3 }),
-            Means("`area` says it"),
+            Means("`area` is given instead"),
             "Length times draught over the movable area.",
             &["54.86"],
         ),
@@ -141,14 +141,14 @@ pub(super) static RUDDER: TableSpec = TableSpec {
         key(
             "propeller_to_span",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.01, high: 1.0 }),
-            Means("`span` says it"),
+            Means("`span` is given instead"),
             "η: diameter of the propeller over span.",
             &["0.8"],
         ),
         key(
             "aspect_ratio",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 20.0 }),
-            Means("`span` says it, or `lift_gradient` is given"),
+            Means("`span` or `lift_gradient` is given instead"),
             "Λ: span² over area.",
             &["1.8"],
         ),

@@ -69,12 +69,15 @@ impl Reading<'_, '_> {
         let yaw = match (yaw, with_ship) {
             (Some(_), Some(item)) => return Err(self.together(table, item, "yaw")),
             (None, Some(item)) => {
-                // What is left when her own inertia is taken off.
+                // Added inertia: the sum without the inertia of the ship.
                 let mass = ship.volume_m3 / ship.mass_unit_m3();
                 let own = mass * ship.yaw_gyradius_ratio * ship.yaw_gyradius_ratio;
                 let left = item.number() - own;
                 if left <= 0.0 {
-                    let message = format!("it is less than her own inertia of {}", digits(own));
+                    let message = format!(
+                        "it is less than the inertia of the ship without added mass, which is {}",
+                        digits(own)
+                    );
                     return Err(self.at(table, item, &message));
                 }
                 left

@@ -19,13 +19,13 @@ type Read<T> = Result<T, ScenarioError>;
 /// Acceleration of gravity (m/s²) in the Froude numbers of vessel files: published trials round it so.
 const FROUDE_GRAVITY_MPS2: f64 = 9.81;
 
-/// Rate of a steering gear of which nothing is said (rad/s): 2.32 degrees a second, IMO's 65 degrees in 28 s.
+/// Rate of a steering gear where the file gives none (rad/s): 2.32 °/s, which is IMO\'s 65° in 28 s.
 const USUAL_RATE_RADPS: f64 = 2.32 * TAU / 360.0;
 
-/// A rudder's stop of which nothing is said (rad): 35 degrees.
+/// Largest rudder angle where the file gives none (rad): 35°.
 const USUAL_STOP_RAD: f64 = 35.0 * TAU / 360.0;
 
-/// From full ahead to full astern where nothing is said (s).
+/// Time from full ahead to full astern where the file gives none (s).
 const USUAL_REVERSAL_S: f64 = 40.0;
 
 impl Reading<'_, '_> {
@@ -158,7 +158,7 @@ impl Reading<'_, '_> {
             let along_m = *along.number();
             if along_m.abs() > 0.6 * ship.length_m {
                 let message =
-                    format!("{along_m} m from midship is not in a ship of {} m", ship.length_m);
+                    format!("{along_m} m from midship is outside a ship of {} m", ship.length_m);
                 return Err(self.at(table, along, &message));
             }
             Ok(ThrusterSetup {
@@ -169,7 +169,7 @@ impl Reading<'_, '_> {
         };
         let thrusters = self.table.given("thruster").named().iter().map(read);
         let mut thrusters: Vec<ThrusterSetup> = thrusters.collect::<Read<_>>()?;
-        // Their forces are added up in this order, whatever that of the file.
+        // Sorted by name: forces are summed in this order, so that the order in the file has no effect.
         thrusters.sort_by(|one, other| one.name.cmp(&other.name));
         Ok(thrusters)
     }
@@ -181,7 +181,7 @@ impl Reading<'_, '_> {
                 let place = table.given(name);
                 let place_m = *place.number();
                 if place_m.abs() > most_m {
-                    let message = format!("{place_m} m is not under a ship of her size");
+                    let message = format!("{place_m} m is outside the hull");
                     return Err(self.at(table, place, &message));
                 }
             }

@@ -53,7 +53,7 @@ impl Reading<'_, '_> {
         ship.check().map_err(|error| self.impossible(&error))
     }
 
-    /// An error about particulars, at the key that it is about.
+    /// An error about particulars, at the key that causes it.
     pub(super) fn impossible(&self, error: &HydroError) -> ScenarioError {
         const KEYS: [(&str, &[&str]); 6] = [
             ("length", &["length_bp"]),

@@ -30,7 +30,7 @@ impl Reading<'_, '_> {
         let above_keel_m = stability.gm_m + stability.gravity_above_keel_m;
         if above_keel_m > most_m {
             let message = format!(
-                "a metacentre {} m above the keel, but no hull of her size has it above {} m",
+                "a metacentre {} m above the keel, but no hull of this size can have it above {} m",
                 digits(above_keel_m),
                 digits((10.0 * most_m).round() / 10.0)
             );

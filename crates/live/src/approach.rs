@@ -1,0 +1,76 @@
+//! The greatest closing speed towards a berth that is no alarm: one limit for alarms and docking board.
+
+use fenderline_contact::number::greater;
+use serde::Serialize;
+
+/// The deceleration that a ship is allowed on her way to the fenders (m/s²).
+const SLOWING_MPS2: f64 = 0.002;
+/// From this share of the limit on it is a caution.
+const CAUTION_SHARE: f64 = 2.0 / 3.0;
+
+/// The limit of a closing speed: at a distance d it is √(v₀² + 2ad), the speed of a ship that loses a = 0.002 m/s² and
+/// touches with v₀. Our choice, no port's rule and no standard's; pilot and instructor may set another v₀.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ApproachLimit {
+    /// v₀, at the fenders (m/s).
+    pub at_fenders_mps: f64,
+}
+
+/// A signal of the docking board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Light {
+    /// Green.
+    Ok,
+    /// Amber.
+    Caution,
+    /// Red.
+    Alarm,
+}
+
+impl Default for ApproachLimit {
+    /// 0.15 m/s is about what design tables give a large ship in a sheltered berth (recalled, not read).
+    fn default() -> ApproachLimit {
+        ApproachLimit { at_fenders_mps: 0.15 }
+    }
+}
+
+impl ApproachLimit {
+    /// The least and the greatest limit at the fenders (m/s).
+    pub const LIMITS_MPS: [f64; 2] = [0.05, 1.0];
+
+    /// The limit at a distance from the fenders (m/s).
+    #[must_use]
+    pub fn at_mps(self, off_m: f64) -> f64 {
+        let v0 = self.at_fenders_mps;
+        libm::sqrt(v0 * v0 + 2.0 * SLOWING_MPS2 * greater(off_m, 0.0))
+    }
+
+    /// The signal for a closing speed at a distance; opening is never too fast.
+    #[must_use]
+    pub fn light(self, closing_mps: f64, off_m: f64) -> Light {
+        let limit_mps = self.at_mps(off_m);
+        if closing_mps > limit_mps {
+            Light::Alarm
+        } else if closing_mps > CAUTION_SHARE * limit_mps {
+            Light::Caution
+        } else {
+            Light::Ok
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn farther_off_a_ship_may_be_faster() {
+        let limit = ApproachLimit::default();
+        assert_eq!(limit.light(0.16, 0.0), Light::Alarm);
+        assert_eq!(limit.light(0.16, 5.0), Light::Caution);
+        assert_eq!(limit.light(0.16, 10.0), Light::Ok);
+        assert_eq!(limit.light(-1.0, 0.0), Light::Ok);
+        assert!((limit.at_mps(0.0) - 0.15).abs() < 1e-15);
+    }
+}

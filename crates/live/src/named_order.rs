@@ -1,0 +1,221 @@
+//! An order of the table by the names of the scenario: as pages send it and recordings keep it.
+
+use fenderline_contact::vec2;
+use fenderline_sim::order::{
+    Absent, Argument, ArgumentKind, Arguments, Named, OrderName, TargetKind, Value,
+};
+use fenderline_sim::{Action, Setup};
+use serde_json::{Map, Value as Json, json};
+
+use crate::refusal::Refusal;
+
+/// An order with names in place of indices. Its JSON is `{"do": WORD, TARGET: NAME, ARGUMENT_UNIT: VALUE, …}`, by the
+/// words of the table in `fenderline_sim`; an argument that is `null` or missing has its default.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedOrder {
+    /// Which order.
+    pub order: OrderName,
+    /// The name of the vessel, tug or line that it is for.
+    pub to: String,
+    /// The arguments that are given.
+    given: Vec<(&'static Argument, Given)>,
+}
+
+/// A value that was given.
+#[derive(Clone, Debug, PartialEq)]
+enum Given {
+    Number(f64),
+    Place([f64; 2]),
+    Name(String),
+}
+
+impl NamedOrder {
+    /// Without arguments.
+    #[must_use]
+    pub fn new(order: OrderName, to: &str) -> NamedOrder {
+        NamedOrder { order, to: to.to_owned(), given: Vec::new() }
+    }
+
+    /// With a number, by its name in the table.
+    ///
+    /// # Panics
+    /// Where the order has no such argument.
+    #[must_use]
+    pub fn number(self, name: &str, value: f64) -> NamedOrder {
+        self.with(name, Given::Number(value))
+    }
+
+    /// With a place, by its name in the table.
+    ///
+    /// # Panics
+    /// Where the order has no such argument.
+    #[must_use]
+    pub fn place(self, name: &str, at_m: [f64; 2]) -> NamedOrder {
+        self.with(name, Given::Place(at_m))
+    }
+
+    /// With a name, by its name in the table.
+    ///
+    /// # Panics
+    /// Where the order has no such argument.
+    #[must_use]
+    pub fn name(self, name: &str, value: &str) -> NamedOrder {
+        self.with(name, Given::Name(value.to_owned()))
+    }
+
+    fn with(mut self, name: &str, value: Given) -> NamedOrder {
+        let argument = self.order.spec().argument(name);
+        let argument =
+            argument.unwrap_or_else(|| panic!("{:?} has no argument {name}", self.order));
+        self.given.push((argument, value));
+        self
+    }
+
+    /// Reads the JSON of an order, without its word.
+    ///
+    /// # Errors
+    /// A field that is missing, not known or of another kind.
+    pub(crate) fn from_json(
+        order: OrderName,
+        map: Map<String, Json>,
+    ) -> Result<NamedOrder, String> {
+        let spec = order.spec();
+        let mut to = None;
+        let mut given: Vec<(&Argument, Given)> = Vec::new();
+        for (field, value) in map {
+            if field == spec.target.word() {
+                let Json::String(name) = value else {
+                    return Err(format!("invalid type: `{field}` is a name"));
+                };
+                to = Some(name);
+                continue;
+            }
+            let argument = spec.arguments.iter().find(|argument| argument.field() == field);
+            let argument = argument.ok_or_else(|| {
+                let known: Vec<String> = spec.arguments.iter().map(Argument::field).collect();
+                format!("unknown field `{field}`, `{}` has {known:?}", spec.word)
+            })?;
+            if let Some(value) = Given::from_json(argument, &field, &value)? {
+                given.push((argument, value));
+            }
+        }
+        let to = to.ok_or_else(|| format!("missing field `{}`", spec.target.word()))?;
+        let is_given = |name: &str| given.iter().any(|(argument, _)| argument.name == name);
+        let missing = spec
+            .arguments
+            .iter()
+            .find(|argument| argument.absent == Absent::Refused && !is_given(argument.name));
+        if let Some(missing) = missing {
+            return Err(format!("missing field `{}`", missing.field()));
+        }
+        // By the table, whatever the order in the text: one order has one text.
+        given.sort_by_key(|(argument, _)| {
+            spec.arguments.iter().position(|other| other.name == argument.name)
+        });
+        Ok(NamedOrder { order, to, given })
+    }
+
+    /// The same order as JSON.
+    pub(crate) fn to_json(&self) -> Map<String, Json> {
+        let spec = self.order.spec();
+        let mut map = Map::new();
+        map.insert("do".to_owned(), json!(spec.word));
+        map.insert(spec.target.word().to_owned(), json!(self.to));
+        for (argument, value) in &self.given {
+            let value = match value {
+                Given::Number(number) => json!(number),
+                Given::Place(at_m) => json!(at_m),
+                Given::Name(name) => json!(name),
+            };
+            map.insert(argument.field(), value);
+        }
+        map
+    }
+
+    /// The action that it asks for, checked by the simulation.
+    ///
+    /// # Errors
+    /// A name that is not there, and whatever the simulation refuses.
+    pub(crate) fn resolve(&self, setup: &Setup) -> Result<Action, Refusal> {
+        let world = &setup.world;
+        let (kind, name) = (self.order.spec().target, self.to.as_str());
+        let target = match kind {
+            TargetKind::Vessel => {
+                let is_her = |body: usize| setup.bodies[body].name == name;
+                world.vessels.iter().position(|vessel| is_her(vessel.body))
+            }
+            TargetKind::Tug => world.tugs.iter().position(|tug| tug.tug.name == name),
+            TargetKind::Line => world.lines.iter().position(|line| line.line.name == name),
+        };
+        let target = target
+            .ok_or_else(|| Refusal::new(format_args!("there is no {} `{name}`", kind.word())))?;
+        let mut arguments = Arguments::new();
+        for (argument, given) in &self.given {
+            let value = match given {
+                Given::Number(number) => Value::Number(*number),
+                Given::Place([along_m, across_m]) => Value::Place(vec2(*along_m, *across_m)),
+                Given::Name(name) => Value::Index(self.index(argument, name, target, setup)?),
+            };
+            arguments = arguments.with(argument.name, value);
+        }
+        self.order.build(target, &arguments, setup).map_err(Refusal::new)
+    }
+
+    fn index(
+        &self,
+        argument: &Argument,
+        name: &str,
+        target: usize,
+        setup: &Setup,
+    ) -> Result<usize, Refusal> {
+        let world = &setup.world;
+        let vessel = || world.vessels.get(target);
+        let ArgumentKind::Name(named) = argument.kind else {
+            return Err(Refusal::new(format_args!("`{}` is not a name", argument.name)));
+        };
+        let index = match named {
+            Named::Thruster => {
+                vessel().and_then(|v| v.thrusters.iter().position(|own| own.name == name))
+            }
+            Named::AzimuthUnit => {
+                vessel().and_then(|v| v.azimuths.iter().position(|own| own.name == name))
+            }
+            Named::Body => setup.bodies.iter().position(|body| body.name == name),
+            Named::Line => world.lines.iter().position(|line| line.line.name == name),
+        };
+        index.ok_or_else(|| {
+            Refusal::new(match named {
+                Named::Thruster | Named::AzimuthUnit => {
+                    format!("`{}` has no {} `{name}`", self.to, argument.meaning)
+                }
+                Named::Body | Named::Line => format!("there is no {} `{name}`", argument.meaning),
+            })
+        })
+    }
+}
+
+impl Given {
+    /// `None`: it is `null`.
+    fn from_json(argument: &Argument, field: &str, value: &Json) -> Result<Option<Given>, String> {
+        if value.is_null() && argument.absent != Absent::Refused {
+            return Ok(None);
+        }
+        let given = match argument.kind {
+            ArgumentKind::Number { .. } => value.as_f64().map(Given::Number),
+            ArgumentKind::Place { .. } => match value.as_array().map(Vec::as_slice) {
+                Some([along, across]) => {
+                    along.as_f64().zip(across.as_f64()).map(|(x, y)| Given::Place([x, y]))
+                }
+                _ => None,
+            },
+            ArgumentKind::Name(_) => value.as_str().map(|name| Given::Name(name.to_owned())),
+        };
+        let expected = match argument.kind {
+            ArgumentKind::Number { .. } => "a number",
+            ArgumentKind::Place { .. } => "two numbers",
+            ArgumentKind::Name(_) => "a name",
+        };
+        let kind = || format!("invalid type: `{field}` is {expected}, but `{value}` was given");
+        given.ok_or_else(kind).map(Some)
+    }
+}

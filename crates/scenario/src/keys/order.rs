@@ -1,0 +1,236 @@
+//! Keys of orders. All but the telegraph are made from the table of orders in `fenderline_sim`, so that an order that
+//! is added there is a key here.
+
+use fenderline_sim::hydro::actuator::Telegraph;
+use fenderline_sim::order::{
+    Absent as Default, Argument, ArgumentKind, Frame, Named, OrderName, TargetKind, Unit,
+};
+use serde_json::{Value as Json, json};
+
+use super::world::{TIME, key};
+use crate::choices::{Choice, Choices};
+use crate::spec::Absent::{self, Is, Means, Refused};
+use crate::spec::{KeySpec, Kind, Quantity, TableSpec};
+use crate::units::Measure;
+use crate::units::measures as unit;
+
+/// An order to a vessel's engine by a word of the telegraph.
+pub(crate) const TELEGRAPH: &str = "telegraph";
+
+pub(crate) static ORDER: TableSpec = TableSpec {
+    what: "an order",
+    doc: "What a vessel (`vessel`), a tug (`tug`) or a line (`line`) is ordered at a time: one thing for each order.",
+    keys: &KEYS,
+    rules: Some(rules),
+};
+
+/// How many orders there are.
+const ORDERS: usize = OrderName::ALL.len();
+/// The keys that come before the orders.
+const HEAD: usize = 6;
+/// The most arguments of an order.
+const MOST_ARGUMENTS: usize = 4;
+const ANOTHER: Absent = Means("another order");
+
+static KEYS: [KeySpec; HEAD + ORDERS] = {
+    let mut keys = [const { key("", Kind::Flag, ANOTHER, "", &[]) }; HEAD + ORDERS];
+    keys[0] = key("at", Kind::Quantity(TIME), Is("0"), "When.", &["\"90 s\""]);
+    keys[1] = key(
+        "vessel",
+        Kind::BodyName,
+        Means("it is for a tug or a line"),
+        "The body of the vessel.",
+        &["\"ship\""],
+    );
+    keys[2] =
+        key("tug", Kind::Text, Means("it is for a vessel or a line"), "The tug.", &["\"bow tug\""]);
+    keys[3] = key(
+        "line",
+        Kind::Text,
+        Means("it is for a vessel or a tug"),
+        "The line.",
+        &["\"head line\""],
+    );
+    keys[4] = key(
+        TELEGRAPH,
+        Kind::Choice(&TELEGRAPH_WORDS),
+        ANOTHER,
+        "Engine by the words of the telegraph.",
+        &["\"slow astern\""],
+    );
+    keys[5] = argument_key(&OrderName::Push.spec().arguments[1]);
+    let mut index = 0;
+    while index < ORDERS {
+        keys[HEAD + index] = key_of(OrderName::ALL[index]);
+        index += 1;
+    }
+    keys
+};
+
+/// The arguments of the orders that are tables.
+static ARGUMENTS: [[KeySpec; MOST_ARGUMENTS]; ORDERS] = {
+    let mut all =
+        [const { [const { key("", Kind::Flag, ANOTHER, "", &[]) }; MOST_ARGUMENTS] }; ORDERS];
+    let mut order = 0;
+    while order < ORDERS {
+        let arguments = OrderName::ALL[order].spec().arguments;
+        let mut index = 0;
+        while index < arguments.len() {
+            all[order][index] = argument_key(&arguments[index]);
+            index += 1;
+        }
+        order += 1;
+    }
+    all
+};
+
+/// The tables of the orders that have more than one number.
+static TABLES: [TableSpec; ORDERS] = {
+    let mut all =
+        [const { TableSpec { what: "an order", doc: "", keys: &[], rules: None } }; ORDERS];
+    let mut order = 0;
+    while order < ORDERS {
+        let spec = OrderName::ALL[order].spec();
+        all[order] = TableSpec {
+            what: "an order",
+            doc: spec.meaning,
+            keys: ARGUMENTS[order].split_at(spec.arguments.len()).0,
+            rules: match OrderName::ALL[order] {
+                OrderName::Azimuth => Some(power_or_direction),
+                _ => None,
+            },
+        };
+        order += 1;
+    }
+    all
+};
+
+/// How the key of an order holds its arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// `true`: it has none.
+    Flag,
+    /// The first of them, a number; others stand beside it.
+    Number,
+    /// All of them, by name.
+    Table,
+}
+
+/// The form of an order's key.
+pub(crate) const fn form(order: OrderName) -> Form {
+    match order.spec().arguments {
+        [] => Form::Flag,
+        [Argument { kind: ArgumentKind::Number { .. }, .. }, ..] => Form::Number,
+        _ => Form::Table,
+    }
+}
+
+/// The words of all orders to a kind of target.
+pub(crate) fn words(target: TargetKind) -> Vec<&'static str> {
+    let specs = OrderName::ALL.iter().map(|order| order.spec());
+    let telegraph = (target == TargetKind::Vessel).then_some(TELEGRAPH);
+    specs.filter(|spec| spec.target == target).map(|spec| spec.word).chain(telegraph).collect()
+}
+
+const fn key_of(order: OrderName) -> KeySpec {
+    let spec = order.spec();
+    let (kind, examples): (Kind, &'static [&'static str]) = match form(order) {
+        Form::Flag => (Kind::Flag, &["true"]),
+        Form::Number => (kind_of(&spec.arguments[0]), example(&spec.arguments[0])),
+        Form::Table => (Kind::Table(&TABLES[order as usize]), &[]),
+    };
+    key(spec.word, kind, ANOTHER, spec.meaning, examples)
+}
+
+const fn argument_key(argument: &Argument) -> KeySpec {
+    let absent = match argument.absent {
+        Default::Refused => Refused,
+        Default::Is(_, words) | Default::Means(words) => Means(words),
+    };
+    key(argument.name, kind_of(argument), absent, argument.meaning, example(argument))
+}
+
+const fn kind_of(argument: &Argument) -> Kind {
+    match argument.kind {
+        ArgumentKind::Number { unit, low, high } => {
+            Kind::Quantity(Quantity { measure: measure(unit), low, high })
+        }
+        ArgumentKind::Place { most_m, frame } => {
+            let quantity = Quantity { measure: &unit::LENGTH, low: -most_m, high: most_m };
+            match frame {
+                Frame::Earth => Kind::Vector(quantity),
+                Frame::Body => Kind::Point(quantity),
+            }
+        }
+        ArgumentKind::Name(Named::Body) => Kind::BodyName,
+        ArgumentKind::Name(Named::Thruster | Named::AzimuthUnit | Named::Line) => Kind::Text,
+    }
+}
+
+const fn measure(of: Unit) -> &'static Measure {
+    match of {
+        Unit::Share => &unit::PLAIN_NUMBER,
+        Unit::Radian => &unit::ANGLE,
+        Unit::MetrePerSecond => &unit::SPEED,
+        Unit::Newton => &unit::FORCE,
+    }
+}
+
+const fn example(argument: &Argument) -> &'static [&'static str] {
+    match argument.kind {
+        ArgumentKind::Number { unit: Unit::Share, .. } => &["0.4"],
+        ArgumentKind::Number { unit: Unit::Radian, .. } => &["\"-20 deg\""],
+        ArgumentKind::Number { unit: Unit::MetrePerSecond, .. } => &["\"0.1 m/s\""],
+        ArgumentKind::Number { unit: Unit::Newton, .. } => &["\"300 kN\""],
+        ArgumentKind::Place { .. } => &["[90, -23]"],
+        ArgumentKind::Name(Named::Thruster) => &["\"bow\""],
+        ArgumentKind::Name(Named::AzimuthUnit) => &["\"port\""],
+        ArgumentKind::Name(Named::Body) => &["\"ship\""],
+        ArgumentKind::Name(Named::Line) => &["\"tow\""],
+    }
+}
+
+fn power_or_direction() -> Json {
+    json!({ "anyOf": [{ "required": ["power"] }, { "required": ["direction"] }] })
+}
+
+/// One order for one target; a flag that is false would ask for nothing.
+fn rules() -> Json {
+    let flags = OrderName::ALL.iter().filter(|order| form(**order) == Form::Flag);
+    let flags: serde_json::Map<String, Json> =
+        flags.map(|order| (order.spec().word.to_owned(), json!({ "const": true }))).collect();
+    let kinds = [TargetKind::Vessel, TargetKind::Tug, TargetKind::Line];
+    let for_kind = |kind: TargetKind| {
+        let own: Vec<Json> = words(kind).iter().map(|word| json!({ "required": [word] })).collect();
+        let others = kinds.iter().filter(|other| **other != kind);
+        let mut refused: serde_json::Map<String, Json> = others
+            .flat_map(|other| [vec![other.word()], words(*other)].concat())
+            .map(|word| (word.to_owned(), json!(false)))
+            .collect();
+        if kind != TargetKind::Tug {
+            refused.insert("direction".to_owned(), json!(false));
+        }
+        json!({ "allOf": [{ "required": [kind.word()], "oneOf": own }, { "properties": refused }] })
+    };
+    json!({
+        "allOf": [{ "properties": flags }],
+        "oneOf": kinds.map(for_kind),
+    })
+}
+
+pub(crate) static TELEGRAPH_WORDS: Choices<Telegraph> = Choices(&[
+    Choice {
+        word: "full astern",
+        value: Telegraph::FullAstern,
+        doc: "70 % of full revolutions astern",
+    },
+    Choice { word: "half astern", value: Telegraph::HalfAstern, doc: "55 % astern" },
+    Choice { word: "slow astern", value: Telegraph::SlowAstern, doc: "40 % astern" },
+    Choice { word: "dead slow astern", value: Telegraph::DeadSlowAstern, doc: "30 % astern" },
+    Choice { word: "stop", value: Telegraph::Stop, doc: "stop" },
+    Choice { word: "dead slow ahead", value: Telegraph::DeadSlowAhead, doc: "30 % ahead" },
+    Choice { word: "slow ahead", value: Telegraph::SlowAhead, doc: "40 % ahead" },
+    Choice { word: "half ahead", value: Telegraph::HalfAhead, doc: "55 % ahead" },
+    Choice { word: "full ahead", value: Telegraph::FullAhead, doc: "70 % ahead: manoeuvring full" },
+    Choice { word: "navigation full", value: Telegraph::NavigationFull, doc: "full revolutions" },
+]);

@@ -1,0 +1,122 @@
+//! Arguments of an order, by their names in the table.
+
+use fenderline_contact::Vec2;
+
+use super::error::OrderError;
+use super::table::{Absent, ArgumentKind, OrderName};
+use crate::setup::Setup;
+
+/// The value of an argument.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A number in its SI unit.
+    Number(f64),
+    /// Two coordinates (m).
+    Place(Vec2),
+    /// A name, as the index of what it names.
+    Index(usize),
+}
+
+/// The arguments of an order by their names in the table; those that are absent have their defaults.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Arguments(Vec<(&'static str, Value)>);
+
+impl Arguments {
+    /// None yet.
+    #[must_use]
+    pub fn new() -> Arguments {
+        Arguments::default()
+    }
+
+    /// With one more.
+    #[must_use]
+    pub fn with(mut self, name: &'static str, value: Value) -> Arguments {
+        self.0.push((name, value));
+        self
+    }
+
+    /// With one more number.
+    #[must_use]
+    pub fn number(self, name: &'static str, value: f64) -> Arguments {
+        self.with(name, Value::Number(value))
+    }
+
+    /// All that are given, with their names.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, Value)> {
+        self.0.iter().copied()
+    }
+
+    /// The value of a name, where it is given.
+    #[must_use]
+    pub fn get(&self, name: &str) -> Option<Value> {
+        self.iter().find(|(given, _)| *given == name).map(|(_, value)| value)
+    }
+}
+
+/// The arguments given for one order, read by name.
+pub(super) struct Given<'a> {
+    order: OrderName,
+    arguments: &'a Arguments,
+}
+
+impl<'a> Given<'a> {
+    /// Arguments that the order has.
+    ///
+    /// # Errors
+    /// The first that it does not have, or has as another kind.
+    pub(super) fn new(order: OrderName, arguments: &'a Arguments) -> Result<Given<'a>, OrderError> {
+        for (name, value) in arguments.iter() {
+            let fits = order.spec().argument(name).is_some_and(|argument| {
+                matches!(
+                    (argument.kind, value),
+                    (ArgumentKind::Number { .. }, Value::Number(_))
+                        | (ArgumentKind::Place { .. }, Value::Place(_))
+                        | (ArgumentKind::Name(_), Value::Index(_))
+                )
+            });
+            if !fits {
+                return Err(OrderError::Unknown { order, argument: name.to_owned() });
+            }
+        }
+        Ok(Given { order, arguments })
+    }
+
+    fn missing(&self, argument: &'static str) -> OrderError {
+        OrderError::Missing { order: self.order, argument }
+    }
+
+    pub(super) fn optional_number(&self, name: &str) -> Option<f64> {
+        match (self.arguments.get(name), self.order.spec().argument(name)?.absent) {
+            (Some(Value::Number(value)), _) | (None, Absent::Is(value, _)) => Some(value),
+            _ => None,
+        }
+    }
+
+    pub(super) fn number(&self, name: &'static str) -> Result<f64, OrderError> {
+        self.optional_number(name).ok_or_else(|| self.missing(name))
+    }
+
+    pub(super) fn place(&self, name: &'static str) -> Result<Vec2, OrderError> {
+        match self.arguments.get(name) {
+            Some(Value::Place(at_m)) => Ok(at_m),
+            _ => Err(self.missing(name)),
+        }
+    }
+
+    pub(super) fn index(&self, name: &'static str) -> Result<usize, OrderError> {
+        match self.arguments.get(name) {
+            Some(Value::Index(index)) => Ok(index),
+            _ => Err(self.missing(name)),
+        }
+    }
+
+    pub(super) fn tug_force(&self, tug: usize, setup: &Setup) -> Result<(f64, f64), OrderError> {
+        let square_rad = || setup.world.tugs.get(tug).map(|tug| tug.square_push_rad());
+        let square_rad = match self.order {
+            OrderName::Pull => square_rad().map(|push_rad| -push_rad),
+            _ => square_rad(),
+        };
+        let direction_rad = self.optional_number("direction").or(square_rad);
+        Ok((self.number("force")?, direction_rad.ok_or_else(|| self.missing("direction"))?))
+    }
+}

@@ -1,0 +1,207 @@
+//! Why an order cannot be carried out.
+
+use core::fmt;
+
+use fenderline_contact::DisplayNumber;
+
+use super::table::{Argument, Gear, OrderName, TargetKind};
+use crate::world::NotAtTheSide;
+
+/// An order that cannot be carried out; nothing was changed.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum OrderError {
+    /// There is no vessel, tug or line of this index.
+    NoTarget {
+        /// Which of them.
+        kind: TargetKind,
+        /// The index.
+        index: usize,
+    },
+    /// An argument that must be given is not.
+    Missing {
+        /// The order.
+        order: OrderName,
+        /// The argument's name.
+        argument: &'static str,
+    },
+    /// The order has no such argument, or none of this kind.
+    Unknown {
+        /// The order.
+        order: OrderName,
+        /// The name that was given.
+        argument: String,
+    },
+    /// The value is of another kind than the argument.
+    WrongKind {
+        /// The argument.
+        argument: &'static Argument,
+    },
+    /// A number is not within its limits.
+    OutOfRange {
+        /// The argument.
+        argument: &'static Argument,
+        /// The number.
+        value: f64,
+        /// The least.
+        low: f64,
+        /// The greatest.
+        high: f64,
+    },
+    /// There is nothing of this index.
+    NoIndex {
+        /// The argument.
+        argument: &'static Argument,
+        /// The index.
+        index: usize,
+    },
+    /// There is no body of this index.
+    NoBody(usize),
+    /// The target lacks what the order needs.
+    NoGear {
+        /// The target.
+        who: String,
+        /// What it lacks.
+        gear: Gear,
+    },
+    /// An azimuth unit is given neither a power nor a direction.
+    Nothing,
+    /// The place to push at is not at the ship's side.
+    NotAtTheSide(NotAtTheSide),
+    /// A tug is ordered to work at herself.
+    TugHerself {
+        /// The tug.
+        tug: String,
+    },
+    /// The tug and the ship may not touch.
+    NoPair {
+        /// The ship.
+        ship: String,
+    },
+    /// The line is not between the tug and a ship.
+    LineElsewhere {
+        /// The line.
+        line: String,
+    },
+    /// The force is more than the tug's bollard pull.
+    BeyondBollardPull {
+        /// The force (N).
+        force_n: f64,
+        /// Her bollard pull (N).
+        pull_n: f64,
+    },
+    /// The ship has no side at the place that the words name.
+    NoPlace {
+        /// The ship.
+        ship: String,
+    },
+    /// The tug has no line to the ship.
+    NoTowline {
+        /// The ship.
+        ship: String,
+    },
+    /// The line was let go before.
+    LineGone {
+        /// The line.
+        line: String,
+    },
+    /// A pilot that keeps the ship on a station has her tugs.
+    TugOfStation {
+        /// The ship.
+        ship: String,
+    },
+}
+
+impl OrderError {
+    /// The argument that is wrong, where it is one.
+    #[must_use]
+    pub fn argument(&self) -> Option<&str> {
+        match self {
+            OrderError::Missing { argument, .. } => Some(argument),
+            OrderError::Unknown { argument, .. } => Some(argument),
+            OrderError::WrongKind { argument }
+            | OrderError::OutOfRange { argument, .. }
+            | OrderError::NoIndex { argument, .. } => Some(argument.name),
+            OrderError::NotAtTheSide(_) => Some("at"),
+            OrderError::NoBody(_) | OrderError::TugHerself { .. } | OrderError::NoPair { .. } => {
+                Some("ship")
+            }
+            OrderError::LineElsewhere { .. } => Some("line"),
+            OrderError::BeyondBollardPull { .. } => Some("force"),
+            OrderError::NoTarget { .. }
+            | OrderError::NoGear { .. }
+            | OrderError::Nothing
+            | OrderError::NoPlace { .. }
+            | OrderError::NoTowline { .. }
+            | OrderError::LineGone { .. }
+            | OrderError::TugOfStation { .. } => None,
+        }
+    }
+}
+
+impl fmt::Display for OrderError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            OrderError::NoTarget { kind, index } => {
+                write!(f, "there is no {} of index {index}", kind.word())
+            }
+            OrderError::Missing { order, argument } => {
+                write!(f, "the order `{}` needs `{argument}`", order.spec().word)
+            }
+            OrderError::Unknown { order, argument } => {
+                write!(
+                    f,
+                    "the order `{}` has no argument `{argument}` of this kind",
+                    order.spec().word
+                )
+            }
+            OrderError::WrongKind { argument } => {
+                write!(f, "the {} is not of its kind", argument.meaning)
+            }
+            OrderError::OutOfRange { argument, value, low, high } => {
+                let unit = match argument.kind {
+                    super::ArgumentKind::Number { unit, .. } => unit.symbol(),
+                    _ => "m",
+                };
+                let space = if unit.is_empty() { "" } else { " " };
+                let [value, low, high] = [*value, *low, *high].map(DisplayNumber);
+                write!(
+                    f,
+                    "the {} must be between {low} and {high}{space}{unit}, but is {value}",
+                    argument.meaning
+                )
+            }
+            OrderError::NoIndex { argument, index } => {
+                write!(f, "there is no {} of index {index}", argument.meaning)
+            }
+            OrderError::NoBody(index) => write!(f, "there is no body of index {index}"),
+            OrderError::NoGear { who, gear } => write!(f, "`{who}` has no {}", gear.missing()),
+            OrderError::Nothing => {
+                f.write_str("the order asks for nothing: give a power, a direction or both")
+            }
+            OrderError::NotAtTheSide(error) => error.fmt(f),
+            OrderError::TugHerself { tug } => write!(f, "`{tug}` is the tug herself"),
+            OrderError::NoPair { ship } => {
+                write!(f, "no pair in the scenario lets her touch `{ship}`")
+            }
+            OrderError::LineElsewhere { line } => {
+                write!(f, "line `{line}` is not between her and a ship")
+            }
+            OrderError::BeyondBollardPull { force_n, pull_n } => write!(
+                f,
+                "the force must be at most her bollard pull of {} kN, but is {} kN",
+                pull_n / 1e3,
+                force_n / 1e3
+            ),
+            OrderError::NoPlace { ship } => write!(f, "`{ship}` has no side there"),
+            OrderError::NoTowline { ship } => write!(f, "she has no line to `{ship}`"),
+            OrderError::LineGone { line } => write!(f, "line `{line}` is gone"),
+            OrderError::TugOfStation { ship } => write!(
+                f,
+                "the pilot that keeps `{ship}` on her station uses her tugs: steer her by hand first"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for OrderError {}
