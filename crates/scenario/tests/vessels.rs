@@ -338,7 +338,9 @@ fn particulars_outside_the_range_of_the_estimate_are_told_of_with_key_and_range(
     let told = |beam: &str, block: &str| {
         let scenario = Scenario::parse(&ship_and_tug(beam, block), "outside.toml");
         let notices = scenario.expect("a good scenario").notices;
-        let lines = notices.iter().filter(|notice| notice.message.contains("held against"));
+        let lines = notices
+            .iter()
+            .filter(|notice| notice.message.contains("the range in which the formulas"));
         lines.map(ToString::to_string).collect::<Vec<String>>()
     };
     let tug =
