@@ -179,7 +179,7 @@ fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
     go(&mut bothered, 30);
     go(&mut left_alone, 30);
     let before = bothered.take_lines();
-    for (bad, reason) in <[(Action, &str); _]>::from([
+    for (bad, reason) in [
         (order(OrderName::Rudder, "shop").number("angle", 0.1).into(), "no vessel `shop`"),
         (order(OrderName::Rudder, "quay").number("angle", 0.1).into(), "no vessel `quay`"),
         (rudder(f64::NAN), "must be between"),
@@ -248,7 +248,7 @@ fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
         (OtherAction::ApproachLimit { speed_mps: 2.0 }.into(), "is not within"),
         (words("third", TugWord::Push), "no tug `third`"),
         (words("ship", TugWord::Push), "no tug `ship`"),
-    ]) {
+    ] {
         let why = bothered.command("test", 0, bad.clone()).expect_err("refused").to_string();
         assert!(why.contains(reason), "{bad:?}: {why}");
     }
