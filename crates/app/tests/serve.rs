@@ -272,7 +272,7 @@ fn bad_messages_are_refused_with_a_reason_and_change_nothing() {
             ),
             (
                 r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"ship","share":1e300}}"#,
-                "not within",
+                "must be between -1 and 1",
             ),
             (
                 r#"{"type":"command","id":1,"action":{"do":"engine","vessel":"titanic","share":1}}"#,

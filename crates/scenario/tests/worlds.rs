@@ -221,7 +221,7 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     ("diameter = \"4.4 m\", ", "", "vessel.coaster.propeller.diameter", "is missing"),
     ("[vessel.coaster]", "[vessel.coaster]\nfrom = \"kcs\"", "vessel.coaster.length_bp", "does not go together with `from`"),
     ("vessel = \"coaster\"", "vessel = \"coster\"", "body.ship.vessel", "did you mean \"coaster\"?"),
-    ("vessel = \"coaster\"", "vessel = \"coaster\"\nmass = \"1 t\"", "body.ship.mass", "not for a vessel"),
+    ("vessel = \"coaster\"", "vessel = \"coaster\"\nmass = \"1 t\"", "body.ship.mass", "does not go together with `vessel`"),
     ("length = \"40 m\"", "length = \"4 m\"", "line.stern", "is 4 m long, but its ends are"),
     ("length = \"40 m\"", "length = \"40 m\"\npretension = \"1 kN\"", "line.stern.pretension", "does not go together"),
     ("length = \"40 m\"\n", "", "line.stern.pretension", "is missing"),

@@ -191,6 +191,9 @@ impl OrderName {
                 if ship >= setup.bodies.len() {
                     return Err(OrderError::NoBody(ship));
                 }
+                if ship == tug.body {
+                    return Err(OrderError::TugHerself { tug: setup.bodies[ship].name.clone() });
+                }
                 let at = (ship, at_m);
                 let push = PushJob::new(&setup.bodies, &setup.fenders, tug.body, at, force_n);
                 assist(Job::Push(push.map_err(OrderError::NotAtTheSide)?))?
