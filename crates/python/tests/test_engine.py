@@ -222,7 +222,7 @@ def test_settings_that_do_not_go_together(scenarios: Path) -> None:
         Engine(scenario, host="cosimulation")
     with pytest.raises(ValueError, match="delay_steps"):
         Engine(scenario, delay_steps=1)
-    with pytest.raises(ValueError, match="present, following"):
+    with pytest.raises(ValueError, match="direct, cosimulation"):
         Engine(scenario, host="absent")  # type: ignore[arg-type]
     paper = Engine(scenario)
     assert (paper.method, paper.uses_loads) == ("paper", False)

@@ -88,5 +88,5 @@ def test_a_fleet_goes_as_its_simulations_go() -> None:
         assert np.isnan(fleet.controls[1]).all()
         with pytest.raises(IndexError):
             fleet.reset([3], [{}])
-        with pytest.raises(ValueError, match="as many variants"):
+        with pytest.raises(ValueError, match="the numbers of variants and indices differ"):
             fleet.reset([0, 1], [{}])
