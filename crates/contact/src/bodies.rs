@@ -109,7 +109,7 @@ pub(crate) enum PoseChange {
     Teleported,
 }
 
-/// The smallest displacement of a body at rest that counts [m]: far from the chart's origin positions are rounded.
+/// The smallest displacement of a body at rest that counts (m): far from the chart's origin positions are rounded.
 const SMALLEST_DISPLACEMENT_M: f64 = 1e-6;
 
 /// Classifies the change from `last` to `now`, `step_s` later, of a body of this radius.

@@ -110,7 +110,7 @@
 //! | lets the engine move the bodies | [`advance_in_place`], or [`advance_from_engine_states`] where the states stay yours |
 //! | integrates the bodies itself, by any method and with any time step | [`DirectHost`] |
 //! | passes states that are some steps old, or does not know its loads, as a co-simulation master | [`CoSimHost`] |
-//! | reproduces the paper's experiments | [`step`] |
+//! | reproduces the paper's experiments | [`step()`] |
 //!
 //! [`advance`] takes the given states as they are. That is enough where the time step is short for the
 //! contact, as above. A [`DirectHost`] wraps it for hosts with stiff contacts or long steps: while bodies
@@ -132,7 +132,7 @@
 //! The contact law is that of Moreno, Sasaki, Makiyama & Tannuri, "Vessel-Fender Contact Force Modelling
 //! for a Real-time Ship Manoeuvring Simulator", TransNav 17(4), 2023; equation numbers in this crate are
 //! the paper's. `docs/contact_model.md` has the equations with the misprints corrected, and the coupled
-//! method. The paper limits each pair of bodies by itself and does not know the loads; [`step`] does
+//! method. The paper limits each pair of bodies by itself and does not know the loads; [`step()`] does
 //! exactly that, for comparison.
 #![no_std]
 #![forbid(unsafe_code)]

@@ -30,7 +30,7 @@ pub struct Memory {
     /// Sorted ranks of the bodies that the host has marked as teleported in its next input.
     pub(crate) placed: Vec<u32>,
     /// By rank, after a step of the coupled method: the time by which the engine's velocity of a body precedes its
-    /// position, half of its last sub-step (s); [`NOT_BEHIND`] for fixed bodies. See [`crate::coupled::bodies`].
+    /// position, half of its last sub-step (s); [`NOT_BEHIND`] for fixed bodies. See [`crate::coupled::dynamics`].
     pub(crate) behind_s: Vec<f64>,
 }
 

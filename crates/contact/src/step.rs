@@ -119,7 +119,7 @@ struct Stage<'w> {
     clip: &'w mut ClipBuffers,
     results: &'w mut Results,
     next_memory: &'w mut NextMemory,
-    /// Length of this step, and time since the last one began [s]: the backward difference of eq. 3 is over the latter.
+    /// Length of this step, and time since the last one began (s): the backward difference of eq. 3 is over the latter.
     step_s: f64,
     elapsed_s: f64,
 }

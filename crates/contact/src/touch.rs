@@ -19,7 +19,7 @@ pub(crate) struct Touch {
     pub(crate) normal_in_a: Vec2,
     /// n, A's outward normal, earth-fixed.
     pub(crate) normal: Vec2,
-    /// Where the force acts, in A's frame [m]: C, or a point of the line of a fender's force.
+    /// Where the force acts, in A's frame (m): C, or a point of the line of a fender's force.
     pub(crate) point_in_a_m: Vec2,
     /// About each body's centre of gravity.
     pub(crate) levers_a: Levers,

@@ -63,7 +63,7 @@ use crate::workspace::Workspace;
 /// If a host displaces a body farther than its velocities lead it, contacts give back the energy that they store there.
 ///
 /// # Errors
-/// As [`crate::step`]; but `work` has no valid results after [`StepError::NotFinite`].
+/// As [`crate::step()`]; but `work` has no valid results after [`StepError::NotFinite`].
 pub fn advance(
     model: &Model,
     memory: &mut Memory,
@@ -121,7 +121,7 @@ pub fn advance_from_engine_states(
 /// ```
 ///
 /// # Errors
-/// As [`crate::step`]; `states` are unchanged then.
+/// As [`crate::step()`]; `states` are unchanged then.
 pub fn advance_in_place(
     model: &Model,
     memory: &mut Memory,

@@ -149,7 +149,7 @@ impl CoSimHost {
     /// and its contacts begin anew ([`crate::EventKind::Teleported`]).
     ///
     /// # Errors
-    /// As [`crate::step`], for states, loads and Δt, and where values computed from them are out of the engine's range.
+    /// As [`crate::step()`], for states, loads and Δt, and where values computed from them are out of the engine's range.
     /// This host is then unchanged, and `work` keeps the results of the last good step.
     pub fn step<'w>(
         &mut self,

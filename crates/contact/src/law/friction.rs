@@ -233,7 +233,7 @@ impl ShearSpring {
         self.coulomb.holds(tangential_n, normal_n) && gives_j <= self.available_j
     }
 
-    /// Δs at the end of the sub-step from that at its start [m]: it grows by h V̄; while it slips it is at most what the
+    /// Δs at the end of the sub-step from that at its start (m): it grows by h V̄; while it slips it is at most what the
     /// sliding force shears.
     #[inline]
     pub(crate) fn shear_after_m(

@@ -2,7 +2,7 @@
 //!
 //! [`OrderName`] is the table of all orders: the word, who it is for, its arguments with units, limits and defaults,
 //! and the gear that it needs. Scenario files, live sessions, Python and FMUs only translate their own names into
-//! [`Arguments`] and call [`OrderName::build`]. [`check`] is the one place where limits and gear are checked.
+//! [`Arguments`] and call [`OrderName::build`]. [`check()`] is the one place where limits and gear are checked.
 //! `docs/design/orders.md` follows an order from the button to the rudder.
 
 mod action;
