@@ -204,7 +204,7 @@ fn what_cannot_be_is_refused_with_a_reason_and_changes_nothing() {
                 .place("at", [0.0, 0.0])
                 .number("force", 1.0)
                 .into(),
-            "from the ship's outline",
+            "the tug herself",
         ),
         (
             order(OrderName::PushShip, "ship")
