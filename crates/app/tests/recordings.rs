@@ -210,11 +210,11 @@ fn a_server_that_is_interrupted_ends_its_recording_and_a_killed_ones_is_told_fro
         pilot.frame_after(15).await;
         let (file, text) = server.kill();
         let (code, said) = replayed(&file);
-        assert!(code == Some(0) && said.contains("no line that ends it"), "{said}");
+        assert!(code == Some(0) && said.contains("its last line is missing"), "{said}");
         assert!(said.contains("without its end; the same bits"), "{said}");
         fs::write(&file, &text[..text.len() - 20]).expect("written");
         let (code, said) = replayed(&file);
-        assert!(code == Some(0) && said.contains("it is torn"), "{said}");
+        assert!(code == Some(0) && said.contains("its last line is incomplete"), "{said}");
         #[cfg(unix)]
         {
             let server = Server::start(&[]);
