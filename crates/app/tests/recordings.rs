@@ -249,12 +249,18 @@ fn a_second_ctrl_c_ends_the_program_whatever_it_waits_for() {
         .stderr(Stdio::null())
         .spawn()
         .expect("it starts");
-    let mut lines = BufReader::new(&reader);
-    let mut line = String::new();
-    while !line.contains("Recorded to") {
-        line.clear();
-        assert!(lines.read_line(&mut line).expect("a line") > 0, "it has ended");
-    }
+    let (send, greeted) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        let mut lines = BufReader::new(reader);
+        let mut line = String::new();
+        while !line.contains("Recorded to") {
+            line.clear();
+            assert!(lines.read_line(&mut line).expect("a line") > 0, "it has ended");
+        }
+        send.send(lines)
+    });
+    // Kept open and not read any more.
+    let _reader = greeted.recv_timeout(server::limited::LIMIT).expect("the greeting comes");
     let id = child.id().to_string();
     let interrupt = || {
         assert!(Command::new("kill").args(["-INT", &id]).status().expect("kill").success());

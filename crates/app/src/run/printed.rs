@@ -39,6 +39,10 @@ pub(super) fn summary(outcome: &Outcome<'_>, folder: &Path, files: &[WrittenFile
         pairs.truncate(ROWS);
         text.push_str(&table(outcome, &pairs));
         text.push_str("approach: positive closing; final: positive separating\n");
+        let by_fender = pairs.iter().filter(|pair| pair.peak_depth_fender.is_some()).count();
+        if by_fender > 0 && by_fender < pairs.len() {
+            text.push_str("peak depth: of a contact through a fender, the fender's deflection\n");
+        }
         if more > 0 {
             let more = counted(more as u64, "more pair", "more pairs");
             let _ = writeln!(text, "and {more}, in summary.json");
@@ -73,8 +77,14 @@ fn table(outcome: &Outcome<'_>, pairs: &[&PairSummary]) -> String {
     let longest = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
     let width = longest.max("contact".len());
     let mut text = String::new();
+    // A contact through a fender has no penetration but the fender's deflection.
+    let depth = if pairs.iter().all(|pair| pair.peak_depth_fender.is_some()) {
+        "deflection"
+    } else {
+        "peak depth"
+    };
     let heads = [
-        ("contact", "first touch", "peak force", "peak depth", "impulse", "approach", "final"),
+        ("contact", "first touch", "peak force", depth, "impulse", "approach", "final"),
         ("", "s", "kN", "mm", "kN s", "m/s", "m/s"),
     ];
     for (name, touch, force, depth, impulse, approach, last) in heads {

@@ -12,23 +12,40 @@ use crate::plot::axis::{Axis, Fitted, nice_step};
 pub struct Arrow {
     /// Where it starts; a dot is drawn there (m).
     pub from_m: Vec2,
-    /// Which way it points, of length 1; zero: the dot alone.
+    /// Its direction, of length 1; zero: the dot alone.
     pub direction: Vec2,
     /// Printed at the head.
     pub label: String,
 }
 
-/// A text at a point (m).
+/// A name in the view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// Where (m).
-    pub at_m: Vec2,
-    /// Half the size of the named thing (m): the text is placed beside it.
-    pub reach_m: f64,
-    /// The side on which the text stands first, of length 1; zero: wherever there is room.
-    pub side: Vec2,
     /// The text.
     pub text: String,
+    /// Where it may stand.
+    pub place: Place,
+}
+
+/// Where a name may stand. It takes the first place that is free; without one it is left out.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Place {
+    /// At one of these points (m).
+    At(Vec<Vec2>),
+    /// Beside a small thing.
+    Beside {
+        /// The thing (m).
+        point_m: Vec2,
+        /// The preferred side, of length 1.
+        side: Vec2,
+    },
+    /// On a body, or beside one that is too small for the text.
+    On {
+        /// The middle of the body (m).
+        middle_m: Vec2,
+        /// From there to one end of its long axis (m).
+        half_length_m: Vec2,
+    },
 }
 
 /// A rectangle of the plane (m).
@@ -47,6 +64,11 @@ impl Frame {
             let point = Frame { low: p, high: p };
             Some(frame.map_or(point, |f: Frame| f.with(point)))
         })
+    }
+
+    /// The smallest frame round two points.
+    pub fn between(one: Vec2, other: Vec2) -> Frame {
+        Frame { low: one, high: one }.with(Frame { low: other, high: other })
     }
 
     /// A frame about `centre` with the proportions of a view that goes twice on a page of A4.
