@@ -1,6 +1,7 @@
 //! The axis of greatest separation, or least penetration, of two convex polygons.
 
-use super::convex::{ConvexPolygon, after, before};
+use super::convex::ConvexPolygon;
+use super::ring::{after, before};
 use crate::vec2::Vec2;
 
 /// The edge of one polygon whose outward normal separates best from the other polygon.

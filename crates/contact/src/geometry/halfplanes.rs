@@ -6,8 +6,9 @@
 
 use alloc::vec::Vec;
 
-use super::convex::{ConvexPolygon, after, upper_half};
+use super::convex::{ConvexPolygon, upper_half};
 use super::lens::{Crossing, Stretch};
+use super::ring::after;
 use crate::vec2::Vec2;
 
 /// Edges within this sine of parallel and within this distance count as coincident (–, m): a chord between
