@@ -26,17 +26,17 @@ pub struct Plan {
     pub frame: Frame,
     /// Outlines, drawn first to last.
     pub outlines: Vec<Outlined>,
-    /// Fenders, drawn upon the outlines.
+    /// Fenders, drawn over the outlines.
     pub fenders: Vec<FenderBox>,
     /// Lines, tugs, wind and current.
     pub harbour: Harbour,
     /// Paths of bodies.
     pub tracks: Vec<Track>,
-    /// Forces and the like, and points where they act.
+    /// Forces, and points where they act.
     pub arrows: Vec<Arrow>,
     /// Names.
     pub labels: Vec<Label>,
-    /// Printed small below the view; empty for none.
+    /// The note below the view; empty for none.
     pub note: String,
 }
 
@@ -84,7 +84,7 @@ impl Plan {
                 svg viewBox=(format!("0 0 {full_width} {full_height:.1}")) role="img"
                     aria-label=(self.title) {
                     (grid(&map))
-                    // A nested picture cuts what lies outside.
+                    // A nested picture clips everything outside the view.
                     svg x=(format!("{:.1}", map.left)) y=(TOP) width=(format!("{:.1}", map.width))
                         height=(format!("{:.1}", map.height)) overflow="hidden" {
                         @for outline in &self.outlines { (outlined(outline, &map)) }

@@ -37,7 +37,7 @@ pub(super) fn results(outcome: &Outcome<'_>) -> Markup {
                     Head::Name("Contact"),
                     Head::Number("First touch", "s"),
                     Head::Number("Peak normal force", "kN"),
-                    Head::Number("Time of peak", "s"),
+                    Head::Number("at", "s"),
                     Head::Number(depth_head(&pairs), "m"),
                     Head::Number("Impulse", "kN·s"),
                     Head::Number("Approach speed", "m/s (kn)"),
@@ -67,7 +67,7 @@ fn result_cells(pair: &PairSummary, setup: &Setup) -> Markup {
     let [name_1, name_2] = pair.bodies.map(|i| setup.bodies[i].name.as_str());
     let decimals = decimals_for(setup.step_s);
     html! {
-        td class="name" { (name_1) " – " (name_2) @if pair.touching_at_end { " †" } }
+        td class="name" { (name_1) " – " (name_2) @if pair.touching_at_end { "\u{a0}†" } }
         (number(&fixed(pair.first_touch_s, decimals)))
         (number(&significant(pair.peak_normal_force_n / 1e3, 4)))
         (number(&fixed(pair.peak_normal_force_at_s, decimals)))

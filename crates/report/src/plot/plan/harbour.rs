@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use super::labels::Box2;
 use super::map::Map;
 
-/// What a harbour has besides hulls and fenders; nothing by default.
+/// Everything besides hulls and fenders; nothing by default.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Harbour {
     /// Mooring lines.
@@ -36,7 +36,7 @@ pub struct LineDrawn {
 pub struct TugDrawn {
     /// Where her force acts (m).
     pub at_m: Vec2,
-    /// Direction of her force on the ship, of length 1; zero: she stands by.
+    /// Direction of her force on the ship, of length 1; zero: she is standing by.
     pub direction: Vec2,
     /// Whether she pulls on a line; otherwise she pushes with her bow.
     pub on_line: bool,
@@ -95,7 +95,7 @@ pub(super) fn bank(ends_m: [Vec2; 2], map: &Map) -> Markup {
 struct TugPlace {
     /// Her hull, from the bow.
     hull: [(f64, f64); 5],
-    /// Her line from the ship; `None` where she pushes.
+    /// Her line from the ship; `None` if she pushes.
     line: Option<[(f64, f64); 2]>,
     /// Where her text begins, or ends if it is to the left.
     text: (f64, f64),

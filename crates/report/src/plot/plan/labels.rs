@@ -1,6 +1,7 @@
 //! Where the names stand in a plan view: none covers another text, a fender, an arrow or a tug.
 
 use fenderline_contact::Vec2;
+use fenderline_contact::number::greater;
 
 use super::Plan;
 use super::furniture;
@@ -64,6 +65,12 @@ impl Box2 {
             && (self.y - other.y).abs() < self.half_height + other.half_height
     }
 
+    /// Distance of a point; 0 inside (px).
+    fn distance(&self, (x, y): (f64, f64)) -> f64 {
+        let off = |distance: f64, half: f64| greater(distance.abs() - half, 0.0);
+        libm::hypot(off(x - self.x, self.half_width), off(y - self.y, self.half_height))
+    }
+
     fn lies_within(&self, width: f64, height: f64) -> bool {
         self.x > self.half_width
             && self.x < width - self.half_width
@@ -75,17 +82,31 @@ impl Box2 {
 /// The middle of each label (px). The first labels choose first; `None`: there is no free place.
 pub(super) fn label_places(plan: &Plan, map: &Map) -> Vec<Option<(f64, f64)>> {
     let mut taken = obstacles(plan, map);
+    let things: Vec<(f64, f64)> =
+        plan.labels.iter().filter_map(|label| thing(&label.place, map)).collect();
     let places = plan.labels.iter().map(|label| {
+        let own = thing(&label.place, map);
         let free = candidates(&label.text, &label.place, map).into_iter().find_map(|(x, y)| {
             let text = Box2::of_text(&label.text, x, y);
             let is_free = text.lies_within(map.width, map.height)
                 && !taken.iter().any(|other| other.overlaps(&text));
-            is_free.then_some(text)
+            let is_nearest = own.is_none_or(|own| {
+                things.iter().all(|other| text.distance(own) <= text.distance(*other))
+            });
+            (is_free && is_nearest).then_some(text)
         })?;
         taken.push(free);
         Some((free.x, free.y))
     });
     places.collect()
+}
+
+/// The small thing that a name stands beside (px). No other such thing may be nearer to the name.
+fn thing(place: &Place, map: &Map) -> Option<(f64, f64)> {
+    match place {
+        Place::Beside { point_m, .. } => Some(map.px(*point_m)),
+        Place::At(_) | Place::On { .. } => None,
+    }
 }
 
 /// What no name may cover.
@@ -119,7 +140,7 @@ fn candidates(text: &str, place: &Place, map: &Map) -> Vec<(f64, f64)> {
         Place::At(points_m) => {
             points_m.iter().flat_map(|point_m| above_and_below(map.px(*point_m))).collect()
         }
-        Place::Beside { point_m, side } => beside(map.px(*point_m), *side, half_width),
+        Place::Beside { point_m, side } => beside(map.px(*point_m), *side, half_width).to_vec(),
         Place::On { middle_m, half_length_m } => {
             let reach = half_length_m.length() * map.px_per_m;
             if reach < half_width {
@@ -135,16 +156,20 @@ fn above_and_below((x, y): (f64, f64)) -> [(f64, f64); 3] {
     [(x, y), (x, y - 2.0 * SHIFT), (x, y + 2.0 * SHIFT)]
 }
 
-/// Beside a point: on one side, shifted along it or farther off, then on the other side.
-fn beside((x, y): (f64, f64), side: Vec2, half_width: f64) -> Vec<(f64, f64)> {
+/// Beside a point: on one side, shifted along it, then on the other side.
+fn beside((x, y): (f64, f64), side: Vec2, half_width: f64) -> [(f64, f64); 6] {
     // Right and down.
     let (dx, dy) = (side.y, -side.x);
     let off = GAP + half_width * dx.abs() + HALF_LINE * dy.abs();
     let at = |off: f64, along: f64| (x + dx * off - dy * along, y + dy * off + dx * along);
-    let shifts = [0.0, -SHIFT, SHIFT, -2.0 * SHIFT, 2.0 * SHIFT];
-    let near = shifts.map(|along| at(off, along));
-    let far = shifts.map(|along| at(1.6 * off, along));
-    near.into_iter().chain(far).chain([at(-off, 0.0)]).collect()
+    [
+        at(off, 0.0),
+        at(off, -SHIFT),
+        at(off, SHIFT),
+        at(off, -2.0 * SHIFT),
+        at(off, 2.0 * SHIFT),
+        at(-off, 0.0),
+    ]
 }
 
 /// Around a body that is too small for the text: outwards first, away from the middle of the view.

@@ -72,8 +72,8 @@ fn banks(environment: &Environment) -> Vec<[Vec2; 2]> {
     environment.banks.iter().map(Bank::ends_m).collect()
 }
 
-/// Wind, current and waves at the start: the wind and the waves by where they come from, the current by
-/// where it goes, as at sea.
+/// Wind, current and waves at the start. As at sea, wind and waves have the direction that they come from, a current that
+/// to which it flows.
 fn weather(environment: &Environment) -> Vec<Weather> {
     let wind = environment.wind.as_ref().and_then(|wind| {
         let (speed_mps, from_rad) = wind.mean_at(0.0);
@@ -85,7 +85,7 @@ fn weather(environment: &Environment) -> Vec<Weather> {
         })
     });
     let current = environment.current.as_ref().and_then(|current| {
-        // Of a current that varies: that in the origin, at the surface, at the start.
+        // A current that varies: its value at the origin, at the surface, at the start.
         let which = match current {
             Current::Uniform(_) => "",
             Current::Layered(_) => " (at the surface)",
@@ -124,7 +124,7 @@ fn direction(angle_rad: f64) -> Vec2 {
     vec2(libm::cos(angle_rad), libm::sin(angle_rad))
 }
 
-/// The ships with lines at the end of the run; nothing where no line was made fast.
+/// The ships with lines at the end of the run; nothing if no line was made fast.
 pub(in crate::run_page) fn moored(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     let setup = outcome.setup;
     let states = outcome.states;

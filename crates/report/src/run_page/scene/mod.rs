@@ -256,7 +256,7 @@ pub(super) fn close_up(outcome: &Outcome<'_>, pair: &PairTrace) -> Markup {
         arrows: vec![arrow],
         labels: names(outcome, shown).into_iter().chain(labels).collect(),
         note: format!(
-            "N is the force on {}{}, a mean over the time step; the {} is that at the start of the step. \
+            "N is the force on {}{}: a mean over the time step. The {} is that at the start of the step. \
              The tables have the peaks within steps.",
             bodies[1].name,
             by.map_or_else(String::new, |name| format!(" through {name}")),
