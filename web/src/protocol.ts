@@ -396,8 +396,8 @@ export type Place =
   | "starboard quarter";
 
 export type OtherAction =
-  /** To a tug of either kind, in words: the server finds force, direction and place. `power` is over her bollard pull. */
-  | { do: "tug"; tug: string; order: TugWord; power: number; lead: Lead; place: Place }
+  /** To a tug of either kind, in words: the server finds force, direction and place. `power` is over her bollard pull; a push and a pull need it. */
+  | { do: "tug"; tug: string; order: TugWord; power?: number; lead: Lead; place: Place }
   // Claims.
   | { do: "claim"; control: Control }
   | { do: "release"; control: Control }

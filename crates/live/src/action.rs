@@ -31,9 +31,9 @@ pub enum OtherAction {
         tug: String,
         #[serde(with = "crate::word")]
         order: TugWord,
-        /// Force over her bollard pull.
-        #[serde(default)]
-        power: f64,
+        /// Force over her bollard pull. A push and a pull need it.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        power: Option<f64>,
         #[serde(default, with = "crate::word")]
         lead: Lead,
         #[serde(default, with = "crate::word")]
@@ -78,6 +78,7 @@ impl Action {
     #[must_use]
     pub fn tug(tug: &str, words: TugWords) -> Action {
         let TugWords { word: order, power, lead, place } = words;
+        let power = Some(power);
         Action::Other(OtherAction::Tug { tug: tug.to_owned(), order, power, lead, place })
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use fenderline_contact::vec2;
 use fenderline_sim::environment::current::Current;
 use fenderline_sim::environment::wind::{MeanWind, Wind, WindProfile};
-use fenderline_sim::order::{Target, TugWords};
+use fenderline_sim::order::{Target, TugWord, TugWords, Word as _};
 use fenderline_sim::{Action as SimAction, Order, Setup, Simulation};
 
 use crate::action::{Action, COMMAND_LIMITS, OtherAction};
@@ -33,8 +33,8 @@ pub(crate) fn carry_out(action: &Action, cast: &Cast, now: &mut Now) -> Result<b
             order(action, now)
         }
         Action::Other(OtherAction::Tug { tug, order: word, power, lead, place }) => {
-            within("power of a tug", *power, COMMAND_LIMITS.tug_power)?;
-            let words = TugWords { word: *word, power: *power, lead: *lead, place: *place };
+            let power = power_of(*word, *power)?;
+            let words = TugWords { word: *word, power, lead: *lead, place: *place };
             let action = tug_order(tug, &words, cast, &now.simulation)?;
             order(action, now)
         }
@@ -105,6 +105,23 @@ fn tug_order(
     let tug = vessel_named(setup, name).map_err(|_| no_tug())?;
     let ship = cast.own.filter(|ship| *ship != tug).ok_or_else(no_tug)?;
     words.for_vessel(tug, ship, setup, simulation.states()).map_err(Refusal::new)
+}
+
+/// The power of an order to a tug. It may be missing only where the order asks for no force.
+fn power_of(word: TugWord, power: Option<f64>) -> Result<f64, Refusal> {
+    match (word, power) {
+        (_, Some(power)) => {
+            within("power of a tug", power, COMMAND_LIMITS.tug_power).map(|()| power)
+        }
+        (TugWord::Stop | TugWord::StandOff, None) => Ok(0.0),
+        (TugWord::Push | TugWord::Pull, None) => {
+            let [least, most] = COMMAND_LIMITS.tug_power;
+            Err(Refusal::new(format_args!(
+                "`{}` needs `power`, from {least} to {most}",
+                word.word()
+            )))
+        }
+    }
 }
 
 fn within(what: &str, value: f64, [least, most]: [f64; 2]) -> Result<(), Refusal> {

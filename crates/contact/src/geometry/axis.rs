@@ -1,6 +1,7 @@
 //! The axis along which two convex polygons are furthest apart, or least sunk into one another.
 
-use super::convex::{ConvexPolygon, after, before};
+use super::convex::ConvexPolygon;
+use super::ring::{after, before};
 use crate::vec2::Vec2;
 
 /// The edge of one polygon whose outward normal separates best from the other polygon.

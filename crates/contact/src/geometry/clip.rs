@@ -3,9 +3,10 @@
 use alloc::vec::Vec;
 
 use super::axis::{BestAxis, best_axis};
-use super::convex::{ConvexPolygon, Placed, after, before, signed_area};
+use super::convex::{ConvexPolygon, Placed, signed_area};
 use super::halfplanes::{self, Buffers, Found};
 use super::lens::{Crossing, Lens, Located, Stretch, assemble, measure, per_chord_m, trace};
+use super::ring::{after, before};
 use super::through::{self, Through};
 use super::warm;
 use crate::number::lesser;

@@ -6,8 +6,9 @@
 
 use alloc::vec::Vec;
 
-use super::convex::{ConvexPolygon, after, upper_half};
+use super::convex::{ConvexPolygon, upper_half};
 use super::lens::{Crossing, Stretch};
+use super::ring::after;
 use crate::vec2::Vec2;
 
 /// Edges of the same direction to this sine, and this close, lie on one another (–, m).

@@ -6,8 +6,10 @@
 pub(crate) mod axis;
 pub(crate) mod clip;
 pub(crate) mod convex;
+pub(crate) mod edge;
 pub(crate) mod gap;
 pub(crate) mod halfplanes;
 pub(crate) mod lens;
+pub(crate) mod ring;
 pub(crate) mod through;
 pub(crate) mod warm;

@@ -4,6 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::MERGE_DISTANCE_M;
+use super::exact::turn;
 use super::fault::{OutlineEdge, OutlineError};
 use crate::number::greater;
 use crate::vec2::{Vec2, vec2};
@@ -116,6 +117,12 @@ pub(super) fn rounding_m(points: impl Iterator<Item = Vec2>) -> f64 {
 pub(super) fn is_straight(a: Vec2, b: Vec2, c: Vec2, limit_m: f64) -> bool {
     let (to, from) = (b - a, c - b);
     to.dot(from) > 0.0 && to.cross(from).abs() <= limit_m * (c - a).length()
+}
+
+/// The corner a, b, c turns in the negative sense, by more than rounding explains: a seam in line
+/// with an edge is as good at any attitude of the outline.
+pub(super) fn is_reflex([a, b, c]: [Vec2; 3], rounding_m: f64) -> bool {
+    turn(a, b, c) < 0.0 && !is_straight(a, b, c, rounding_m)
 }
 
 fn refuse_spikes(ring: &[Numbered], limit_m: f64) -> Result<(), OutlineError> {
