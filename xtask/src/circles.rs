@@ -1,4 +1,4 @@
-//! `cargo xtask circles`: no circle of files that `use` each other within a crate, but those listed here with a reason.
+//! `cargo xtask circles`: no circle of files that `use` each other within a crate.
 //!
 //! A text scan, not a compiler: it reads the `use` declarations outside `mod tests`, and takes the longest part of a
 //! path that names a file. A re-export of a child (`pub use child::Item;`) is no use of it.
@@ -15,28 +15,6 @@ pub(crate) const STEP: Step = Step { name: "no circles of files", run: circles }
 /// Crates that are scanned.
 const CRATES: [&str; 6] = ["contact", "results", "report", "validate", "serve", "app"];
 
-/// Circles that may stay: crate, files, reason. A circle that is found must lie within one of these.
-const ALLOWED: &[(&str, &[&str], &str)] = &[
-    (
-        "contact",
-        &["geometry::convex", "geometry::lens", "geometry::through", "geometry::warm"],
-        "not yet untangled",
-    ),
-    ("contact", &["outline::mesh", "outline::pieces"], "not yet untangled"),
-    ("contact", &["host::inertia", "host::steering"], "not yet untangled"),
-    (
-        "contact",
-        &[
-            "host::cosim",
-            "host::mass_check",
-            "host::observer",
-            "host::predictor",
-            "host::workspace",
-        ],
-        "not yet untangled",
-    ),
-];
-
 /// A file by its module path; the crate's root is empty.
 type Module = Vec<String>;
 
@@ -46,15 +24,7 @@ fn circles() -> Result<Done, String> {
         let sources = sources(Path::new("crates").join(name).join("src").as_path())?;
         let uses = uses(&sources);
         for circle in components(&uses) {
-            let files: BTreeSet<String> = circle.iter().map(|module| text(module)).collect();
-            let is_allowed = ALLOWED.iter().any(|(of, allowed, _)| {
-                *of == name && files.iter().all(|file| allowed.contains(&file.as_str()))
-            });
-            if is_allowed {
-                println!("crates/{name}: allowed circle of {} files", files.len());
-                continue;
-            }
-            faults += &format!("crates/{name}: a circle of {} files:\n", files.len());
+            faults += &format!("crates/{name}: a circle of {} files:\n", circle.len());
             for file in &circle {
                 for used in uses[file].intersection(&circle) {
                     faults += &format!("  {} uses {}\n", text(file), text(used));

@@ -290,7 +290,8 @@ fn bad_messages_are_refused_with_a_reason_and_change_nothing() {
             (r#"{"type":"hello"}"#, "unknown variant"),
         ] {
             pilot.send(text).await;
-            let answer = pilot.next("refused").await;
+            println!("sent: {text}");
+            let answer = pilot.refusal().await;
             assert!(reason(&answer).contains(told), "{text}: {answer}");
         }
         pilot.send_bytes(vec![0, 159, 146, 150]).await;

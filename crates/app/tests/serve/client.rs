@@ -16,6 +16,17 @@ use crate::server::Server;
 
 /// Longer than anything takes on a busy machine.
 const LONG: Duration = Duration::from_secs(30);
+/// Longer than any one answer of a server that sends frames all the time: a test that waits for what never comes
+/// fails, and says what it waited for.
+const ANSWER: Duration = Duration::from_secs(120);
+
+/// What is waited for, in time.
+async fn in_time<T>(what: &str, wanted: impl Future<Output = T>) -> T {
+    match timeout(ANSWER, wanted).await {
+        Ok(came) => came,
+        Err(_) => panic!("{what} did not come within {} s", ANSWER.as_secs()),
+    }
+}
 
 type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
 
@@ -90,27 +101,47 @@ impl Client {
 
     /// The next message of a type.
     pub(crate) async fn next(&mut self, kind: &str) -> Value {
-        loop {
-            let message = self.hear().await;
-            if message["type"] == kind {
-                return message;
+        in_time(&format!("a message `{kind}`"), async {
+            loop {
+                let message = self.hear().await;
+                if message["type"] == kind {
+                    return message;
+                }
             }
-        }
+        })
+        .await
+    }
+
+    /// The refusal of what was sent last. Panics when it was accepted.
+    pub(crate) async fn refusal(&mut self) -> Value {
+        in_time("a refusal", async {
+            loop {
+                let message = self.hear().await;
+                assert_ne!(message["type"], "ack", "it was accepted");
+                if message["type"] == "refused" {
+                    return message;
+                }
+            }
+        })
+        .await
     }
 
     /// Gives a command; the answer.
     pub(crate) async fn ask(&mut self, action: Value) -> Value {
         let id = self.next_id;
         self.next_id += 1;
-        let command = json!({ "type": "command", "id": id, "action": action });
+        let command = json!({ "type": "command", "id": id, "action": &action });
         self.send(&command.to_string()).await;
-        loop {
-            let message = self.hear().await;
-            let is_answer = message["type"] == "ack" || message["type"] == "refused";
-            if is_answer && message["id"] == id {
-                return message;
+        in_time(&format!("an answer to {action}"), async {
+            loop {
+                let message = self.hear().await;
+                let is_answer = message["type"] == "ack" || message["type"] == "refused";
+                if is_answer && message["id"] == id {
+                    return message;
+                }
             }
-        }
+        })
+        .await
     }
 
     /// Gives a command that is carried out; a frame that was made after it.
@@ -133,22 +164,28 @@ impl Client {
 
     /// The first frame at a tick or later.
     pub(crate) async fn frame_after(&mut self, tick: u64) -> Value {
-        loop {
-            let frame = self.next("frame").await;
-            if frame["tick"].as_u64().expect("a tick") >= tick {
-                return frame;
+        in_time(&format!("a frame at tick {tick}"), async {
+            loop {
+                let frame = self.next("frame").await;
+                if frame["tick"].as_u64().expect("a tick") >= tick {
+                    return frame;
+                }
             }
-        }
+        })
+        .await
     }
 
     /// The first notice with a word in it, be it told already.
     pub(crate) async fn notice(&mut self, word: &str) -> String {
-        loop {
-            if let Some(at) = self.notices.iter().position(|text| text.contains(word)) {
-                return self.notices.remove(at);
+        in_time(&format!("a notice with `{word}`"), async {
+            loop {
+                if let Some(at) = self.notices.iter().position(|text| text.contains(word)) {
+                    return self.notices.remove(at);
+                }
+                self.hear().await;
             }
-            self.hear().await;
-        }
+        })
+        .await
     }
 
     /// Was something told so far in a notice with a word in it?

@@ -2,7 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::through::Edge;
+use super::edge::Edge;
+use super::ring::after;
 use crate::number::{greater, lesser};
 use crate::vec2::{Pose, Vec2, vec2};
 
@@ -186,16 +187,4 @@ impl Placed<'_> {
     pub(crate) fn count(&self) -> usize {
         self.polygon.count()
     }
-}
-
-/// Index before `i` in a ring of `count`.
-#[inline]
-pub(crate) fn before(i: usize, count: usize) -> usize {
-    if i == 0 { count - 1 } else { i - 1 }
-}
-
-/// Index after `i` in a ring of `count`.
-#[inline]
-pub(crate) fn after(i: usize, count: usize) -> usize {
-    if i + 1 == count { 0 } else { i + 1 }
 }

@@ -2,7 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::convex::{ConvexPolygon, Placed, after};
+use super::convex::{ConvexPolygon, Placed};
+use super::ring::after;
 use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 
@@ -102,13 +103,6 @@ pub(crate) fn trace(
         j = after(j, b.count());
         outline_m.push(b.vertex(j));
     }
-}
-
-/// Vertices between an edge and a later one of a ring of `count`.
-#[inline(always)]
-pub(crate) fn ring_distance(from: u32, to: u32, count: usize) -> usize {
-    let (from, to) = (from as usize, to as usize);
-    if to >= from { to - from } else { to + count - from }
 }
 
 /// Where the first polygon's boundary crosses the second's, on the two edges of `crossing` (m).

@@ -13,8 +13,9 @@
 
 use alloc::vec::Vec;
 
-use super::convex::{ConvexPolygon, Placed, after, before};
-use super::lens::{Crossing, Located, Stretch, point_along, ring_distance, trace};
+use super::convex::{ConvexPolygon, Placed};
+use super::lens::{Crossing, Located, Stretch, point_along, trace};
+use super::ring::{after, before, ring_distance};
 use crate::vec2::Vec2;
 
 /// Steps that a walk may take before the cold path is the cheaper one.

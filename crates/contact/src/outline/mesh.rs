@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use core::cmp::Reverse;
 
 use super::exact::turn;
-use super::pieces::is_reflex;
+use super::tidy::is_reflex;
 use crate::number::{greater, lesser};
 use crate::vec2::Vec2;
 

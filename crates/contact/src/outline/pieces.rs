@@ -7,7 +7,6 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::crossing::segments_meet;
-use super::exact::turn;
 use super::mesh;
 use super::tidy;
 use crate::vec2::Vec2;
@@ -42,12 +41,6 @@ pub(super) fn convex_pieces(vertices: &[Vec2]) -> Vec<Vec<usize>> {
     pieces
 }
 
-/// The corner a, b, c turns in the negative sense, by more than rounding explains: a seam in line
-/// with an edge is as good at any attitude of the outline.
-pub(super) fn is_reflex([a, b, c]: [Vec2; 3], rounding_m: f64) -> bool {
-    turn(a, b, c) < 0.0 && !tidy::is_straight(a, b, c, rounding_m)
-}
-
 /// Beyond this many light tests at worst (0.3 s), a ring is triangulated at once.
 const MAX_WORK: u64 = 1_000_000_000;
 
@@ -77,7 +70,7 @@ impl Ring<'_> {
 
     fn reflex_corners(&self) -> Vec<usize> {
         let corner = |i| [self.before(i), i, self.after(i)].map(|j| self.point(j));
-        (0..self.indices.len()).filter(|&i| is_reflex(corner(i), self.rounding_m)).collect()
+        (0..self.indices.len()).filter(|&i| tidy::is_reflex(corner(i), self.rounding_m)).collect()
     }
 
     /// The diagonal, as two places in the ring, that leaves no reflex angle at the most of its
@@ -110,7 +103,7 @@ impl Ring<'_> {
             return false;
         }
         let [a, p, b, q] = [before, at, after, to].map(|i| self.point(i));
-        !is_reflex([a, p, q], self.rounding_m) && !is_reflex([q, p, b], self.rounding_m)
+        !tidy::is_reflex([a, p, q], self.rounding_m) && !tidy::is_reflex([q, p, b], self.rounding_m)
     }
 
     /// The diagonal meets the ring at its ends only, and cuts no sliver off.

@@ -17,7 +17,7 @@ impl Reading<'_, '_> {
         let (length_m, beam_m, draught_m) =
             (number("length_bp"), number("beam"), number("draught"));
         let mut given =
-            Volume::ALL.iter().filter_map(|kind| Some((kind, table.item_if_any(kind.key())?)));
+            GivenBy::ALL.iter().filter_map(|kind| Some((kind, table.item_if_any(kind.key())?)));
         let (first, second) = (given.next(), given.next());
         if let (Some((_, first)), Some((_, second))) = (first, second) {
             return Err(self.together(table, second, first.name).with_help("keep one of the two"));
@@ -29,10 +29,10 @@ impl Reading<'_, '_> {
         };
         let value = *item.number();
         let volume_m3 = match kind {
-            Volume::Volume => value,
-            Volume::Displacement => value / SEA_WATER_KGPM3,
-            Volume::MassCoefficient => value * (0.5 * length_m * length_m * draught_m),
-            Volume::BlockCoefficient => value * length_m * beam_m * draught_m,
+            GivenBy::Volume => value,
+            GivenBy::Displacement => value / SEA_WATER_KGPM3,
+            GivenBy::MassCoefficient => value * (0.5 * length_m * length_m * draught_m),
+            GivenBy::BlockCoefficient => value * length_m * beam_m * draught_m,
         };
         let centre_of_gravity_m = table.number_if_any("centre_of_gravity").unwrap_or_else(|| {
             assumed.push(figure("centre_of_gravity", "0 m"));
@@ -57,7 +57,7 @@ impl Reading<'_, '_> {
     /// An error about particulars, at the key that causes it.
     pub(super) fn impossible(&self, error: &HydroError) -> ScenarioError {
         const VOLUMES: &[&str] = &{
-            let [a, b, c, d] = Volume::ALL;
+            let [a, b, c, d] = GivenBy::ALL;
             [a.key(), b.key(), c.key(), d.key()]
         };
         // How a quantity's name begins, and the keys that can cause the error.
@@ -95,24 +95,28 @@ impl Reading<'_, '_> {
 
 /// How a table gives the displaced volume.
 #[derive(Clone, Copy)]
-enum Volume {
+enum GivenBy {
     Volume,
     Displacement,
     BlockCoefficient,
     MassCoefficient,
 }
 
-impl Volume {
-    const ALL: [Volume; 4] =
-        [Volume::Volume, Volume::Displacement, Volume::BlockCoefficient, Volume::MassCoefficient];
+impl GivenBy {
+    const ALL: [GivenBy; 4] = [
+        GivenBy::Volume,
+        GivenBy::Displacement,
+        GivenBy::BlockCoefficient,
+        GivenBy::MassCoefficient,
+    ];
 
     /// Its key.
     const fn key(self) -> &'static str {
         match self {
-            Volume::Volume => "volume",
-            Volume::Displacement => "displacement",
-            Volume::BlockCoefficient => "block_coefficient",
-            Volume::MassCoefficient => "mass_coefficient",
+            GivenBy::Volume => "volume",
+            GivenBy::Displacement => "displacement",
+            GivenBy::BlockCoefficient => "block_coefficient",
+            GivenBy::MassCoefficient => "mass_coefficient",
         }
     }
 }

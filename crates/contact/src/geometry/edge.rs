@@ -1,0 +1,148 @@
+//! An edge of a convex polygon with its own frame, in which the polygon lies behind the edge.
+
+use alloc::vec::Vec;
+
+use super::ring::after;
+use crate::number::{greater, lesser};
+use crate::vec2::{Pose, Rotation, Vec2, vec2};
+
+/// An edge of a convex polygon, and the part of it that lies behind the edge.
+///
+/// In the edge's frame x runs along it and y into the polygon. x is counted from where the polygon's origin lies,
+/// not from the edge's start: a contact amidships loses nothing to the length of the ship.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Edge {
+    pub(super) frame: Frame,
+    /// x of its start and end (m).
+    from_m: f64,
+    to_m: f64,
+    /// The sides of an inscribed trapezoid: x − from ≥ y times the one, and to − x ≥ y times the other.
+    from_start: f64,
+    from_end: f64,
+    /// And its height (m).
+    height_m: f64,
+}
+
+impl Edge {
+    /// The edges of a ring of corners.
+    pub(crate) fn of_all(corners_m: &[Vec2]) -> Vec<Edge> {
+        (0..corners_m.len()).map(|index| Edge::of(corners_m, index)).collect()
+    }
+
+    fn of(corners_m: &[Vec2], index: usize) -> Edge {
+        let count = corners_m.len();
+        let start_m = corners_m[index];
+        let chord = corners_m[after(index, count)] - start_m;
+        let length_m = chord.length();
+        // Divided, so that along an axis it is one exactly.
+        let along = vec2(chord.x / length_m, chord.y / length_m);
+        let from_m = along.dot(start_m);
+        let to_m = from_m + length_m;
+        let frame = Frame {
+            of_x: vec2(along.x, -along.y),
+            of_y: vec2(along.y, along.x),
+            origin_m: vec2(0.0, -along.cross(start_m)),
+        };
+        // The two corners a third of the ring from either end.
+        let third = (count / 3).max(1);
+        let [of_start, of_end] = [index + count - third, index + 1 + third]
+            .map(|corner| frame.of(corners_m[corner % count]));
+        Edge {
+            frame,
+            from_m,
+            to_m,
+            from_start: (of_start.x - from_m) / of_start.y,
+            from_end: (to_m - of_end.x) / of_end.y,
+            height_m: lesser(of_start.y, of_end.y),
+        }
+    }
+
+    /// Does all that a convex polygon has behind the edge, so deep, between these two crossings, lie within the
+    /// trapezoid? It lies between the lines that cross there.
+    #[inline(always)]
+    pub(super) fn holds(&self, first: &Crosses, last: &Crosses, deepest_m: f64) -> bool {
+        let to_start = greater(self.from_start - last.slope, 0.0) * deepest_m;
+        let to_end = greater(self.from_end + first.slope, 0.0) * deepest_m;
+        last.x_m - self.from_m >= to_start
+            && self.to_m - first.x_m >= to_end
+            && deepest_m <= self.height_m
+    }
+}
+
+/// The edge's frame as one of the polygons sees it.
+// By columns, as the processor multiplies two numbers at once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Frame {
+    /// The unit vectors of the polygon's frame, and its origin (m), in the edge's.
+    of_x: Vec2,
+    of_y: Vec2,
+    origin_m: Vec2,
+}
+
+impl Frame {
+    #[inline(always)]
+    fn turned(&self, v: Vec2) -> Vec2 {
+        self.of_x * v.x + self.of_y * v.y
+    }
+
+    #[inline(always)]
+    pub(super) fn of(&self, corner_m: Vec2) -> Vec2 {
+        self.turned(corner_m) + self.origin_m
+    }
+
+    /// Back from the edge's frame.
+    #[inline(always)]
+    pub(super) fn back(&self, at_m: Vec2) -> Vec2 {
+        let v = at_m - self.origin_m;
+        vec2(self.of_x.dot(v), self.of_y.dot(v))
+    }
+
+    /// Unit vector along the edge.
+    #[inline(always)]
+    pub(super) fn along(&self) -> Vec2 {
+        vec2(self.of_x.x, self.of_y.x)
+    }
+
+    /// As a polygon at `pose` sees it.
+    #[inline(always)]
+    pub(super) fn seen_from(&self, pose: Pose) -> Frame {
+        let Rotation { cos, sin } = pose.rotation;
+        Frame {
+            of_x: self.of_x * cos + self.of_y * sin,
+            of_y: self.of_y * cos - self.of_x * sin,
+            origin_m: self.of(pose.position_m),
+        }
+    }
+
+    /// As one sees it in whose frame its own polygon is at `pose`.
+    #[inline(always)]
+    pub(super) fn placed_at(&self, pose: Pose) -> Frame {
+        let Rotation { cos, sin } = pose.rotation;
+        let (of_x, of_y) = (self.of_x * cos - self.of_y * sin, self.of_x * sin + self.of_y * cos);
+        let turned = Frame { of_x, of_y, ..*self };
+        Frame { origin_m: self.origin_m - turned.turned(pose.position_m), ..turned }
+    }
+
+    /// The same with x counted from another place.
+    #[inline(always)]
+    pub(super) fn counted_from(&self, x_m: f64) -> Frame {
+        Frame { origin_m: vec2(self.origin_m.x - x_m, self.origin_m.y), ..*self }
+    }
+}
+
+/// Where an edge crosses the line, and how much x changes with y along it.
+pub(super) struct Crosses {
+    pub(super) x_m: f64,
+    pub(super) slope: f64,
+}
+
+impl Crosses {
+    /// Of the edge between a corner outside and one behind the line, if that is what they are. It must not be flat:
+    /// such are left to the cold path, which knows of edges that lie on one another.
+    #[inline(always)]
+    pub(super) fn between(outside: Vec2, inside: Vec2) -> Crosses {
+        let along = inside - outside;
+        let slope = along.x / along.y;
+        Crosses { x_m: inside.x - inside.y * slope, slope }
+    }
+}
