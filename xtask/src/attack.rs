@@ -104,7 +104,7 @@ const PARTS: [Part; 12] = [
     Part {
         name: "hosts",
         what: "simulators in C that teleport, lie about speeds, step from 1e-9 to 1e6 s and alter saved states",
-        attack: test("fenderline-capi", "attack_hosts", "hosts_that_lie"),
+        attack: test("fenderline-capi", "attack_hosts", "inconsistent_hosts"),
     },
     Part {
         name: "fmi",
