@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use axum::extract::ws::{CloseFrame, Message, WebSocket};
-use fenderline_live::message::{self, Role, Told as Answer};
+use fenderline_live::message::{self, Reply, Role};
 use fenderline_live::{Refusal, Request};
 use tokio::sync::{mpsc, watch};
 use tokio::time::{MissedTickBehavior, interval, timeout};
@@ -200,7 +200,7 @@ impl Listener {
             return Taken::Nothing;
         }
         let reason = Refusal::new("the server is busy: too many commands wait").to_string();
-        Taken::Answer(message::text(&Answer::Refused { id, reason }))
+        Taken::Answer(message::text(&Reply::Refused { id, reason }))
     }
 
     /// Refuses a message without asking the simulation. Only the first, second, fourth, eighth… refusal is answered, so
@@ -214,6 +214,6 @@ impl Listener {
             return Taken::Nothing;
         }
         let reason = reason.to_owned();
-        Taken::Answer(message::text(&Answer::Refused { id: None, reason }))
+        Taken::Answer(message::text(&Reply::Refused { id: None, reason }))
     }
 }

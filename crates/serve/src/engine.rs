@@ -191,7 +191,7 @@ impl Engine {
     /// Every tick, not every frame: a touch of one tick raises an alarm too.
     fn note_alarms(&mut self) {
         let causes = self.session.causes_for_alarm(&self.info);
-        self.alarms.note(causes, self.session.simulation().time_s());
+        self.alarms.update(causes, self.session.simulation().time_s());
     }
 
     /// Drops the alarms of another session, branch or time, and notes those of the present state.

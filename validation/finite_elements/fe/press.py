@@ -64,7 +64,7 @@ class Section:
         return self.field[0].values
 
     def residual(self):
-        """Residual of all unknowns, and the parts of its matrix."""
+        """Residual of all unknowns, and the matrices of the contacts."""
         with np.errstate(invalid="ignore"):
             total = self.solid.assemble.vector(self.field).toarray().ravel()
         total = total + self.skin @ self.unknowns()

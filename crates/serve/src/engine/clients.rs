@@ -4,8 +4,8 @@ use std::mem;
 use std::sync::{Arc, PoisonError};
 use std::time::Instant;
 
-use fenderline_live::Control;
-use fenderline_live::message::{self, Hello, Link, Role, Told as Answer};
+use fenderline_live::message::{self, Hello, Link, Reply, Role};
+use fenderline_live::{COMMAND_LIMITS, Control};
 use tokio::sync::{mpsc, watch};
 
 use super::Engine;
@@ -117,6 +117,7 @@ impl Engine {
             lines: &self.info.lines,
             tugs: &self.info.tugs,
             orders: &self.info.orders,
+            limits: COMMAND_LIMITS,
             places: &self.info.places,
             mine: controls
                 .iter()
@@ -135,7 +136,7 @@ impl Engine {
 
     /// Sends a notice to all clients.
     pub(super) fn notify_all(&self, text: &str) {
-        let text: Text = message::text(&Answer::Notice { text: text.to_owned() }).into();
+        let text: Text = message::text(&Reply::Notice { text: text.to_owned() }).into();
         for client in self.clients.values() {
             // The queue of a client that does not read is full. Its connection is about to be closed for that.
             let _ = client.out.try_send(Arc::clone(&text));
@@ -143,7 +144,7 @@ impl Engine {
     }
 
     /// Sends an answer to one client.
-    pub(super) fn reply(&self, client: ClientId, answer: &Answer) {
+    pub(super) fn reply(&self, client: ClientId, answer: &Reply) {
         if let Some(client) = self.clients.get(&client) {
             let _ = client.out.try_send(message::text(answer).into());
         }

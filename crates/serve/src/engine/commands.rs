@@ -2,16 +2,13 @@
 
 use std::time::Instant;
 
-use fenderline_live::message::{Role, Told as Answer};
-use fenderline_live::{Action, Conduct, Control, Refusal, Request};
+use fenderline_live::message::{Reply, Role};
+use fenderline_live::{Action, COMMAND_LIMITS, Conduct, Control, Refusal, Request};
 
 use super::Engine;
 use crate::claims::ClientId;
 use crate::opening::{Requester, Work};
 use crate::permit::{self, Needs};
-
-/// Slowest and fastest pace: simulated time over wall time.
-const PACES: [f64; 2] = [0.1, 20.0];
 
 /// How a command was carried out.
 enum Done {
@@ -42,14 +39,14 @@ impl Engine {
                 if shows {
                     self.publish_frame();
                 }
-                Answer::Ack { id, tick }
+                Reply::Ack { id, tick }
             }
             // A command without a number gets no acknowledgement.
             (Ok(_), _) => return,
             (Err(refusal), id) => {
                 let reason = refusal.to_string();
                 self.hub.log.refused(&format!("refused {label}: {reason}"));
-                Answer::Refused { id, reason }
+                Reply::Refused { id, reason }
             }
         };
         self.reply(client, &answer);
@@ -108,8 +105,8 @@ impl Engine {
                 self.tick();
             }
             Conduct::Pace { pace } => {
-                if !(PACES[0]..=PACES[1]).contains(&pace) {
-                    let [least, most] = PACES;
+                let [least, most] = COMMAND_LIMITS.pace;
+                if !(least..=most).contains(&pace) {
                     return Err(Refusal::new(format_args!("a pace is from {least} to {most}")));
                 }
                 self.pacer.set_pace(pace, now);
@@ -129,7 +126,7 @@ impl Engine {
                 self.notify_all(&format!("{label} has begun branch {id}"));
             }
             Conduct::ShowBranch { id } => {
-                self.session.show(id)?;
+                self.session.go_to_branch(id)?;
                 self.paused_elsewhere();
                 self.greet_all();
                 self.notify_all(&format!("{label} shows branch {id}"));
@@ -179,7 +176,7 @@ impl Engine {
         let former = self.claims.take(control, (client, label), by_force)?;
         if let Some(former) = former {
             let text = format!("{label} has taken the control from you");
-            self.reply(former, &Answer::Notice { text });
+            self.reply(former, &Reply::Notice { text });
         }
         self.greet_all();
         Ok(())

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
-use fenderline_live::message::{GalleryEntry, Told as Answer};
+use fenderline_live::message::{GalleryEntry, Reply};
 use fenderline_live::{Info, Refusal};
 
 use super::Engine;
@@ -82,7 +82,7 @@ impl Engine {
             self.hub.log.refused(&format!("refused {label}: {reason}"));
             // The start of an opening was acknowledged: its number is used up.
             let id = id.filter(|_| work.file.is_none());
-            self.reply(client, &Answer::Refused { id, reason });
+            self.reply(client, &Reply::Refused { id, reason });
         }
         self.publish_frame();
     }
@@ -94,7 +94,7 @@ impl Engine {
             self.gallery.put(path, entry);
         }
         if let Some(id) = requester.id {
-            self.reply(requester.client, &Answer::Ack { id, tick: self.session.tick() });
+            self.reply(requester.client, &Reply::Ack { id, tick: self.session.tick() });
         }
         self.greet_all();
         let name = name.strip_suffix(ENDING).unwrap_or(&name);
