@@ -37,7 +37,7 @@ pub use line::{LineEnd, Mooring, MooringSetup};
 pub use pilot::Pilots;
 pub use setup::{ProviderSetup, WorldSetup};
 pub use tug::{TugAtWork, TugSetup};
-pub(crate) use vessel::Carried;
+pub(crate) use vessel::WaterInertia;
 pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, mass_matrix};
 
 /// What changes of a world: plain data, but for what can be found again.
@@ -45,7 +45,7 @@ pub use vessel::{Float, VesselForces, VesselOrders, VesselSetup, VesselState, ma
 pub(crate) struct World {
     pub(crate) vessels: Vec<VesselState>,
     pub(crate) forces: Vec<VesselForces>,
-    pub(crate) carried: Vec<Carried>,
+    pub(crate) water_inertia: Vec<WaterInertia>,
     pub(crate) lines: Vec<Mooring>,
     pub(crate) tugs: Vec<TugAtWork>,
     pub(crate) events: Vec<WorldEvent>,
@@ -69,7 +69,7 @@ impl World {
         World {
             vessels: setup.vessels.iter().map(VesselState::new).collect(),
             forces: vec![VesselForces::default(); setup.vessels.len()],
-            carried: vec![Carried::default(); setup.vessels.len()],
+            water_inertia: vec![WaterInertia::default(); setup.vessels.len()],
             lines: setup.lines.iter().map(|_| Mooring::new()).collect(),
             tugs: setup.tugs.iter().map(TugAtWork::new).collect(),
             events: Vec::new(),
@@ -135,11 +135,12 @@ impl World {
             let velocity = vessel.velocity(state, &setup.environment, velocity_time_s);
             let times = (t_s, velocity_time_s, step_s);
             let forces = vessel.forces(own, (state, &velocity), &setup.environment, times);
-            let carried = vessel.carried(state, &setup.environment, (velocity_time_s, step_s));
-            let wrench = vessel.wrench(&forces, &carried, state);
+            let water_inertia =
+                vessel.water_inertia(state, &setup.environment, (velocity_time_s, step_s));
+            let wrench = vessel.wrench(&forces, &water_inertia, state);
             loads[vessel.body].force_n += wrench.force_n;
             loads[vessel.body].moment_nm += wrench.moment_nm;
-            (self.forces[index], self.carried[index]) = (forces, carried);
+            (self.forces[index], self.water_inertia[index]) = (forces, water_inertia);
         }
         for &index in &self.order.tugs {
             let (tug, of) = (&mut self.tugs[index], &setup.tugs[index]);
@@ -217,10 +218,10 @@ impl World {
             self.vessels[index].wave_motion =
                 vessel.wave_motion(state, &setup.environment, t_s + step_s);
             if let Some(pilot) = &mut self.vessels[index].pilots.assist {
-                pilot.feel(vessel.body, contacts);
+                pilot.store_contact(vessel.body, contacts);
             }
             let Some(float) = &vessel.float else { continue };
-            let mut drive = vessel.drive(&self.forces[index], float);
+            let mut drive = vessel.attitude_load(&self.forces[index], float);
             let attitude = Rotation::from_angle(states[vessel.body].heading_rad);
             for contact in contacts {
                 let [one, two] = [contact.body_1.0 as usize, contact.body_2.0 as usize];
