@@ -45,9 +45,9 @@ impl Ankudinov {
     }
 
     /// The whole set. (m_y + X_vr) has the factor of m_y: for the tanker of van Berlekom & Goddard (1972) both have the same
-    /// slope. The factor on the added mass in surge is ours: that of Y_r, as Y_r u r acts against (m + m_x) u r. That tanker
-    /// has 3 and 6 at h/T 1.5 and 1.2. The formula of Li & Wu gives 2.4 and 5.7 for KVLCC2, but a negative added mass for
-    /// the paper's container ship.
+    /// slope. The added mass in surge has the same factor, which is our choice; with it goes that of Y_r, as Y_r u r acts against
+    /// (m + m_x) u r. For comparison: that tanker's added mass in surge has 3 and 6 at h/T 1.5 and 1.2. The formula of Li & Wu
+    /// gives 2.4 and 5.7 for KVLCC2, but a negative added mass for the paper's container ship.
     pub(super) fn corrections(&self, ship: &Particulars, share: f64) -> Corrections {
         let Ankudinov { g_v, g_nr, f_yr, f_nr, f_yv, f_nv } = *self;
         let hull = HullFactors {
