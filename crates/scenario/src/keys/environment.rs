@@ -40,7 +40,7 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
         key(
             "tide",
             Kind::Table(&TIDE),
-            Means("the water stands at datum"),
+            Means("the water level is at datum"),
             "Level of the water above datum: it is added to `depth`, and heights on bodies that do not float \
              (`above_water` of a fender, `bollard_height` of a line) count from datum.",
             &["{ level = \"1.8 m\" }"],

@@ -109,7 +109,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
             "count",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1000.0 }),
             Means("one"),
-            "How many fenders of this type stand behind the one face.",
+            "Number of fenders of this type behind the one face.",
             &["2"],
         ),
         key(
