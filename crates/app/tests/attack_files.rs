@@ -177,7 +177,7 @@ fn ends_well(
 }
 
 #[test]
-fn a_changed_scenario_is_refused_or_run_and_nothing_else() {
+fn a_changed_scenario_is_refused_or_runs() {
     let place = Place::new("attack-files");
     let mut attack = Attack::begin("files");
     let all: Vec<Vec<u8>> =
@@ -215,7 +215,7 @@ fn a_changed_scenario_is_refused_or_run_and_nothing_else() {
 }
 
 #[test]
-fn what_is_no_file_is_refused_at_once_wherever_it_is_named() {
+fn paths_without_a_regular_file_are_refused_at_once() {
     let place = Place::new("attack-odd");
     let mut attack = Attack::begin("odd files");
     let name = |name: &str| place.0.join(name);

@@ -159,7 +159,7 @@ async fn watch(server: &Server) -> Arc<AtomicU64> {
 }
 
 #[test]
-fn the_server_lives_on_whatever_it_is_told() {
+fn the_server_survives_any_message() {
     let runtime =
         tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
     runtime.expect("threads").block_on(async {

@@ -50,7 +50,7 @@ fn a_fitted_fender_is_taken_by_a_scenario() {
 }
 
 #[test]
-fn bad_curves_and_options_are_told_and_write_nothing() {
+fn bad_curves_and_options_are_errors_and_write_nothing() {
     let place = Workplace::new("fender_fit_bad");
     place.write("bench.csv", rows().as_bytes());
     place.write("negative.csv", b"deflection_m,reaction_kn\n0.1,5\n0.2,-1\n");

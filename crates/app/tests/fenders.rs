@@ -56,7 +56,7 @@ fn berth(name: &str, args: &[&str]) -> Workplace {
 }
 
 #[test]
-fn at_every_moment_what_was_given_is_somewhere() {
+fn the_energies_add_up_at_every_time() {
     for (name, args) in [
         ("balance_coupled", &[][..]),
         ("balance_large_step", &["--step", "1 s"][..]),
@@ -94,7 +94,7 @@ fn at_every_moment_what_was_given_is_somewhere() {
 }
 
 #[test]
-fn the_ledger_stands_at_the_times_of_the_bodies() {
+fn the_ledger_has_the_times_of_the_bodies() {
     let place = berth("energy_times", &[]);
     let energy = Rows::read(&place, "out/berth/energy.csv");
     let bodies = Rows::read(&place, "out/berth/bodies.csv");
@@ -179,7 +179,7 @@ fn the_tables_know_each_fender_by_name_and_agree_with_the_summary() {
 }
 
 #[test]
-fn a_failed_fender_is_said_plainly_and_the_run_is_still_a_result() {
+fn a_failed_fender_is_reported_and_the_run_is_still_a_result() {
     let place = Workplace::new("failed_fender");
     let run = place.run(&["run", "berth.toml"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
@@ -210,7 +210,7 @@ fn a_failed_fender_is_said_plainly_and_the_run_is_still_a_result() {
 }
 
 #[test]
-fn of_many_fenders_the_most_used_are_told_of_and_the_others_counted() {
+fn the_report_lists_the_most_used_of_many_fenders_and_counts_the_others() {
     let place = Workplace::new("many_fenders");
     let mut berth = support::BERTH.to_owned();
     for k in 0..44 {
@@ -240,7 +240,7 @@ fn of_many_fenders_the_most_used_are_told_of_and_the_others_counted() {
 }
 
 #[test]
-fn the_berthing_by_formula_stands_beside_the_run() {
+fn the_berthing_energy_by_formula_is_beside_that_of_the_run() {
     let place = berth("berthing", &[]);
     let summary = place.json("out/berth/summary.json");
     let berthing = &summary["berthing"];
@@ -281,7 +281,7 @@ fn a_scenario_without_fenders_has_no_empty_sections() {
 }
 
 #[test]
-fn fenders_that_nothing_touches_are_said_to_be_so() {
+fn untouched_fenders_are_reported_as_such() {
     let place = berth("untouched", &["--duration", "1 s"]);
     let fenders = Rows::read(&place, "out/berth/fenders.csv");
     assert!(fenders.rows.is_empty());

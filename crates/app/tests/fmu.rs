@@ -55,7 +55,7 @@ fn changes_of_the_command_line_go_into_the_fmu() {
 }
 
 #[test]
-fn what_makes_no_fmu() {
+fn inputs_that_are_refused_for_an_fmu() {
     let place = with_library("fmu_refused");
     let text = format!(
         "{}\n[[provider]]\nbody = \"tug\"\ncommand = [\"python3\", \"drag.py\"]\n",

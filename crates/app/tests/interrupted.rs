@@ -142,7 +142,7 @@ fn a_second_interrupt_ends_at_once_and_leaves_no_process_of_a_provider() {
 }
 
 #[test]
-fn what_a_provider_started_does_not_outlive_the_run() {
+fn processes_of_a_provider_do_not_outlive_the_run() {
     for (name, ends_itself) in [("grandchild_of_good", true), ("grandchild_of_stubborn", false)] {
         let Some(place) = with_provider(name, &provider(0.0, ends_itself)) else { return };
         let run = place.run(&["run", "case.toml"]);

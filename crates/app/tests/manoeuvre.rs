@@ -174,7 +174,7 @@ fn a_depth_of_water_is_shown_beside_deep_water() {
 }
 
 #[test]
-fn what_cannot_be_done_is_refused_by_name() {
+fn impossible_manoeuvres_are_refused_by_name() {
     let place = Workplace::new("manoeuvre_refusals");
     for (args, code, said) in [
         (&["kvlc2"][..], 2, "did you mean \"kvlcc2\"?"),
@@ -225,7 +225,7 @@ fn every_vessel_carries_out_every_manoeuvre() {
 
 /// A tanker was stopped within 8 lengths, by the friction of her 7 m model.
 #[test]
-fn a_ship_with_her_own_friction_runs_on_farther_than_with_that_of_her_model() {
+fn a_ship_stops_later_with_her_own_friction_than_with_that_of_her_model() {
     let place = Workplace::new("manoeuvre_friction");
     let document = json(&place, &["kvlcc2", "crash-stop"]);
     let reach = |column: &str| measure(&document, "Crash stop", "track_reach", column);
@@ -236,7 +236,7 @@ fn a_ship_with_her_own_friction_runs_on_farther_than_with_that_of_her_model() {
 /// With every estimated ship stands by how much such estimates are off, as computed from ships with references; of a ship with
 /// tests of her own nothing is said.
 #[test]
-fn the_error_of_an_estimate_is_told_by_measure() {
+fn the_error_of_an_estimate_is_reported_by_measure() {
     let place = Workplace::new("manoeuvre_accuracy");
     let heading = "How far these estimates are to be relied on";
     let told = |args: &[&str]| {

@@ -111,7 +111,7 @@ fn a_number_of_1e308_is_not_printed_with_three_hundred_digits() {
 }
 
 #[test]
-fn nesting_that_is_too_deep_is_told_at_its_line() {
+fn nesting_that_is_too_deep_is_reported_with_its_line() {
     let place = Workplace::new("nested");
     let deep = format!("{TUG}\n[body.other]\noutline = {}\n", "[".repeat(500));
     place.write("deep.toml", deep.as_bytes());

@@ -81,7 +81,7 @@ fn ended(runs: &mut [Child], wanted: usize) -> Vec<Option<i32>> {
 }
 
 #[test]
-fn of_eight_runs_at_once_one_writes_the_folder_and_seven_are_refused() {
+fn one_of_eight_runs_at_once_writes_the_folder_and_seven_are_refused() {
     let place = Workplace::new("one_folder");
     let Some(library) = slow_files(&place) else { return };
     let whole: Vec<_> = (0..RUNS)

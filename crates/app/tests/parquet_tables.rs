@@ -74,7 +74,7 @@ fn both_formats_hold_the_same_values() {
 }
 
 #[test]
-fn every_column_tells_its_unit_and_meaning() {
+fn every_column_has_its_unit_and_meaning() {
     let place = Workplace::new("metadata");
     assert_eq!(place.run(&["run", "berth.toml", "--format", "parquet"]).code, 0);
     for name in ["bodies", "contacts", "fenders", "energy"] {

@@ -100,7 +100,7 @@ fn the_columns_are_those_that_others_rely_on() {
 }
 
 #[test]
-fn bodies_has_one_row_a_body_and_step_from_the_start_on() {
+fn the_table_of_bodies_has_one_row_per_body_and_step() {
     let place = Workplace::new("rows");
     assert_eq!(place.run(&["run", "tug.toml", "--step", "0.5 s"]).code, 0);
     let text = place.text("out/tug/bodies.csv");
@@ -256,7 +256,7 @@ fn a_simulation_that_fails_leaves_no_result_of_this_or_an_earlier_run() {
 }
 
 #[test]
-fn far_from_the_origin_the_same_contact_comes_out() {
+fn the_contact_is_the_same_far_from_the_origin() {
     let place = Workplace::new("far");
     assert_eq!(place.run(&["run", "tug.toml", "--out", "near"]).code, 0);
     let far = support::TUG

@@ -114,7 +114,7 @@ fn the_example_in_python_drags_a_ship_with_its_current() {
 }
 
 #[test]
-fn a_provider_that_dies_is_held_then_dropped_and_told() {
+fn the_force_of_a_provider_that_dies_is_held_then_dropped_and_reported() {
     if !has_python() {
         return;
     }
@@ -134,7 +134,7 @@ fn a_provider_that_dies_is_held_then_dropped_and_told() {
 }
 
 #[test]
-fn a_provider_that_says_nan_is_not_believed_nor_waited_for_without_end() {
+fn a_provider_that_answers_nan_is_ignored_after_its_timeouts() {
     if !has_python() {
         return;
     }
@@ -150,7 +150,7 @@ fn a_provider_that_says_nan_is_not_believed_nor_waited_for_without_end() {
 }
 
 #[test]
-fn a_force_beyond_all_reason_is_refused() {
+fn a_force_that_is_too_large_is_refused() {
     if !has_python() {
         return;
     }
@@ -178,7 +178,7 @@ fn a_provider_that_sleeps_and_reads_nothing_does_not_stop_the_run() {
 }
 
 #[test]
-fn a_provider_that_wakes_up_is_heard_again() {
+fn a_provider_that_answers_again_is_used_again() {
     if !has_python() {
         return;
     }
@@ -194,7 +194,7 @@ fn a_provider_that_wakes_up_is_heard_again() {
 }
 
 #[test]
-fn a_provider_that_cannot_be_started_is_said_by_its_command() {
+fn a_provider_that_cannot_be_started_is_reported_with_its_command() {
     let place = with_provider("provider_missing", "", "");
     let text = place.text("case.toml").replace("python3", "no-such-program-at-all");
     place.write("case.toml", text.as_bytes());

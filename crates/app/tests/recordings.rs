@@ -131,7 +131,7 @@ fn a_recording_with_a_far_tick_does_not_freeze_the_server() {
 }
 
 #[test]
-fn a_long_recording_is_opened_while_the_simulation_goes_on_and_shows_how_far_it_is() {
+fn the_simulation_goes_on_while_a_long_recording_is_opened_and_its_progress_is_shown() {
     block_on(async {
         let gallery = folder("gallery_with_a_long_session");
         fs::write(gallery.join("long.session.jsonl"), recording(LONG_TICKS)).expect("written");
@@ -169,7 +169,7 @@ fn a_long_recording_is_opened_while_the_simulation_goes_on_and_shows_how_far_it_
 }
 
 #[test]
-fn a_session_of_more_than_16_mib_is_played_again_and_goes_on() {
+fn a_session_of_more_than_16_mib_is_replayed_and_continued() {
     block_on(async {
         // Four hands for fifteen minutes, at the thirty commands a second that the server permits.
         let mut session = harbour();
@@ -203,7 +203,7 @@ fn a_session_of_more_than_16_mib_is_played_again_and_goes_on() {
 }
 
 #[test]
-fn a_server_that_is_interrupted_ends_its_recording_and_a_killed_ones_is_told_from_it() {
+fn an_interrupted_server_ends_its_recording_and_a_killed_one_does_not() {
     block_on(async {
         let server = Server::start(&[]);
         let mut pilot = Client::join(&server, "pilot").await;
@@ -288,7 +288,7 @@ fn a_second_ctrl_c_ends_the_program_whatever_it_waits_for() {
 
 /// `FENDERLINE_DAMAGED_FILES=1000 cargo test -p fenderline --test recordings damaged` for all of them.
 #[test]
-fn of_damaged_recordings_on_disk_none_is_called_whole_and_none_takes_long() {
+fn damaged_recordings_are_never_reported_as_whole_and_never_take_long() {
     let parameter = |name: &str, default: u64| {
         let text = std::env::var(name);
         text.map_or(default, |text| text.parse().unwrap_or_else(|e| panic!("{name}={text}: {e}")))

@@ -33,7 +33,7 @@ fn reason(answer: &Value) -> &str {
 }
 
 #[test]
-fn each_link_opens_its_role_and_each_role_its_own_actions() {
+fn each_link_opens_its_role_and_each_role_has_its_own_commands() {
     block_on(async {
         let server = Server::start(&[]);
         let instructor = Client::join(&server, "instructor").await;
@@ -89,7 +89,7 @@ fn each_link_opens_its_role_and_each_role_its_own_actions() {
 }
 
 #[test]
-fn two_clients_cannot_hold_the_same_helm_and_who_vanishes_leaves_it_as_it_was() {
+fn two_clients_cannot_hold_one_helm_and_orders_stay_when_a_client_leaves() {
     block_on(async {
         let server = Server::start(&[]);
         let mut instructor = Client::join(&server, "instructor").await;
@@ -201,7 +201,7 @@ fn killing_the_server_loses_nothing_of_the_session() {
 }
 
 #[test]
-fn strangers_wrong_tokens_and_foreign_pages_stay_outside() {
+fn wrong_tokens_hosts_and_origins_are_refused() {
     block_on(async {
         let server = Server::start(&[]);
         for token in ["", "?token=", "?token=00000000000000000000000000000000", "?token=x&token=y"]
@@ -305,7 +305,7 @@ fn bad_messages_are_refused_with_a_reason_and_change_nothing() {
 }
 
 #[test]
-fn floods_giants_and_sleepers_are_shown_the_door_and_the_simulation_keeps_its_pace() {
+fn floods_large_messages_and_idle_connections_are_ended_and_the_simulation_keeps_its_pace() {
     block_on(async {
         let server = Server::start(&[]);
         let mut pilot = Client::join(&server, "pilot").await;
@@ -335,7 +335,7 @@ fn floods_giants_and_sleepers_are_shown_the_door_and_the_simulation_keeps_its_pa
 }
 
 #[test]
-fn three_hundred_slow_heads_keep_no_newcomer_out() {
+fn three_hundred_slow_requests_do_not_keep_a_new_client_out() {
     block_on(async {
         let server = Server::start(&[]);
         let sleepers = client::sleepers(&server, 300).await;
@@ -352,7 +352,7 @@ fn three_hundred_slow_heads_keep_no_newcomer_out() {
 }
 
 #[test]
-fn a_crowd_of_chart_programs_keeps_no_further_one_out() {
+fn many_chart_programs_do_not_keep_another_one_out() {
     block_on(async {
         let server = Server::start(&["--nmea-tcp", "0", "--origin", "35.3,139.7"]);
         let at = server.nmea.expect("a port for chart programs");
@@ -367,7 +367,7 @@ fn a_crowd_of_chart_programs_keeps_no_further_one_out() {
 }
 
 #[test]
-fn what_is_not_there_is_told_as_plain_text_that_no_browser_guesses_at() {
+fn errors_are_plain_text_that_no_browser_interprets() {
     block_on(async {
         let server = Server::start(&[]);
         let request = |head: &str| format!("{head} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
@@ -384,7 +384,7 @@ fn what_is_not_there_is_told_as_plain_text_that_no_browser_guesses_at() {
 }
 
 #[test]
-fn an_alarm_is_acknowledged_for_everybody_and_by_nobody_who_only_watches() {
+fn an_alarm_is_acknowledged_for_all_clients_and_not_by_observers() {
     block_on(async {
         let server = Server::start(&[]);
         let mut pilot = Client::join(&server, "pilot").await;
@@ -418,7 +418,7 @@ fn an_alarm_is_acknowledged_for_everybody_and_by_nobody_who_only_watches() {
 }
 
 #[test]
-fn a_client_that_falls_silent_is_gone_after_a_while() {
+fn a_silent_client_is_disconnected() {
     block_on(async {
         let server = Server::start(&[]);
         let mut instructor = Client::join(&server, "instructor").await;
@@ -466,7 +466,7 @@ fn kinds(text: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_chart_program_hears_the_ships_over_tcp_and_udp() {
+fn a_chart_program_gets_sentences_over_tcp_and_udp() {
     block_on(async {
         let udp = tokio::net::UdpSocket::bind("127.0.0.1:0").await.expect("a port");
         let to = udp.local_addr().expect("an address").to_string();

@@ -26,7 +26,7 @@ fn rudder(angle_rad: f64) -> Value {
 }
 
 #[test]
-fn a_server_without_file_descriptors_goes_on_and_takes_newcomers_when_they_come_back() {
+fn a_server_without_file_descriptors_goes_on_and_accepts_clients_later() {
     block_on(async {
         let server = Server::start_under("ulimit -n 40", &[]);
         let mut pilot = Client::join(&server, "pilot").await;
@@ -51,7 +51,7 @@ fn a_server_without_file_descriptors_goes_on_and_takes_newcomers_when_they_come_
 }
 
 #[test]
-fn a_disk_that_fills_while_a_session_is_recorded_is_told_and_stops_nothing() {
+fn a_full_disk_ends_the_recording_with_a_notice_and_the_session_goes_on() {
     block_on(async {
         // Files of at most 16 KiB; a write beyond it fails as on a full disk.
         let server = Server::start_under("trap '' XFSZ; ulimit -f 32", &[]);

@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 #[test]
-fn every_published_number_is_within_its_tolerance_or_known_not_to_be() {
+fn every_published_number_is_within_its_tolerance_or_a_known_mismatch() {
     let place = Workplace::new("validate_table");
     let run = place.run(&["validate"]);
     assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
@@ -114,7 +114,7 @@ fn the_report_is_complete_and_the_same_each_time() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_made_is_told() {
+fn a_folder_that_cannot_be_created_is_an_error() {
     let place = Workplace::new("validate_no_folder");
     let run = place.run(&["validate", "--out", "tug.toml"]);
     assert_eq!(run.code, 2);

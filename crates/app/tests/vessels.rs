@@ -115,7 +115,7 @@ fn numbers(texts: &[String]) -> Vec<f64> {
 }
 
 #[test]
-fn a_vessel_s_forces_and_controls_are_told_step_by_step() {
+fn a_vessel_s_forces_and_controls_are_written_for_each_step() {
     let (place, _) = harbour("vessel_tables", HARBOUR, &[]);
     let vessels = columns(&place, "vessels");
     assert_eq!(vessels["vessel"].len(), 600);
@@ -150,7 +150,7 @@ fn a_vessel_s_forces_and_controls_are_told_step_by_step() {
 }
 
 #[test]
-fn a_line_that_parts_and_a_tug_that_pushes_are_said_plainly() {
+fn a_parted_line_and_a_pushing_tug_are_reported() {
     let (place, printed) = harbour("lines_and_tugs", HARBOUR, &[]);
     let summary = place.json("out/harbour/summary.json");
     let [strong, weak] = [0, 1].map(|k| &summary["lines"][k]);
@@ -189,7 +189,7 @@ fn a_line_that_parts_and_a_tug_that_pushes_are_said_plainly() {
 }
 
 #[test]
-fn the_report_has_a_section_for_what_there_is_and_none_for_what_there_is_not() {
+fn the_report_has_only_the_sections_that_a_scenario_needs() {
     let (place, _) = harbour("vessel_report", HARBOUR, &[]);
     let report = place.text("out/harbour/report.html");
     contains_all(
@@ -225,7 +225,7 @@ fn the_report_has_a_section_for_what_there_is_and_none_for_what_there_is_not() {
 }
 
 #[test]
-fn a_vessel_on_the_bottom_is_said_to_be_aground() {
+fn a_vessel_on_the_seabed_is_reported_aground() {
     let shallow = HARBOUR.replace("[environment]\n", "[environment]\ndepth = \"5.8 m\"\n");
     let (place, printed) = harbour("aground", &shallow, &[]);
     contains_all(&printed, &["AGROUND: ship for 300.0 s"]);
@@ -255,7 +255,7 @@ fn both_formats_have_the_same_tables() {
 
 /// Squat, what it leaves under the keel, and a bank's pull: in the tables, the summary, the report and `check`.
 #[test]
-fn squat_and_a_bank_are_told_with_their_standing() {
+fn squat_and_a_bank_are_reported_with_their_standing() {
     let canal = HARBOUR
         .replace(
             "[environment]\n",

@@ -253,7 +253,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_and_values_read_as_meant() {
+    fn errors_and_values_have_the_right_digits_and_units() {
         let relative = Tolerance::Relative;
         assert_eq!(error_text(0.0731, relative(0.1)), "+7.3 %");
         assert_eq!(error_text(-0.0731, relative(0.1)), "\u{2212}7.3 %");

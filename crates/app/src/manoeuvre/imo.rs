@@ -34,7 +34,7 @@ mod tests {
 
     /// The resolution's own corners: 10° and 25° below L/V 10 s, 20° and 40° from 30 s on.
     #[test]
-    fn limits_of_the_overshoots_meet_the_resolutions_corners() {
+    fn limits_of_the_overshoots_agree_with_the_resolution_at_its_corners() {
         for (seconds, first, second) in [
             (5.0, 10.0, 25.0),
             (10.0, 10.0, 25.0),

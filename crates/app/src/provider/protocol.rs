@@ -70,7 +70,7 @@ mod tests {
     use fenderline_contact::BodyState;
 
     #[test]
-    fn answers_are_read_in_both_frames_and_anything_else_is_none() {
+    fn answers_are_read_in_both_frames_and_other_lines_are_ignored() {
         let state = BodyState { heading_rad: core::f64::consts::FRAC_PI_2, ..Default::default() };
         let asked = ForceRequest { t_s: 0.0, step_s: 0.1, state };
         let (n, wrench) =

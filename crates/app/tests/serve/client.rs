@@ -65,11 +65,11 @@ impl Client {
     }
 
     pub(crate) async fn send(&mut self, text: &str) {
-        self.socket.send(Message::text(text)).await.expect("sent");
+        in_time("room to send", self.socket.send(Message::text(text))).await.expect("sent");
     }
 
     pub(crate) async fn send_bytes(&mut self, bytes: Vec<u8>) {
-        self.socket.send(Message::binary(bytes)).await.expect("sent");
+        in_time("room to send", self.socket.send(Message::binary(bytes))).await.expect("sent");
     }
 
     /// The next message, whatever it is.
@@ -236,10 +236,16 @@ pub(crate) async fn status(server: &Server, path: &str, headers: &[(&str, &str)]
     }
 }
 
+/// A TCP connection to the server.
+async fn tcp(server: &Server) -> TcpStream {
+    let address = ("127.0.0.1", server.port);
+    in_time("a connection", TcpStream::connect(address)).await.expect("connected")
+}
+
 /// What is answered to some bytes.
 pub(crate) async fn raw(server: &Server, request: &[u8]) -> String {
-    let mut stream = TcpStream::connect(("127.0.0.1", server.port)).await.expect("connected");
-    stream.write_all(request).await.expect("sent");
+    let mut stream = tcp(server).await;
+    in_time("room to send", stream.write_all(request)).await.expect("sent");
     let mut answer = Vec::new();
     let _ = timeout(LONG, stream.read_to_end(&mut answer)).await.expect("an end in time");
     String::from_utf8_lossy(&answer).into_owned()
@@ -253,7 +259,7 @@ pub(crate) async fn get(server: &Server, path: &str) -> String {
 
 /// A websocket by hand, so that it can do what no good client does.
 async fn by_hand(server: &Server, path: &str) -> TcpStream {
-    let mut stream = TcpStream::connect(("127.0.0.1", server.port)).await.expect("connected");
+    let mut stream = tcp(server).await;
     let request = format!(
         "GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n\
          Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n",
@@ -306,7 +312,7 @@ pub(crate) async fn flood(server: &Server, role: &str, commands: usize) -> bool 
             1 => "{{{{",
             _ => r#"{"type":"command","id":1,"action":{"do":"rewind","tick":0}}"#,
         };
-        if to.send(Message::text(text)).await.is_err() {
+        if in_time("room to send", to.send(Message::text(text))).await.is_err() {
             break;
         }
     }
@@ -319,7 +325,7 @@ pub(crate) struct Sleepers(Vec<TcpStream>);
 pub(crate) async fn sleepers(server: &Server, count: usize) -> Sleepers {
     let mut all = Vec::new();
     for number in 0..count {
-        let mut stream = TcpStream::connect(("127.0.0.1", server.port)).await.expect("connected");
+        let mut stream = tcp(server).await;
         if number % 2 == 0 {
             stream.write_all(b"GET / HTTP/1.1\r\nHost: local").await.expect("sent");
         }
@@ -361,8 +367,8 @@ pub(crate) async fn lines(from: std::net::SocketAddr, count: usize) -> String {
 
 /// Some bytes to the server, for a while, whatever it answers.
 pub(crate) async fn raw_for(server: &Server, request: &[u8], time: Duration) {
-    let mut stream = TcpStream::connect(("127.0.0.1", server.port)).await.expect("connected");
-    let _ = stream.write_all(request).await;
+    let mut stream = tcp(server).await;
+    let _ = timeout(time, stream.write_all(request)).await;
     let mut answer = Vec::new();
     let _ = timeout(time, stream.read_to_end(&mut answer)).await;
 }

@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn awkward_data_still_give_a_range() {
+    fn an_axis_of_constant_or_missing_data_has_a_range() {
         let cases: [&[f64]; 8] = [
             &[],
             &[0.0],

@@ -152,7 +152,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_huge_share_is_cut_and_says_its_value() {
+    fn a_bar_of_a_huge_share_is_cut_and_shows_its_value() {
         let group = |name: &str, value| Group { name: name.to_owned(), values: vec![value] };
         let svg = Bars {
             title: "<b>".to_owned(),

@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_read_as_in_print() {
+    fn numbers_have_a_true_minus_and_grouped_thousands() {
         let table = [
             (fixed(1234.5, 1), "1234.5"),
             (fixed(12345.6, 0), "12\u{202f}346"),

@@ -130,7 +130,7 @@ fn tug_place(tug: &TugDrawn, map: &Map) -> TugPlace {
     } else {
         (false, greater(half, 0.5 * length) + 6.0)
     };
-    let line = tug.on_line.then(|| [(x, y), (x + dx * gap, y + dy * gap)]);
+    let line = tug.on_line.then_some([(x, y), (x + dx * gap, y + dy * gap)]);
     TugPlace { hull, line, text: (text_x + aside, text_y), is_left }
 }
 

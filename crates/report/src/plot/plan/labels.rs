@@ -1,7 +1,7 @@
 //! Where the names stand in a plan view: none covers another text, a fender, an arrow or a tug.
 
 use fenderline_contact::Vec2;
-use fenderline_contact::number::greater;
+use fenderline_contact::number::{greater, lesser};
 
 use super::Plan;
 use super::furniture;
@@ -51,9 +51,9 @@ impl Box2 {
 
     /// Round points, with a margin.
     pub(super) fn around(points: &[(f64, f64)], margin: f64) -> Box2 {
-        let low = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).fold(f64::INFINITY, f64::min);
+        let low = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).fold(f64::INFINITY, lesser);
         let high =
-            |of: fn(&(f64, f64)) -> f64| points.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+            |of: fn(&(f64, f64)) -> f64| points.iter().map(of).fold(f64::NEG_INFINITY, greater);
         Box2::between(
             (low(|p| p.0) - margin, low(|p| p.1) - margin),
             (high(|p| p.0) + margin, high(|p| p.1) + margin),
@@ -140,7 +140,7 @@ fn candidates(text: &str, place: &Place, map: &Map) -> Vec<(f64, f64)> {
         Place::At(points_m) => {
             points_m.iter().flat_map(|point_m| above_and_below(map.px(*point_m))).collect()
         }
-        Place::Beside { point_m, side } => beside(map.px(*point_m), *side, half_width).to_vec(),
+        Place::Beside { point_m, side } => beside(map.px(*point_m), *side, half_width, map),
         Place::On { middle_m, half_length_m } => {
             let reach = half_length_m.length() * map.px_per_m;
             if reach < half_width {
@@ -156,20 +156,20 @@ fn above_and_below((x, y): (f64, f64)) -> [(f64, f64); 3] {
     [(x, y), (x, y - 2.0 * SHIFT), (x, y + 2.0 * SHIFT)]
 }
 
-/// Beside a point: on one side, shifted along it, then on the other side.
-fn beside((x, y): (f64, f64), side: Vec2, half_width: f64) -> [(f64, f64); 6] {
+/// Beside a point: on one side, shifted along it; on the other side only if this one is outside the view.
+fn beside((x, y): (f64, f64), side: Vec2, half_width: f64, map: &Map) -> Vec<(f64, f64)> {
     // Right and down.
     let (dx, dy) = (side.y, -side.x);
     let off = GAP + half_width * dx.abs() + HALF_LINE * dy.abs();
     let at = |off: f64, along: f64| (x + dx * off - dy * along, y + dy * off + dx * along);
-    [
-        at(off, 0.0),
-        at(off, -SHIFT),
-        at(off, SHIFT),
-        at(off, -2.0 * SHIFT),
-        at(off, 2.0 * SHIFT),
-        at(-off, 0.0),
-    ]
+    let (near_x, near_y) = at(off, 0.0);
+    let is_in_view = Box2 { x: near_x, y: near_y, half_width, half_height: HALF_LINE }
+        .lies_within(map.width, map.height);
+    if is_in_view {
+        [0.0, -SHIFT, SHIFT, -2.0 * SHIFT, 2.0 * SHIFT].map(|along| at(off, along)).to_vec()
+    } else {
+        vec![at(-off, 0.0)]
+    }
 }
 
 /// Around a body that is too small for the text: outwards first, away from the middle of the view.

@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_loop_keeps_its_shape_and_a_rest_takes_no_room() {
+    fn a_loop_keeps_its_shape_and_a_body_at_rest_adds_no_points() {
         let mut path = Path::default();
         for k in 0..1_000_000 {
             // Up the diagonal and back below it, then at rest.
