@@ -181,6 +181,7 @@ mod simulation;
 mod summary;
 pub mod tug;
 mod turning;
+mod verdict;
 mod world;
 
 pub use error::{SetupError, SimError};
@@ -194,6 +195,7 @@ pub use setup::{
     Setup,
 };
 pub use simulation::Simulation;
+pub use verdict::{Finding, Gravity, Verdict};
 pub use summary::PairSummary;
 pub use world::{
     Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Faults, Float, Job,
