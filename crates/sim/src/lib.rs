@@ -195,8 +195,8 @@ pub use setup::{
     Setup,
 };
 pub use simulation::Simulation;
-pub use verdict::{Finding, Gravity, Verdict};
 pub use summary::PairSummary;
+pub use verdict::{Finding, Gravity, Verdict};
 pub use world::{
     Assist, AssistPilot, AzimuthOrder, AzimuthSetup, AzimuthState, Environment, Faults, Float, Job,
     LineEnd, Mooring, MooringSetup, NotAtTheSide, Pilots, ProviderSetup, PushJob, ThrusterSetup,

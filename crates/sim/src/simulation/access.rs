@@ -118,10 +118,8 @@ impl Simulation {
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let gain = self.energy_gain();
-        let gain = gain.map(|EnergyGain { gained_j, taken_j }| Finding::EnergyGained {
-            gained_j,
-            taken_j,
-        });
+        let gain = gain
+            .map(|EnergyGain { gained_j, taken_j }| Finding::EnergyGained { gained_j, taken_j });
         self.watch.findings(&self.setup, self.fender_summaries(), gain)
     }
 

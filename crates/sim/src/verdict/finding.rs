@@ -193,13 +193,13 @@ impl Finding {
                 )
             }
             Finding::FenderFailed { at_s, deflection_m, .. } => format!(
-                "fender {} was compressed {} at {at_s:.1} s, into its stop or flat; the structure behind it carried \
+                "Fender {} was compressed {} at {at_s:.1} s, into its stop or flat; the structure behind it carried \
                  the hull",
                 names[0],
                 length(deflection_m)
             ),
             Finding::LineParted { at_s, tension_n, .. } => {
-                format!("line {} parted at {at_s:.1} s under {}", names[0], force(tension_n))
+                format!("Line {} parted at {at_s:.1} s under {}", names[0], force(tension_n))
             }
             Finding::StartInside { fender: None, depth_m, .. } => format!(
                 "{} starts {} inside {}; the first contact has no meaning",
@@ -208,7 +208,7 @@ impl Finding {
                 names[1]
             ),
             Finding::StartInside { fender: Some(_), depth_m, .. } => format!(
-                "fender {} is compressed {} by {} and {} at the start, beyond its rating; the first contact has no \
+                "Fender {} is compressed {} by {} and {} at the start, beyond its rating; the first contact has no \
                  meaning",
                 names[0],
                 length(depth_m),
@@ -219,41 +219,41 @@ impl Finding {
                 format!("{} was aground from {first_s:.1} s for {}", names[0], duration(lasting_s))
             }
             Finding::FenderOverRated { quantity, share, .. } => {
-                format!("fender {}: {quantity} {:.0} % of rated", names[0], 100.0 * share)
+                format!("Fender {}: {quantity} {:.0} % of rated", names[0], 100.0 * share)
             }
             Finding::LineOverWorking { first_s, lasting_s, share, .. } => format!(
-                "line {}: {:.0} % of its working load, above it from {first_s:.1} s for {}",
+                "Line {}: {:.0} % of its working load, above it from {first_s:.1} s for {}",
                 names[0],
                 100.0 * share,
                 duration(lasting_s)
             ),
             Finding::LineNotMadeFast { at_s, .. } => {
-                format!("line {} could not be made fast at {at_s:.1} s", names[0])
+                format!("Line {} could not be made fast at {at_s:.1} s", names[0])
             }
             Finding::HullPressure { share, .. } => format!(
-                "fender {}: {:.0} % of the permissible hull pressure",
+                "Fender {}: {:.0} % of the permissible hull pressure",
                 names[0],
                 100.0 * share
             ),
             Finding::EnergyGained { gained_j, taken_j } => format!(
-                "contacts returned {:.1} kJ more than they absorbed, {:.0} % of the absorbed energy",
+                "Contacts returned {:.1} kJ more than they absorbed, {:.0} % of the absorbed energy",
                 gained_j / 1e3,
                 100.0 * gained_j / taken_j
             ),
             Finding::NotConverged { first_s, steps } => format!(
-                "the contact solve did not converge in {steps} {}, first at {first_s:.1} s",
+                "The contact solve did not converge in {steps} {}, first at {first_s:.1} s",
                 if steps == 1 { "step" } else { "steps" }
             ),
             Finding::LineRendered { rendered_m, .. } => {
-                format!("the winch of line {} rendered {}", names[0], length(rendered_m))
+                format!("The winch of line {} rendered {}", names[0], length(rendered_m))
             }
             Finding::FenderNotRated { .. } => {
-                format!("fender {} has no rating to compare with", names[0])
+                format!("Fender {} has no rating to compare with", names[0])
             }
             Finding::ContactNotRated { .. } => {
                 format!("{} and {} touched; no limit of theirs is known", names[0], names[1])
             }
-            Finding::NoFenderTouched => "no fender was touched".to_owned(),
+            Finding::NoFenderTouched => "No fender was touched".to_owned(),
         }
     }
 }
@@ -267,11 +267,7 @@ fn force(force_n: f64) -> String {
 }
 
 fn length(length_m: f64) -> String {
-    if length_m < 1.0 {
-        format!("{:.0} mm", length_m * 1e3)
-    } else {
-        format!("{length_m:.2} m")
-    }
+    if length_m < 1.0 { format!("{:.0} mm", length_m * 1e3) } else { format!("{length_m:.2} m") }
 }
 
 fn duration(lasting_s: f64) -> String {

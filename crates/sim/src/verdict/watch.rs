@@ -159,9 +159,11 @@ impl Watch {
         }
         for (vessel, own) in self.aground.iter().enumerate() {
             let found = own.first_and_lasting(step_s);
-            all.extend(
-                found.map(|(first_s, lasting_s)| Finding::Aground { vessel, first_s, lasting_s }),
-            );
+            all.extend(found.map(|(first_s, lasting_s)| Finding::Aground {
+                vessel,
+                first_s,
+                lasting_s,
+            }));
         }
         for (line, own) in self.lines.iter().enumerate() {
             let working_n = setup.world.lines[line].line.kind.working_load_n();
