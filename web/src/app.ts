@@ -222,7 +222,7 @@ export class App implements Page {
     const plan = new Plan(this.live);
     this.plan = plan;
     const views: [string, string | null, View][] = [
-      ["Docking", "d", new Docking(this)],
+      ["Docking", "d", new Docking(this, hello)],
       ["Conning", "c", new Conning(this.live)],
       ["Fenders", "e", new Fenders(hello)],
       ["Lines", "w", new Lines(this, hello)],
@@ -287,7 +287,7 @@ export class App implements Page {
       const helm = tugHelm(this, hello, hello.role.tug);
       if (helm) groups.push(helm);
     }
-    if (hello.role.name === "instructor") groups.push(new Run(this));
+    if (hello.role.name === "instructor") groups.push(new Run(this, hello));
     if (hello.role.name === "pilot" || hello.role.name === "instructor") {
       if (own) groups.push(new Helm(this, own, ship, hello));
       const tugs = new Tugs(this, hello);

@@ -32,6 +32,8 @@ export interface Hello {
   tugs: TugInfo[];
   /** The table of orders: words, units and limits. */
   orders: OrderInfo[];
+  /** The limits of other commands. */
+  limits: CommandLimits;
   /** Places at the side of the pilot's ship where a tug may work. */
   places: Place[];
   /** What this page may command: see [`Control`]. */
@@ -79,6 +81,17 @@ export interface ArgumentInfo {
   default: number | null;
   required: boolean;
   meaning: string;
+}
+
+/** Least and greatest value. */
+export interface CommandLimits {
+  /** Force over a tug's bollard pull, in an order in words. */
+  tug_power: Pair;
+  wind_mps: Pair;
+  current_mps: Pair;
+  approach_limit_mps: Pair;
+  /** Simulated time over wall time. */
+  pace: Pair;
 }
 
 export interface BodyInfo {
@@ -131,7 +144,8 @@ export interface LineInfo {
   breaking_n: number;
   /** The tension from which on it is an alarm: half of the breaking load. */
   working_n: number;
-  has_winch: boolean;
+  /** Rate of a manual order to its winch [m/s]; `null`: it has none. */
+  winch_mps: number | null;
 }
 
 /** A vector tug: a force on her ship, drawn where she works. Tugs that are vessels are in `vessels`. */

@@ -35,7 +35,7 @@ pub(crate) fn fmu(args: &FmuArgs) -> Result<(), Failure> {
     let changes = args.changes.keys_and_values().map_err(Failure::input)?;
     let bundle = Bundle::load(kind, &args.scenario, changes).map_err(Failure::input)?;
     let plan = Plan::new(bundle).map_err(|error| match error {
-        PlanError::Bundle(BundleError::NoBundle(_)) => Failure::case(error),
+        PlanError::Bundle(BundleError::NotABundle(_)) => Failure::case(error),
         error => Failure::input(error),
     })?;
     let stem = args.out.file_stem().unwrap_or_default().to_string_lossy().into_owned();

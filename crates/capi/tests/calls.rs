@@ -202,7 +202,7 @@ fn a_number_that_is_none_names_body_and_field_and_another_engine_keeps_its_own_t
     // SAFETY: two of them.
     let told = unsafe { fl_engine_set_loads(two.0, none.as_ptr(), 2) };
     assert_eq!(told, FlStatus::NotAvailable);
-    assert_eq!(two.error(), "the paper's method knows no loads");
+    assert_eq!(two.error(), "the paper's method has no loads");
     assert_eq!(one.error(), "north velocity of body `tug` is NaN");
     assert_eq!((one.destroy(), two.destroy()), (FlStatus::Ok, FlStatus::Ok));
 }

@@ -17,6 +17,8 @@ use crate::order_info::order_infos;
 /// The working load of a line over its breaking load. Public summaries of OCIMF's MEG4 have
 /// the same for synthetic ropes, and 55 % for wire.
 pub(crate) const WORKING_SHARE: f64 = 0.5;
+/// Rate of a manual order to a winch that can go as fast (m/s): a usual speed for warping under load.
+const MANUAL_WINCH_MPS: f64 = 0.15;
 
 /// The constant part of what a page shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -154,7 +156,10 @@ fn line_info(line: &MooringSetup) -> LineInfo {
         },
         breaking_n,
         working_n: WORKING_SHARE * breaking_n,
-        has_winch: matches!(line.line.inboard_end, InboardEnd::Winch(_)),
+        winch_mps: match line.line.inboard_end {
+            InboardEnd::Winch(winch) => Some(lesser(MANUAL_WINCH_MPS, winch.rate_mps)),
+            InboardEnd::Bitts => None,
+        },
     }
 }
 

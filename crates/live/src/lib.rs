@@ -31,7 +31,7 @@ mod session;
 mod source;
 mod word;
 
-pub use action::{Action, Fault, OtherAction};
+pub use action::{Action, COMMAND_LIMITS, CommandLimits, Fault, OtherAction};
 pub use alarm_book::{Alarm, AlarmBook, Level};
 pub use approach::{ApproachLimit, Light};
 pub use cast::{Cast, Helm};

@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::action::Fault;
+use crate::action::{CommandLimits, Fault};
 use crate::approach::Light;
 use crate::request::Control;
 
@@ -28,6 +28,7 @@ pub struct Hello<'a> {
     pub lines: &'a [LineInfo],
     pub tugs: &'a [TugInfo],
     pub orders: &'a [OrderInfo],
+    pub limits: CommandLimits,
     pub places: &'a [&'static str],
     pub mine: Vec<Control>,
     pub claims: &'a [Claim],
@@ -155,7 +156,7 @@ pub struct LineInfo {
     pub end: LineEndInfo,
     pub breaking_n: f64,
     pub working_n: f64,
-    pub has_winch: bool,
+    pub winch_mps: Option<f64>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -5,7 +5,7 @@ mod support;
 use std::collections::{BTreeMap, BTreeSet};
 
 use fenderline_live::message::{self, Hello, Role, RunState};
-use fenderline_live::{Alarm, AlarmBook, Conduct, Info, Level, Request, Session};
+use fenderline_live::{Alarm, AlarmBook, COMMAND_LIMITS, Conduct, Info, Level, Request, Session};
 use fenderline_sim::OrderName;
 use fenderline_sim::order::Argument;
 use serde_json::Value;
@@ -117,6 +117,7 @@ fn shown(session: &Session) -> (Value, Value) {
         lines: &info.lines,
         tugs: &info.tugs,
         orders: &info.orders,
+        limits: COMMAND_LIMITS,
         places: &info.places,
         mine: vec![],
         claims: &claims,
@@ -140,6 +141,7 @@ fn frames_and_hellos_have_the_fields_of_the_protocol() {
     assert_eq!((&frame["type"], &hello["type"]), (&"frame".into(), &"hello".into()));
     has_fields(&frame, "Frame", &known);
     has_fields(&hello, "Hello", &known);
+    has_fields(&hello["limits"], "CommandLimits", &known);
     has_fields(&frame["run"], "RunState", &known);
     for (key, name) in [
         ("vessels", "VesselNow"),

@@ -151,7 +151,7 @@ impl Engine {
     #[setter]
     fn set_uses_loads(&mut self, py: Python<'_>, uses_loads: bool) -> PyResult<()> {
         if uses_loads && self.engine.method() == Method::Paper {
-            let error = EngineError::NotAvailable("the paper's method knows no loads");
+            let error = EngineError::NotAvailable("the paper's method has no loads");
             return Err(errors::of_engine(py, &error));
         }
         if !uses_loads {

@@ -226,7 +226,7 @@ def test_settings_that_do_not_go_together(scenarios: Path) -> None:
         Engine(scenario, host="absent")  # type: ignore[arg-type]
     paper = Engine(scenario)
     assert (paper.method, paper.uses_loads) == ("paper", False)
-    with pytest.raises(EngineError, match="knows no loads"):
+    with pytest.raises(EngineError, match="has no loads"):
         paper.uses_loads = True
     with pytest.raises(EngineError, match="states after"):
         paper.states_after  # noqa: B018

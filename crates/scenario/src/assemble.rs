@@ -73,7 +73,7 @@ pub(crate) fn setup(
     assembly.note_unvalidated(file, &environment, &kinds);
     let bodies = assembly.bodies(file.given("body"), &kinds)?;
     let names = Names::new(&bodies, &materials);
-    let decks = vessel::decks(file.given("body").named(), &kinds);
+    let decks: vessel::Decks<'_> = kinds.of_bodies().collect();
     let pairs = assembly.pairs(file.given("pair").list(), &bodies, &names)?;
     let loads = assembly.loads(file.given("load").list(), &bodies, &names)?;
     let parts = FenderParts { library: &libraries.fenders, materials: &materials, decks: &decks };

@@ -11,7 +11,9 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 use fenderline_live::message::{
     self, EventNow, GalleryEntry, Hello, Link, Role, RunState, Told as Answer,
 };
-use fenderline_live::{AlarmBook, Conduct, Control, Info, Refusal, Request, Session, StepError};
+use fenderline_live::{
+    AlarmBook, COMMAND_LIMITS, Conduct, Control, Info, Refusal, Request, Session, StepError,
+};
 use fenderline_nautical::{ChartOrigin, Moment};
 use tokio::sync::{mpsc, watch};
 
@@ -38,8 +40,6 @@ const AHEAD_S: f64 = 300.0;
 const EVERY_S: f64 = 10.0;
 /// Wall time between two rounds of the instruments.
 const BETWEEN_SENTENCES: Duration = Duration::from_secs(1);
-/// How slow and how fast it may run.
-const PACES: [f64; 2] = [0.1, 20.0];
 
 struct Client {
     role: Role,
@@ -443,8 +443,8 @@ impl Engine {
                 self.tick();
             }
             Conduct::Pace { pace } => {
-                if !(PACES[0]..=PACES[1]).contains(&pace) {
-                    let [least, most] = PACES;
+                let [least, most] = COMMAND_LIMITS.pace;
+                if !(least..=most).contains(&pace) {
                     return Err(Refusal::new(format_args!("a pace is from {least} to {most}")));
                 }
                 self.pacer.set_pace(pace, now);
@@ -654,6 +654,7 @@ impl Engine {
             lines: &self.info.lines,
             tugs: &self.info.tugs,
             orders: &self.info.orders,
+            limits: COMMAND_LIMITS,
             places: &self.info.places,
             mine: controls
                 .iter()

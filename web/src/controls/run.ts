@@ -37,10 +37,14 @@ export class Run implements Group {
   private shownLanes = "";
   private dragging = false;
 
-  constructor(private readonly page: Page) {
+  constructor(
+    private readonly page: Page,
+    hello: Hello,
+  ) {
+    const [least, most] = hello.limits.pace;
     this.pace = choices(
       "Pace",
-      PACES.map((p) => ({
+      PACES.filter((p) => p >= least && p <= most).map((p) => ({
         value: p,
         label: `${{ 0.25: "¼", 0.5: "½" }[p] ?? p}×`,
         name: `Pace ${p}`,

@@ -75,9 +75,14 @@ export class Docking implements View {
   private approach_mps = 0;
   private readonly changes: HTMLButtonElement[];
 
-  constructor(private readonly page: Page) {
+  constructor(
+    private readonly page: Page,
+    hello: Hello,
+  ) {
+    const [least, most] = hello.limits.approach_limit_mps;
     const change = (by: number) => () => {
-      const speed_mps = Math.round((this.approach_mps + by) * 100) / 100;
+      const wanted_mps = Math.round((this.approach_mps + by) * 100) / 100;
+      const speed_mps = Math.min(most, Math.max(least, wanted_mps));
       void this.page.order({ do: "approach_limit", speed_mps });
     };
     const [lower, higher] = [

@@ -6,40 +6,62 @@ use fenderline_sim::hydro::vessels::Vessel;
 use crate::cli::ManoeuvreName;
 use crate::failure::Failure;
 
-/// Every single manoeuvre, in the order in which they are printed.
-const EACH: [ManoeuvreName; 5] = [
-    ManoeuvreName::Turning,
-    ManoeuvreName::Zigzag,
-    ManoeuvreName::CrashStop,
-    ManoeuvreName::Crabbing,
-    ManoeuvreName::BollardPull,
-];
+/// A manoeuvre.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Manoeuvre {
+    Turning,
+    Zigzag,
+    CrashStop,
+    Crabbing,
+    BollardPull,
+}
 
 impl ManoeuvreName {
-    /// As the command line has it.
+    /// The manoeuvre of this name; `None` for all of them.
+    fn single(self) -> Option<Manoeuvre> {
+        match self {
+            ManoeuvreName::Turning => Some(Manoeuvre::Turning),
+            ManoeuvreName::Zigzag => Some(Manoeuvre::Zigzag),
+            ManoeuvreName::CrashStop => Some(Manoeuvre::CrashStop),
+            ManoeuvreName::Crabbing => Some(Manoeuvre::Crabbing),
+            ManoeuvreName::BollardPull => Some(Manoeuvre::BollardPull),
+            ManoeuvreName::All => None,
+        }
+    }
+}
+
+impl Manoeuvre {
+    fn name(self) -> ManoeuvreName {
+        match self {
+            Manoeuvre::Turning => ManoeuvreName::Turning,
+            Manoeuvre::Zigzag => ManoeuvreName::Zigzag,
+            Manoeuvre::CrashStop => ManoeuvreName::CrashStop,
+            Manoeuvre::Crabbing => ManoeuvreName::Crabbing,
+            Manoeuvre::BollardPull => ManoeuvreName::BollardPull,
+        }
+    }
+
+    /// The word of the command line.
     pub(super) fn text(self) -> String {
-        text_of(self)
+        text_of(self.name())
     }
 
     /// Whether it needs a propeller.
     fn needs_propeller(self) -> bool {
-        self != ManoeuvreName::Crabbing
+        self != Manoeuvre::Crabbing
     }
 
     /// Whether it begins on a straight course at a speed.
     pub(super) fn has_approach(self) -> bool {
         matches!(
             self,
-            ManoeuvreName::Turning
-                | ManoeuvreName::Zigzag
-                | ManoeuvreName::CrashStop
-                | ManoeuvreName::BollardPull
+            Manoeuvre::Turning | Manoeuvre::Zigzag | Manoeuvre::CrashStop | Manoeuvre::BollardPull
         )
     }
 
     /// Whether a rudder angle is ordered in it.
     pub(super) fn has_rudder(self) -> bool {
-        matches!(self, ManoeuvreName::Turning | ManoeuvreName::Zigzag)
+        matches!(self, Manoeuvre::Turning | Manoeuvre::Zigzag)
     }
 }
 
@@ -55,17 +77,19 @@ pub(super) fn chosen(
     name: ManoeuvreName,
     vessel: &Vessel,
     has_speed: bool,
-) -> Result<Vec<ManoeuvreName>, Failure> {
+) -> Result<Vec<Manoeuvre>, Failure> {
     let has_propeller = vessel.ship.propulsion.is_some();
     let has_speed = has_speed || vessel.approach_mps.is_some();
-    let can = |manoeuvre: ManoeuvreName| {
+    let can = |manoeuvre: Manoeuvre| {
         (has_propeller || !manoeuvre.needs_propeller()) && (has_speed || !manoeuvre.has_approach())
     };
-    if name == ManoeuvreName::All {
-        return Ok(EACH.into_iter().filter(|manoeuvre| can(*manoeuvre)).collect());
-    }
-    if can(name) {
-        return Ok(vec![name]);
+    let Some(manoeuvre) = name.single() else {
+        // In the order of the command line's help.
+        let all = ManoeuvreName::value_variants().iter().filter_map(|name| name.single());
+        return Ok(all.filter(|manoeuvre| can(*manoeuvre)).collect());
+    };
+    if can(manoeuvre) {
+        return Ok(vec![manoeuvre]);
     }
     let why = if has_propeller {
         "no speed of approach is known of her: give --speed"

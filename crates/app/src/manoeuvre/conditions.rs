@@ -4,8 +4,9 @@ use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::hydro::Water;
 use fenderline_sim::hydro::vessels::Vessel;
 
+use super::catalogue::Manoeuvre;
 use super::depth::Shallow;
-use crate::cli::{ManoeuvreArgs, ManoeuvreName};
+use crate::cli::ManoeuvreArgs;
 use crate::failure::Failure;
 
 /// Froude number beyond which no displacement ship goes, and no coefficient here was measured.
@@ -49,17 +50,17 @@ impl Conditions {
     pub(super) fn checked(
         args: &ManoeuvreArgs,
         vessel: &Vessel,
-        chosen: &[ManoeuvreName],
+        chosen: &[Manoeuvre],
     ) -> Result<Conditions, Failure> {
-        let taken = |option: &str, is_given: bool, takes: fn(ManoeuvreName) -> bool| {
+        let taken = |option: &str, is_given: bool, takes: fn(Manoeuvre) -> bool| {
             if !is_given || chosen.iter().any(|manoeuvre| takes(*manoeuvre)) {
                 return Ok(());
             }
             Err(Failure::input(format_args!("error: {option} has no effect on this manoeuvre")))
         };
-        taken("--rudder", args.rudder.is_some(), ManoeuvreName::has_rudder)?;
-        taken("--speed", args.speed.is_some(), ManoeuvreName::has_approach)?;
-        taken("--push", args.push.is_some(), |m| m == ManoeuvreName::Crabbing)?;
+        taken("--rudder", args.rudder.is_some(), Manoeuvre::has_rudder)?;
+        taken("--speed", args.speed.is_some(), Manoeuvre::has_approach)?;
+        taken("--push", args.push.is_some(), |m| m == Manoeuvre::Crabbing)?;
         let stop_deg = vessel.steering.stop.to_degrees();
         // The stop is kept in radians: its own angle must not be refused for the last bit.
         if let Some(rudder_deg) = args.rudder.filter(|rudder_deg| *rudder_deg > stop_deg + 1e-9) {

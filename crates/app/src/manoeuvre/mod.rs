@@ -20,11 +20,12 @@ use std::path::Path;
 use fenderline_sim::hydro::Model3;
 use fenderline_sim::hydro::vessels::Vessel;
 
-use crate::cli::{ManoeuvreArgs, ManoeuvreName};
+use crate::cli::ManoeuvreArgs;
 use crate::failure::Failure;
 use crate::terminal::{say, say_json};
 use crate::vessels::{found, library};
 
+use catalogue::Manoeuvre;
 use conditions::{Conditions, Sea};
 use section::Section;
 
@@ -58,7 +59,7 @@ pub(crate) fn manoeuvre(args: &ManoeuvreArgs) -> Result<(), Failure> {
 /// Every manoeuvre, in shallow water beside deep water where the user asks about it.
 fn sections(
     vessel: &Vessel,
-    chosen: &[ManoeuvreName],
+    chosen: &[Manoeuvre],
     sea: &Sea,
     conditions: &Conditions,
 ) -> Result<Vec<Section>, Failure> {

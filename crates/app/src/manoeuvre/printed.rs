@@ -5,6 +5,7 @@ use core::fmt::Write as _;
 use fenderline_sim::constants::{KNOT_MPS, STANDARD_GRAVITY_MPS2};
 use fenderline_sim::hydro::vessels::Vessel;
 
+use super::catalogue::Manoeuvre;
 use super::conditions::{Conditions, Sea};
 use super::section::{Row, Section, Unit};
 use crate::cli::ManoeuvreName;
@@ -21,7 +22,7 @@ const GAP: usize = 2;
 /// Vessel, measures and sources.
 pub(super) fn text(
     asked: ManoeuvreName,
-    chosen: &[ManoeuvreName],
+    chosen: &[Manoeuvre],
     vessel: &Vessel,
     sea: &Sea,
     conditions: &Conditions,
@@ -61,12 +62,7 @@ pub(super) fn text(
     text
 }
 
-fn heading(
-    chosen: &[ManoeuvreName],
-    vessel: &Vessel,
-    sea: &Sea,
-    conditions: &Conditions,
-) -> String {
+fn heading(chosen: &[Manoeuvre], vessel: &Vessel, sea: &Sea, conditions: &Conditions) -> String {
     let hull = &vessel.ship.particulars;
     let mut text = format!(
         "{}: L {} m, B {} m, T {} m, Cb {}\n{} of {} kg/m³",

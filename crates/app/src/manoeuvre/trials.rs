@@ -8,11 +8,11 @@ use fenderline_sim::hydro::manoeuvres::{
 };
 use fenderline_sim::hydro::vessels::Vessel;
 
+use super::catalogue::Manoeuvre;
 use super::conditions::{Conditions, Sea};
 use super::crabbing::crabbing_section;
 use super::imo;
 use super::section::{Row, Section, Track, Unit};
-use crate::cli::ManoeuvreName;
 use crate::failure::Failure;
 
 /// A step's length over the time in which the ship sails her own: 0.08 s for KVLCC2. Half of it moves no
@@ -29,7 +29,7 @@ const REVERSAL: f64 = 30.0 / (320.0 / (15.5 * KNOT_MPS));
 /// # Errors
 /// A manoeuvre that does not end; a speed that the propeller cannot hold.
 pub(super) fn carry_out(
-    manoeuvre: ManoeuvreName,
+    manoeuvre: Manoeuvre,
     vessel: &Vessel,
     model: &Model3,
     sea: &Sea,
@@ -45,12 +45,11 @@ pub(super) fn carry_out(
     };
     let one = |section: Result<Section, ManoeuvreError>| section.map(|section| vec![section]);
     let sections = match manoeuvre {
-        ManoeuvreName::Turning => one(trial.turning()),
-        ManoeuvreName::Zigzag => trial.zig_zags(),
-        ManoeuvreName::CrashStop => one(trial.crash_stop()),
-        ManoeuvreName::Crabbing => one(crabbing_section(&trial.name, model, conditions.push_n)),
-        ManoeuvreName::BollardPull => one(trial.bollard_pull()),
-        ManoeuvreName::All => unreachable!("all is no manoeuvre of its own"),
+        Manoeuvre::Turning => one(trial.turning()),
+        Manoeuvre::Zigzag => trial.zig_zags(),
+        Manoeuvre::CrashStop => one(trial.crash_stop()),
+        Manoeuvre::Crabbing => one(crabbing_section(&trial.name, model, conditions.push_n)),
+        Manoeuvre::BollardPull => one(trial.bollard_pull()),
     };
     sections.map_err(|error| match error {
         ManoeuvreError::NoBalance { .. } => {

@@ -59,7 +59,7 @@ pub(super) fn now(all: &Now, cast: &Cast, index: usize, berth: Option<&Berth>) -
             .assist
             .as_ref()
             .map(|pilot| assist_now(all, cast, index, &pilot.order.job)),
-        faults: Fault::standing(&vessel.faults),
+        faults: Fault::active(&vessel.faults),
     }
 }
 

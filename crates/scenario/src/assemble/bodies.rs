@@ -15,16 +15,16 @@ impl Assembly<'_, '_> {
             let error = self.sources.error(&item.span, "body", "the scenario has no bodies");
             return Err(error.with_help("write [body.NAME] with its keys below"));
         }
-        bodies.iter().map(|(name, table)| self.body(name, table, kinds)).collect()
+        let with_kinds = bodies.iter().zip(kinds.of_bodies());
+        with_kinds.map(|((name, table), kind)| self.body(name, table, kind)).collect()
     }
 
     pub(super) fn body(
         &mut self,
         name: &str,
         table: &Table,
-        kinds: &vessel::Kinds,
+        kind: Option<&vessel::Kind>,
     ) -> Checked<BodySetup> {
-        let kind = table.item("vessel").map(|item| kinds.named(item));
         let outline = self.outline(table, kind)?;
         let mass = if *table.given("fixed").flag() {
             self.refuse_keys_of_floating_bodies(table)?;

@@ -30,27 +30,30 @@ pub(super) struct Kind {
 /// Kinds of vessels by their names.
 #[derive(Default)]
 pub(super) struct Kinds {
-    /// In the order in which the scenario speaks of them.
+    /// In the order in which the scenario names them first.
     pub(super) all: Vec<(String, Kind)>,
-    /// Places in `all`.
+    /// Index in `all` by name.
     by_name: BTreeMap<String, usize>,
+    /// Index in `all` by body; `None`: a body that is not a vessel.
+    of_bodies: Vec<Option<usize>>,
 }
 
 impl Kinds {
-    fn add(&mut self, name: &str, kind: Kind) {
-        self.by_name.insert(name.to_owned(), self.all.len());
+    /// Adds a kind and returns its index.
+    fn add(&mut self, name: &str, kind: Kind) -> usize {
+        let index = self.all.len();
+        self.by_name.insert(name.to_owned(), index);
         self.all.push((name.to_owned(), kind));
+        index
     }
 
-    /// The kind that a body names: [`Assembly::kinds`] has every one.
-    pub(super) fn named(&self, item: &Item) -> &Kind {
-        let place = self.by_name.get(item.text());
-        let place = place.unwrap_or_else(|| unreachable!("the kind of every body is there"));
-        &self.all[*place].1
+    /// The kind of each body that is a vessel, in the order of the bodies.
+    pub(super) fn of_bodies(&self) -> impl Iterator<Item = Option<&Kind>> {
+        self.of_bodies.iter().map(|index| index.map(|index| &self.all[index].1))
     }
 }
 
-/// What a body is, where she is a vessel, by the index of the body.
+/// The kind of each body that is a vessel, by the index of the body.
 pub(super) type Decks<'k> = Vec<Option<&'k Kind>>;
 
 impl Kind {
@@ -177,9 +180,13 @@ impl Assembly<'_, '_> {
             kinds.add(name, kind);
         }
         for (_, body) in file.given("body").named() {
-            let Some(item) = body.item("vessel") else { continue };
+            let Some(item) = body.item("vessel") else {
+                kinds.of_bodies.push(None);
+                continue;
+            };
             let name = item.text();
-            if kinds.by_name.contains_key(name) {
+            if let Some(index) = kinds.by_name.get(name) {
+                kinds.of_bodies.push(Some(*index));
                 continue;
             }
             let Ok(data) = library.vessel(name) else {
@@ -197,7 +204,8 @@ impl Assembly<'_, '_> {
             let said_at = (item.span.clone(), body.path_of(item.name));
             let kind = Kind::new(data.clone(), environment, said_at)
                 .map_err(|error| self.refused(body, item, &error))?;
-            kinds.add(name, kind);
+            let index = kinds.add(name, kind);
+            kinds.of_bodies.push(Some(index));
         }
         Ok(kinds)
     }
@@ -213,9 +221,8 @@ impl Assembly<'_, '_> {
         kinds: &Kinds,
     ) -> Checked<Vec<VesselSetup>> {
         let mut vessels = Vec::new();
-        for (index, (_, body)) in bodies.iter().enumerate() {
-            let Some(item) = body.item("vessel") else { continue };
-            let kind = kinds.named(item);
+        for (index, ((_, body), kind)) in bodies.iter().zip(kinds.of_bodies()).enumerate() {
+            let Some(kind) = kind else { continue };
             let mut setup = kind.setup.clone();
             setup.body = index;
             if let Some(running) = body.item("running") {
@@ -301,9 +308,4 @@ impl Assembly<'_, '_> {
             Some(_) => error,
         }
     }
-}
-
-/// What each body is, where she is a vessel.
-pub(super) fn decks<'k>(bodies: &[(String, Table)], kinds: &'k Kinds) -> Decks<'k> {
-    bodies.iter().map(|(_, body)| body.item("vessel").map(|item| kinds.named(item))).collect()
 }
