@@ -41,6 +41,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let mut notices: Vec<String> = scenario.notices.iter().map(recorded).collect();
     let Scenario { title, setup, .. } = scenario;
     let mut simulation = Simulation::new(setup).map_err(error)?;
+    for finding in simulation.start_findings() {
+        tell(&format!("notice: {}", finding.sentence(simulation.setup())));
+    }
     let interrupt = Interrupt::listen();
     let folder_path = args.out.clone().unwrap_or_else(|| default_folder(&args.scenario));
     let folder = Folder::open(&folder_path)?;

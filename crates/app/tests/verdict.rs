@@ -190,6 +190,10 @@ fn the_verdict_on_a_known_case_is_the_same_in_terminal_exit_code_summary_and_rep
         let summary = place.json("case/summary.json");
         let verdict = &summary["verdict"];
         let findings = verdict["findings"].as_array().expect("findings");
+        let checked = place.run(&["check", "case.toml"]);
+        let is_reported =
+            checked.stderr.contains("starts") || checked.stderr.contains("at the start");
+        assert_eq!(is_reported, case.name.starts_with("start inside"), "{told}{}", checked.stderr);
         if case.name == "start inside a fender" {
             // What else the ejected ship does is not known beforehand.
             assert!(findings.iter().any(|finding| finding["key"] == case.key), "{told}");

@@ -123,6 +123,12 @@ impl Simulation {
         self.watch.findings(&self.setup, self.fender_summaries(), gain)
     }
 
+    /// Bodies that started inside each other; empty in a sound scenario. Known before the first step.
+    #[must_use]
+    pub fn start_findings(&self) -> &[Finding] {
+        self.watch.starts()
+    }
+
     /// The verdict on the run so far.
     #[must_use]
     pub fn verdict(&self) -> Verdict {

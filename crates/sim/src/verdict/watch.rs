@@ -91,6 +91,11 @@ impl Watch {
         }
     }
 
+    /// What was found before the first step.
+    pub(crate) fn starts(&self) -> &[Finding] {
+        &self.starts
+    }
+
     /// Adds one step.
     pub(crate) fn add(&mut self, setup: &Setup, step: &StepRecord<'_>) {
         self.add_touches(step);
