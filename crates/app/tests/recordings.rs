@@ -121,7 +121,7 @@ fn a_recording_with_a_far_tick_does_not_freeze_the_server() {
             "ack"
         );
         let refused = instructor.next("refused").await.to_string();
-        assert!(refused.contains("line 2: no session says this"), "{refused}");
+        assert!(refused.contains("line 2: the line is invalid"), "{refused}");
         let tick = instructor.next("frame").await["tick"].as_u64().expect("a tick");
         instructor.frame_after(tick + 5).await;
         let (code, said) = replayed(&far);

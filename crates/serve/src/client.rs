@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use axum::extract::ws::{CloseFrame, Message, WebSocket};
-use fenderline_live::message::{self, Role, Told as Answer};
+use fenderline_live::message::{self, Reply as Answer, Role};
 use fenderline_live::{Refusal, Request};
 use tokio::sync::{mpsc, watch};
 use tokio::time::{MissedTickBehavior, interval, timeout};

@@ -9,7 +9,7 @@ use std::sync::{Arc, PoisonError};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use fenderline_live::message::{
-    self, EventNow, GalleryEntry, Hello, Link, Role, RunState, Told as Answer,
+    self, EventNow, GalleryEntry, Hello, Link, Reply as Answer, Role, RunState,
 };
 use fenderline_live::{
     AlarmBook, COMMAND_LIMITS, Conduct, Control, Info, Refusal, Request, Session, StepError,
@@ -211,7 +211,7 @@ impl Engine {
     /// Every tick, not every frame: what was touched for a moment alone is an alarm too.
     fn note_alarms(&mut self) {
         let causes = self.session.causes_for_alarm(&self.info);
-        self.alarms.note(causes, self.session.simulation().time_s());
+        self.alarms.update(causes, self.session.simulation().time_s());
     }
 
     /// Another run is shown, or another time of this one: what stood in that one is not open here.
@@ -466,7 +466,7 @@ impl Engine {
                 self.tell_all(&format!("{label} has begun branch {id}"));
             }
             Conduct::ShowBranch { id } => {
-                self.session.show(id)?;
+                self.session.go_to_branch(id)?;
                 self.paused = true;
                 self.predicted_at = None;
                 self.restart_alarms();

@@ -3,9 +3,8 @@
 use serde_json::json;
 
 use super::{COEFFICIENT, POSITIVE, coefficients};
-use crate::keys::key;
 use crate::spec::Absent::{Means, Refused};
-use crate::spec::{Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static ADDED_MASS: TableSpec = TableSpec {
@@ -37,7 +36,7 @@ pub(super) static ADDED_MASS: TableSpec = TableSpec {
             "yaw_with_ship",
             Kind::Quantity(POSITIVE),
             Means("another key gives it"),
-            "I'z + J'z, over ½ρL⁴d: the ship's own inertia is taken off.",
+            "I'z + J'z, over ½ρL⁴d: the ship's own inertia is subtracted.",
             &["0.0286"],
         ),
         key(
@@ -119,8 +118,8 @@ pub(super) static LOW_SPEED: TableSpec = TableSpec {
         "astern": "X'₀A, resistance astern, negative.",
         "x_vr": "X'vr.", "y_v": "Y'v.", "y_r": "Y'r.", "n_v": "N'v.", "n_r": "N'r.",
         "drag": "C_D of the cross flow.",
-        "yaw_gain_force": "CrY: what the yaw rate is multiplied with in the cross-flow force.",
-        "yaw_gain_moment": "CrN: the same in its moment.",
+        "yaw_gain_force": "CrY: factor on the yaw rate in the cross-flow force.",
+        "yaw_gain_moment": "CrN: factor on the yaw rate in the cross-flow moment.",
     },
     rules: None,
 };

@@ -5,16 +5,16 @@ use serde_json::json;
 
 use super::{COEFFICIENT, ESTIMATED, POSITIVE, coefficients};
 use crate::choices::{Choice, Choices};
-use crate::keys::{LENGTH_M, key};
+use crate::keys::quantities::LENGTH;
 use crate::spec::Absent::{Means, Refused};
-use crate::spec::{Kind, Quantity, TableSpec};
+use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
 pub(super) static PROPELLER: TableSpec = TableSpec {
     what: "a propeller of a file",
     doc: "Propeller, wake and shaft.",
     keys: &[
-        key("diameter", Kind::Quantity(LENGTH_M), Refused, "Diameter.", &["\"8.5 m\""]),
+        key("diameter", Kind::Quantity(LENGTH), Refused, "Diameter.", &["\"8.5 m\""]),
         key(
             "full",
             Kind::Quantity(Quantity { measure: &unit::RATE_OF_TURN, low: 1e-3, high: 1e3 }),
@@ -115,7 +115,7 @@ static WAKE_CHANGE: TableSpec = TableSpec {
 
 pub(super) static RUDDER: TableSpec = TableSpec {
     what: "a rudder of a file",
-    doc: "Rudder, what hull and propeller make of it, and its steering gear.",
+    doc: "Rudder, its interaction with hull and propeller, and its steering gear.",
     keys: &[
         key(
             "area",
@@ -133,8 +133,8 @@ pub(super) static RUDDER: TableSpec = TableSpec {
         ),
         key(
             "span",
-            Kind::Quantity(LENGTH_M),
-            Means("`propeller_to_span` and `aspect_ratio` say it"),
+            Kind::Quantity(LENGTH),
+            Means("`propeller_to_span` and `aspect_ratio` are given instead"),
             "Span.",
             &["\"9 m\""],
         ),
@@ -170,7 +170,7 @@ pub(super) static RUDDER: TableSpec = TableSpec {
             "race_gain",
             Kind::Quantity(POSITIVE),
             Means(ESTIMATED),
-            "κ: how much of the race's speed reaches the rudder.",
+            "κ: share of the race's speed gain that reaches the rudder.",
             &["0.5"],
         ),
         key(
@@ -198,7 +198,7 @@ pub(super) static RUDDER: TableSpec = TableSpec {
             "hull_gain",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: -0.99, high: 9.9 }),
             Means(ESTIMATED),
-            "a_H: force that steering puts on the hull, over the rudder's own.",
+            "a_H: lateral force that steering induces on the hull, over the rudder's own.",
             &["0.312"],
         ),
         key(
