@@ -31,8 +31,8 @@ use fenderline_validate::errors_of;
 /// `--allow-failures` is given.
 ///
 /// # Errors
-/// Bad input; a simulation or a file that failed, in which case no result file is left. A run that was interrupted,
-/// whose files are complete up to there and say so.
+/// Bad input. A simulation or a file that failed: no result file is left. A run that was interrupted: its files are complete
+/// up to then and say so.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let scenario = load(&args.scenario, &args.changes)?;
     for notice in &scenario.notices {
@@ -68,7 +68,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         },
         || interrupt.is_asked(),
     )?;
-    // Nobody has to wait for the others' programs while the files are written.
+    // The providers are ended before the files are written.
     drop(providers);
     let interrupted = (!simulation.is_done()).then(|| Interrupted::of(&simulation));
 
@@ -108,8 +108,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     verdict::exit(&findings, args.allow_failures)
 }
 
-/// Steps `simulation` to its end, or until after a step it `is_stopped`, and shows `each` step; what comes from outside
-/// is set `before` each. A bar shows the progress on a terminal.
+/// Steps `simulation` to its end, or until it `is_stopped`. `before` sets external forces before each step; `each` takes the
+/// record of the step. A bar shows the progress on a terminal.
 ///
 /// # Errors
 /// A step that the simulation cannot make, or the first error of `each`.
@@ -137,8 +137,7 @@ pub(crate) fn error(error: fenderline_sim::SetupError) -> Failure {
     Failure::input(format_args!("error: {error}"))
 }
 
-/// A notice as the results keep it: without the file's path, so that a run gives the same bytes
-/// wherever it is started.
+/// A notice for the results: without the file's path, so that a run gives the same bytes in any folder.
 fn recorded(notice: &Notice) -> String {
     let Notice { place, key, message } = notice;
     match place {
@@ -156,7 +155,7 @@ fn file_name(scenario: &Path) -> String {
     scenario.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// What a table that travels alone should tell of its run.
+/// Metadata of a table, for readers who have it without the other files.
 fn facts(title: &str, simulation: &Simulation) -> Vec<(&'static str, String)> {
     let setup = simulation.setup();
     vec![
@@ -168,7 +167,7 @@ fn facts(title: &str, simulation: &Simulation) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// The errors of the formulas that estimated any of the vessels; computed only where there is such a vessel.
+/// The errors of the formulas of estimated vessels; computed only if there is such a vessel.
 fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
     let mut all = setup.world.vessels.iter().map(|vessel| errors_of(&vessel.origin));
     all.find(|errors| !errors.is_empty()).unwrap_or(&[])

@@ -1,4 +1,4 @@
-//! What of vessels, tugs, lines and providers stands at the top of the page.
+//! Vessels, tugs, lines and providers at the top of the page.
 
 use fenderline_contact::number::greater;
 
@@ -9,7 +9,7 @@ use crate::words::world_event_text;
 use fenderline_results::Outcome;
 use fenderline_results::{LineVerdict, Who};
 
-/// Events told by name.
+/// Most events listed.
 const EVENTS: usize = 12;
 
 /// The lines in a sentence; nothing where there are none.
@@ -29,7 +29,7 @@ pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// The class that colours a verdict.
+/// The style class of a verdict.
 pub(super) fn class(verdict: LineVerdict) -> &'static str {
     match verdict {
         LineVerdict::Ok => "ok",
@@ -39,7 +39,7 @@ pub(super) fn class(verdict: LineVerdict) -> &'static str {
     }
 }
 
-/// What happened to vessels, tugs, lines and providers, in time.
+/// Events of vessels, tugs, lines and providers, in the order of time.
 pub(in crate::run_page) fn remarks(outcome: &Outcome<'_>) -> Markup {
     let events = &outcome.world.events;
     let all: u64 = events.counts().iter().map(|(_, count)| count).sum();
