@@ -1,4 +1,4 @@
-//! A following host as bytes: saved in mid-contact, restored, and replayed.
+//! A co-simulation host as bytes: saved in mid-contact, restored, and replayed.
 
 #[allow(dead_code, reason = "each test uses its own part of the master")]
 mod master;

@@ -127,7 +127,7 @@ fn a_body_that_answers_no_wrench_gets_the_forces_of_the_states_shown() {
 }
 
 #[test]
-fn a_host_of_the_present_goes_on_from_a_snapshot_bit_for_bit_and_knows_other_bytes() {
+fn a_direct_host_continues_from_a_snapshot_bit_for_bit_and_detects_other_bytes() {
     let story = two_ships_and_a_tug(500e3, 1e7);
     let run = |saves: bool| {
         let integration = HostIntegration::ForwardEuler;

@@ -275,7 +275,7 @@ fn a_ship_with_half_or_twice_her_mass_rebounds_as_she_should() {
     }
 }
 
-/// A pause was refused. Now it changes no bit of a host that shows its present.
+/// A pause was refused. Now it changes no bit for a direct host.
 #[test]
 fn a_pause_changes_nothing_and_is_good() {
     every_master(|integration, delay_steps| {
@@ -311,7 +311,7 @@ fn ship_and_push() -> Story {
 }
 
 #[test]
-fn a_pause_of_a_host_of_the_present_gives_the_last_wrench_and_the_states_shown() {
+fn a_pause_of_a_direct_host_gives_the_last_wrench_and_the_input_states() {
     let mut story = ship_and_push();
     let (mut memory, mut work) = (Memory::new(&story.model), Workspace::new(&story.model));
     // Before the first step, too.

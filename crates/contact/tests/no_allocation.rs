@@ -152,7 +152,7 @@ fn allocates_nothing(method: Method) {
 /// A ship that a load pushes against the fenders and draws off again, moved by forward Euler and shown
 /// two steps late.
 #[test]
-fn warm_steps_of_a_following_host_allocate_nothing() {
+fn warm_steps_of_a_co_simulation_host_allocate_nothing() {
     let model = scene::berth(500e3);
     let settings = HostSettings { delay_steps: 2, integration: HostIntegration::ForwardEuler };
     let (mut host, mut work) = (CoSimHost::new(&model, settings), HostWorkspace::new(&model));

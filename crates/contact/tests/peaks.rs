@@ -35,7 +35,7 @@ fn a_hit_within_one_step_has_its_peak_told_beside_its_mean() {
 }
 
 #[test]
-fn a_host_of_the_present_is_told_the_peak_too_and_moves_by_the_mean() {
+fn a_direct_host_gets_the_peak_too_and_moves_by_the_mean() {
     let story = tug_at_a_wall(1.0, 0.5, 1.0);
     let (mut host, mut work) = (DirectHost::new(&story.model), HostWorkspace::new(&story.model));
     let no_step = host.step(&story.model, &mut work, &story.states, &story.loads, 0.0);

@@ -285,7 +285,7 @@ fn a_run_goes_on_from_a_snapshot_in_the_middle_of_a_loop_bit_for_bit() {
 
 /// A host that shows its states a step late and tells nothing: its own steps leave with the same share.
 #[test]
-fn a_following_host_leaves_with_the_root_of_the_returned_energy() {
+fn a_co_simulation_host_leaves_with_the_root_of_the_returned_energy() {
     let model = model(FenderLaw::linear(2e6), Unloading::ReturnedEnergy(0.55));
     let settings = HostSettings { delay_steps: 1, integration: HostIntegration::ForwardEuler };
     for step_s in [0.05, 0.2] {
