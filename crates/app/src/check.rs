@@ -11,7 +11,7 @@ use crate::terminal::{say, say_json, tell};
 use crate::vessels::estimates;
 use fenderline_report::plot::counted;
 
-/// Checks a scenario as `run` would, and writes nothing.
+/// Checks a scenario as `run` does, and writes nothing.
 ///
 /// # Errors
 /// Bad input.

@@ -26,13 +26,13 @@ use fenderline_validate::errors_of;
 
 /// Runs the scenario that `args` name. Nothing is written before the scenario is accepted.
 ///
-/// A fender that failed is a result, not a failed case: the run is complete and its files are right, so
-/// the exit code is 0. The summary says it in capitals, and `fenders[].verdict` in `summary.json` is there
-/// for a script that wants to stop at it.
+/// A fender that failed is a result, not a failed case: the run is complete and its files are correct, so
+/// the exit code is 0. The printed summary says it in capitals, and scripts can test `fenders[].verdict` in
+/// `summary.json`.
 ///
 /// # Errors
-/// Bad input; a simulation or a file that failed, in which case no result file is left. A run that was interrupted,
-/// whose files are complete up to there and say so.
+/// Bad input. A simulation or a file that failed: no result file is left. A run that was interrupted: its files are complete
+/// up to then and say so.
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let scenario = load(&args.scenario, &args.changes)?;
     for notice in &scenario.notices {
@@ -65,7 +65,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         },
         || interrupt.is_asked(),
     )?;
-    // Nobody has to wait for the others' programs while the files are written.
+    // The providers are ended before the files are written.
     drop(providers);
     let interrupted = (!simulation.is_done()).then(|| Interrupted::of(&simulation));
 
@@ -100,8 +100,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     if outcome.interrupted.is_some() { Err(Failure::Interrupted) } else { Ok(()) }
 }
 
-/// Steps `simulation` to its end, or until after a step it `is_stopped`, and shows `each` step; what comes from outside
-/// is set `before` each. A bar shows the progress on a terminal.
+/// Steps `simulation` to its end, or until it `is_stopped`. `before` sets external forces before each step; `each` takes the
+/// record of the step. A bar shows the progress on a terminal.
 ///
 /// # Errors
 /// A step that the simulation cannot make, or the first error of `each`.
@@ -129,8 +129,7 @@ pub(crate) fn error(error: fenderline_sim::SetupError) -> Failure {
     Failure::input(format_args!("error: {error}"))
 }
 
-/// A notice as the results keep it: without the file's path, so that a run gives the same bytes
-/// wherever it is started.
+/// A notice for the results: without the file's path, so that a run gives the same bytes in any folder.
 fn recorded(notice: &Notice) -> String {
     let Notice { place, key, message } = notice;
     match place {
@@ -148,7 +147,7 @@ fn file_name(scenario: &Path) -> String {
     scenario.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// What a table that travels alone should tell of its run.
+/// Metadata of a table, for readers who have it without the other files.
 fn facts(title: &str, simulation: &Simulation) -> Vec<(&'static str, String)> {
     let setup = simulation.setup();
     vec![
@@ -160,7 +159,7 @@ fn facts(title: &str, simulation: &Simulation) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// The errors of the formulas that estimated any of the vessels; computed only where there is such a vessel.
+/// The errors of the formulas of estimated vessels; computed only if there is such a vessel.
 fn estimate_errors(setup: &Setup) -> &'static [EstimateError] {
     let mut all = setup.world.vessels.iter().map(|vessel| errors_of(&vessel.origin));
     all.find(|errors| !errors.is_empty()).unwrap_or(&[])

@@ -230,7 +230,11 @@ fn of_many_fenders_the_most_used_are_told_of_and_the_others_counted() {
     let report = place.text("out/berth/report.html");
     contains_all(
         &report,
-        &["The 40 most used of 47", "The 16 most used of 46", "The 8 hardest pressed"],
+        &[
+            "The table has the 40 most used of 47",
+            "The 16 most used of 46",
+            "The 8 fenders with the largest reactions",
+        ],
     );
     assert!(!report.contains("NaN"));
 }

@@ -14,7 +14,7 @@ use crate::cast::Cast;
 use crate::refusal::Refusal;
 use crate::session::Now;
 
-/// The vessels, tugs and lines under manual control: the scenario's timed orders no longer reach them.
+/// The vessels, tugs and lines under manual control: timed orders of the scenario to them are dropped.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ManualControl(BTreeSet<Target>);
 

@@ -59,7 +59,7 @@ pub struct Outcome<'a> {
     pub events: &'a Events,
     /// Fenders that were touched, in the order of the scenario.
     pub fenders: &'a [FenderSummary],
-    /// Berthing energy by formula and in the run; `None` where the scenario does not ask for it or no fender was touched.
+    /// Berthing energy by formula and in the run; `None` if the scenario does not ask for it or no fender was touched.
     pub berthing: Option<Result<&'a BerthingOutcome, &'a BerthingError>>,
     /// Vessels, tugs and lines.
     pub world: &'a WorldTotals,
@@ -75,6 +75,6 @@ pub struct Outcome<'a> {
 pub struct WrittenFile {
     /// Name within the folder.
     pub name: String,
-    /// Rows without the header; `None` where the file is no table.
+    /// Rows without the header; `None` if the file is not a table.
     pub rows: Option<u64>,
 }

@@ -23,9 +23,9 @@ pub(crate) struct Table {
 #[derive(Debug)]
 pub(crate) struct Item {
     pub(crate) name: &'static str,
-    /// Where the key stands; the table's span for a default.
+    /// The span of the key; the table's span for a default.
     pub(crate) key_span: Span,
-    /// Where the value stands; the table's span for a default.
+    /// The span of the value; the table's span for a default.
     pub(crate) span: Span,
     /// The file does not give it.
     pub(crate) is_default: bool,

@@ -64,7 +64,7 @@ fn absent_key(
     span: &Span,
 ) -> Read<Option<Item>> {
     match key.absent {
-        Absent::Means(_) => Ok(None),
+        Absent::Means(_) | Absent::Unless(_) => Ok(None),
         Absent::Refused => Err(missing_key(sources, spec, key, path, span)),
         Absent::Is(text) => {
             let default = DeValue::parse(text).expect("defaults in the key table are TOML");

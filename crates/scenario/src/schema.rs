@@ -87,6 +87,9 @@ fn key(key: &KeySpec) -> Map<String, Json> {
             schema.insert("default".to_owned(), parsed(value));
         }
         Absent::Means(meaning) => description.push_str(&format!(" Without it: {meaning}.")),
+        Absent::Unless(condition) => {
+            description.push_str(&format!(" Required unless {condition}."));
+        }
     }
     schema.insert("title".to_owned(), json!(capitalised(&key.name.replace('_', " "))));
     schema.insert("description".to_owned(), json!(description));

@@ -61,6 +61,8 @@ pub(crate) enum Absent {
     Is(&'static str),
     /// What these words say.
     Means(&'static str),
+    /// An error unless these words hold. `assemble` checks it.
+    Unless(&'static str),
 }
 
 /// What a key holds.

@@ -1,4 +1,4 @@
-/** The lines: tension against working and breaking load; the winches, for who holds the ship. */
+/** The lines: tension against working and breaking load, and the winches. */
 import { loadColour, palette } from "../palette";
 import type { Order } from "../orders";
 import type { Page } from "../page";
@@ -93,7 +93,7 @@ class Row {
   }
 }
 
-/** Pilot and instructor work every line, a tugmaster those that end on his tug. */
+/** Pilot and instructor may use every line, a tugmaster those of the own tug. */
 function mayWork(info: LineInfo, { role, vessels }: Hello): boolean {
   if (role.name !== "tugmaster") return role.name !== "observer";
   const body = vessels.find((v) => v.name === role.tug)?.body;

@@ -3,47 +3,13 @@
 use clap::ValueEnum;
 use fenderline_sim::hydro::vessels::Vessel;
 
-use crate::cli::ManoeuvreName;
+use crate::cli::{Manoeuvre, ManoeuvreChoice};
 use crate::failure::Failure;
 
-/// A manoeuvre.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Manoeuvre {
-    Turning,
-    Zigzag,
-    CrashStop,
-    Crabbing,
-    BollardPull,
-}
-
-impl ManoeuvreName {
-    /// The manoeuvre of this name; `None` for all of them.
-    fn single(self) -> Option<Manoeuvre> {
-        match self {
-            ManoeuvreName::Turning => Some(Manoeuvre::Turning),
-            ManoeuvreName::Zigzag => Some(Manoeuvre::Zigzag),
-            ManoeuvreName::CrashStop => Some(Manoeuvre::CrashStop),
-            ManoeuvreName::Crabbing => Some(Manoeuvre::Crabbing),
-            ManoeuvreName::BollardPull => Some(Manoeuvre::BollardPull),
-            ManoeuvreName::All => None,
-        }
-    }
-}
-
 impl Manoeuvre {
-    fn name(self) -> ManoeuvreName {
-        match self {
-            Manoeuvre::Turning => ManoeuvreName::Turning,
-            Manoeuvre::Zigzag => ManoeuvreName::Zigzag,
-            Manoeuvre::CrashStop => ManoeuvreName::CrashStop,
-            Manoeuvre::Crabbing => ManoeuvreName::Crabbing,
-            Manoeuvre::BollardPull => ManoeuvreName::BollardPull,
-        }
-    }
-
-    /// The word of the command line.
+    /// Its name on the command line.
     pub(super) fn text(self) -> String {
-        text_of(self.name())
+        self.to_possible_value().expect("no name is hidden").get_name().to_owned()
     }
 
     /// Whether it needs a propeller.
@@ -51,7 +17,7 @@ impl Manoeuvre {
         self != Manoeuvre::Crabbing
     }
 
-    /// Whether it begins on a straight course at a speed.
+    /// Whether it begins on a straight course at a given speed.
     pub(super) fn has_approach(self) -> bool {
         matches!(
             self,
@@ -65,16 +31,12 @@ impl Manoeuvre {
     }
 }
 
-fn text_of(value: impl ValueEnum) -> String {
-    value.to_possible_value().expect("no name is hidden").get_name().to_owned()
-}
-
-/// The manoeuvres that a name asks for, of a vessel whose speed of approach may be ordered.
+/// The manoeuvres of a choice. `has_speed`: the user gives a speed of approach.
 ///
 /// # Errors
-/// A manoeuvre that the vessel has no propeller or no speed of approach for.
+/// A manoeuvre for which the vessel has no propeller or no speed of approach.
 pub(super) fn chosen(
-    name: ManoeuvreName,
+    choice: ManoeuvreChoice,
     vessel: &Vessel,
     has_speed: bool,
 ) -> Result<Vec<Manoeuvre>, Failure> {
@@ -83,18 +45,18 @@ pub(super) fn chosen(
     let can = |manoeuvre: Manoeuvre| {
         (has_propeller || !manoeuvre.needs_propeller()) && (has_speed || !manoeuvre.has_approach())
     };
-    let Some(manoeuvre) = name.single() else {
-        // In the order of the command line's help.
-        let all = ManoeuvreName::value_variants().iter().filter_map(|name| name.single());
-        return Ok(all.filter(|manoeuvre| can(*manoeuvre)).collect());
-    };
-    if can(manoeuvre) {
-        return Ok(vec![manoeuvre]);
+    match choice {
+        ManoeuvreChoice::All => {
+            let each = Manoeuvre::value_variants().iter().copied();
+            return Ok(each.filter(|manoeuvre| can(*manoeuvre)).collect());
+        }
+        ManoeuvreChoice::One(manoeuvre) if can(manoeuvre) => return Ok(vec![manoeuvre]),
+        ManoeuvreChoice::One(_) => {}
     }
     let why = if has_propeller {
-        "no speed of approach is known of her: give --speed"
+        "she has no speed of approach in the data: give --speed"
     } else {
-        "no propeller and no rudder are known of her; crabbing is what she can do"
+        "she has no propeller and no rudder in the data; crabbing is the only manoeuvre"
     };
     Err(Failure::input(format_args!("error: {}: {why}", vessel.origin.title)))
 }

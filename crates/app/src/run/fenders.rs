@@ -9,11 +9,11 @@ use fenderline_report::plot::{counted, shortened};
 use fenderline_results::Outcome;
 use fenderline_results::{Verdict, most_used, utilisation, worst_first};
 
-/// Fenders printed at most.
+/// Most fenders in the table.
 const FENDERS: usize = 12;
 
-/// One line a fender, the most used first: its peaks, and the largest of its shares of rated deflection,
-/// reaction and energy. Below it what somebody has to look at. Empty where the scenario has no fenders.
+/// One line per fender, the most used first: its peaks, and the largest of its shares of rated deflection,
+/// reaction and energy. Findings that need attention follow. Empty if the scenario has no fenders.
 pub(super) fn table(outcome: &Outcome<'_>) -> String {
     let mut text = String::new();
     if outcome.setup.fenders.is_empty() {
@@ -71,7 +71,7 @@ pub(super) fn table(outcome: &Outcome<'_>) -> String {
     text
 }
 
-/// The formula's energy of the berthing and what the fenders took; empty without such a study.
+/// The berthing energy by formula and that in the fenders; empty without such a study.
 pub(super) fn berthing(outcome: &Outcome<'_>) -> String {
     let Some(Ok(berthing)) = outcome.berthing else { return String::new() };
     let abnormal = berthing.abnormal_energy_j.map_or_else(String::new, |abnormal_j| {
@@ -84,7 +84,7 @@ pub(super) fn berthing(outcome: &Outcome<'_>) -> String {
     )
 }
 
-/// One line for each verdict that somebody has to look at.
+/// One line for each verdict that needs attention.
 fn warnings(outcome: &Outcome<'_>, verdict: impl Fn(&FenderSummary) -> Verdict) -> String {
     let mut text = String::new();
     for (wanted, meaning) in [

@@ -15,7 +15,7 @@ pub struct LineTotals {
     pub tension_n: Peak,
     /// Least break load of rope and tail (N); `None` before it is made fast.
     pub break_load_n: Option<f64>,
-    /// Working load (N), where its kind has one.
+    /// Working load (N), if its kind has one.
     pub working_load_n: Option<f64>,
     /// How long it was above its working load.
     pub over_working: Lasting,
@@ -77,7 +77,7 @@ impl LineTotals {
 pub enum LineVerdict {
     /// It was never fast in this run.
     NotMadeFast,
-    /// Fast, and within its working load.
+    /// Made fast, and within its working load.
     Ok,
     /// The brake of its winch rendered.
     Rendered,

@@ -3,7 +3,7 @@
 use serde_json::json;
 
 use super::quantities::{POSITION, SPEED};
-use crate::spec::Absent::{Is, Means};
+use crate::spec::Absent::{Is, Means, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
@@ -44,21 +44,21 @@ pub(super) static BODY: TableSpec = TableSpec {
         key(
             "mass",
             Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e15 }),
-            Means("a fixed body"),
+            Unless("the body is fixed or a vessel"),
             "Displacement, without added mass.",
             &["\"87800 t\""],
         ),
         key(
             "gyradius",
             Kind::Quantity(Quantity { measure: &unit::LENGTH, low: 1e-3, high: 1e5 }),
-            Means("`yaw_inertia` is given"),
+            Unless("`yaw_inertia` is given, or the body is fixed or a vessel"),
             "Radius of gyration about the vertical through the centre of gravity.",
             &["\"74.5 m\""],
         ),
         key(
             "yaw_inertia",
             Kind::Quantity(Quantity { measure: &unit::MOMENT_OF_INERTIA, low: 1e-9, high: 1e25 }),
-            Means("`gyradius` is given"),
+            Unless("`gyradius` is given, or the body is fixed or a vessel"),
             "Moment of inertia about the vertical through the centre of gravity.",
             &["\"4.87e8 t.m^2\""],
         ),

@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::quantities::{DIRECTION, POSITION};
 use crate::choices::{Choice, Choices};
-use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
@@ -40,7 +40,7 @@ pub(super) static ENVIRONMENT: TableSpec = TableSpec {
         key(
             "tide",
             Kind::Table(&TIDE),
-            Means("the water stands at datum"),
+            Means("the water level is at datum"),
             "Level of the water above datum: it is added to `depth`, and heights on bodies that do not float \
              (`above_water` of a fender, `bollard_height` of a line) count from datum.",
             &["{ level = \"1.8 m\" }"],
@@ -70,7 +70,7 @@ static TIDE: TableSpec = TableSpec {
         key(
             "level",
             Kind::Quantity(LEVEL),
-            Means("`file` is given"),
+            Unless("`file` is given"),
             "Level above datum; the mean level where there are constituents.",
             &["\"1.8 m\""],
         ),
@@ -84,7 +84,7 @@ static TIDE: TableSpec = TableSpec {
         key(
             "file",
             Kind::FileName,
-            Means("`level` is given"),
+            Unless("`level` is given"),
             "The level in time: a CSV file beside this one with the columns t_s and level_m. Straight lines between \
              the rows; held before the first and after the last.",
             &["\"tide.csv\""],
@@ -137,21 +137,21 @@ static WIND: TableSpec = TableSpec {
         key(
             "speed",
             Kind::Quantity(Quantity { measure: &unit::SPEED, low: 0.0, high: 120.0 }),
-            Means("`file` is given"),
+            Unless("`file` is given"),
             "Mean speed.",
             &["\"12 m/s\""],
         ),
         key(
             "from",
             Kind::Quantity(DIRECTION),
-            Means("`file` is given"),
+            Unless("`file` is given"),
             "Where it comes from, clockwise from north.",
             &["\"270 deg\""],
         ),
         key(
             "file",
             Kind::FileName,
-            Means("`speed` and `from` are given"),
+            Unless("`speed` and `from` are given"),
             "A wind that changes in time: a CSV file beside this one with the columns t_s, speed_mps and from_deg. \
              Straight lines between the rows, the shorter way round for the direction; held before the first and \
              after the last.",
@@ -193,14 +193,14 @@ static CURRENT: TableSpec = TableSpec {
         key(
             "speed",
             Kind::Quantity(CURRENT_SPEED),
-            Means("`profile` or `file` is given"),
+            Unless("`profile` or `file` is given"),
             "Speed, uniform and steady.",
             &["\"0.5 kn\""],
         ),
         key(
             "towards",
             Kind::Quantity(DIRECTION),
-            Means("`profile` or `file` is given"),
+            Unless("`profile` or `file` is given"),
             "Where it runs to, clockwise from north.",
             &["\"10 deg\""],
         ),
@@ -217,7 +217,7 @@ static CURRENT: TableSpec = TableSpec {
         key(
             "file",
             Kind::FileName,
-            Means("`speed` and `towards`, or `profile`, are given"),
+            Unless("`speed` and `towards`, or `profile`, are given"),
             "A current by place and time: a CSV file beside this one. Columns: the velocity as north_mps and \
              east_mps, or as speed_mps and towards_deg; north_m and east_m, without which it is uniform; \
              t_s, without which it is steady. One row for each combination of north_m, east_m and t_s, in any \

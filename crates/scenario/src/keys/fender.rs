@@ -4,7 +4,7 @@ use serde_json::json;
 
 use super::quantities::{DIRECTION, FENDER_SIZE, POSITION};
 use crate::library::RETURNED_ENERGY;
-use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{CurveSpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
@@ -21,21 +21,21 @@ pub(super) static FENDER: TableSpec = TableSpec {
         key(
             "position",
             Kind::Point(POSITION),
-            Means("`belting` is given instead"),
+            Unless("`belting` is given"),
             "Middle of the line where it is mounted: forward, starboard of its body's origin.",
             &["[-60, 0]"],
         ),
         key(
             "facing",
             Kind::Quantity(DIRECTION),
-            Means("`belting` is given instead"),
+            Unless("`belting` is given"),
             "Direction in which it faces, clockwise from its body's forward direction.",
             &["\"-90 deg\""],
         ),
         key(
             "belting",
             Kind::Text,
-            Means("`position`, `facing` and `width` are given instead"),
+            Unless("`position`, `facing` and `width` are given"),
             "A belting of the vessel that carries the fender, by name. It gives position, facing, width, face height \
                   and height above the water.",
             &["\"bow\""],
@@ -43,7 +43,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
         key(
             "width",
             Kind::Quantity(FENDER_SIZE),
-            Means("`belting` is given instead"),
+            Unless("`belting` is given"),
             "Width of its face (of the panel, where there is one).",
             &["\"2.4 m\""],
         ),
@@ -87,14 +87,14 @@ pub(super) static FENDER: TableSpec = TableSpec {
         key(
             "size",
             Kind::Text,
-            Means("`height` is given"),
+            Unless("`height` is given, or the fender has no `type`"),
             "Size of the type, by its designation.",
             &["\"3300x6500 50kPa\""],
         ),
         key(
             "height",
             Kind::Quantity(FENDER_SIZE),
-            Means("`size` is given"),
+            Unless("`size` is given, or the fender has no `type`"),
             "Height of a fender of this type, uncompressed, instead of a `size` of the data.",
             &["\"1.2 m\""],
         ),
@@ -109,7 +109,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
             "count",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1000.0 }),
             Means("one"),
-            "How many fenders of this type stand behind the one face.",
+            "Number of fenders of this type behind the one face.",
             &["2"],
         ),
         key(
@@ -137,7 +137,7 @@ pub(super) static FENDER: TableSpec = TableSpec {
         key(
             "unloading",
             Kind::Curve(&CURVE),
-            Means("`returned_energy` is given instead"),
+            Means("by `returned_energy`, the type or the restitution of the material"),
             "The unloading curve: rows of deflection and reaction, the first [0, 0], with straight lines between; \
                   nowhere above its `curve` or `stiffness`. Coupled method only.",
             &["[[0, 0], [\"0.3 m\", \"250 kN\"], [\"0.8 m\", \"600 kN\"]]"],
@@ -160,8 +160,8 @@ pub(super) static FENDER: TableSpec = TableSpec {
             "stop",
             Kind::Table(&STOP),
             Means(
-                "from the end of the curve or of the projection on, 50 times the mean stiffness \
-                 up to there",
+                "a stop at the end of the curve or of the projection, 50 times as stiff as \
+                 the fender in the mean",
             ),
             "The end of its travel, where it stiffens.",
             &[],
@@ -197,14 +197,14 @@ pub(super) static FENDER: TableSpec = TableSpec {
         key(
             "hull_pressure_limit",
             Kind::Quantity(Quantity { measure: &unit::STIFFNESS_PER_AREA, low: 1.0, high: 1e9 }),
-            Means("`hull` is given instead, or there is no limit"),
+            Means("that of `hull`, or no limit"),
             "Hull pressure that the ship's side bears.",
             &["\"200 kN/m^2\""],
         ),
         key(
             "hull",
             Kind::Text,
-            Means("`hull_pressure_limit` is given instead, or there is no limit"),
+            Means("`hull_pressure_limit`, or no limit"),
             "Type of ship; the fender data have the hull pressure that its side bears.",
             &["\"container ship\""],
         ),

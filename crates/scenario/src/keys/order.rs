@@ -17,7 +17,7 @@ use crate::units::measures as unit;
 /// An order to a vessel's engine in a word of the telegraph.
 pub(crate) const TELEGRAPH: &str = "telegraph";
 
-/// The argument of a tug's push or pull that stands beside the order.
+/// The argument of a tug's push or pull that is a key beside the order.
 pub(crate) const DIRECTION: &str = "direction";
 
 pub(crate) static ORDER: TableSpec = TableSpec {
@@ -35,7 +35,7 @@ const ANOTHER: Absent = Means("another order");
 /// Fills an array until its keys are known.
 const PLACEHOLDER: KeySpec = key("", Kind::Flag, ANOTHER, "", &[]);
 
-/// The keys that come before the orders: time, target, and what stands beside an order.
+/// The keys that come before the orders: time, target, telegraph, and the direction of a push or pull.
 const HEAD: &[KeySpec] = &[
     key("at", Kind::Quantity(TIME), Is("0"), "Time of the order.", &["\"90 s\""]),
     key(

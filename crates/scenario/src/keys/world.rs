@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::quantities::{FORCE, LENGTH, PLACE, POSITION, TIME};
 use crate::choices::{Choice, Choices};
-use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
@@ -72,7 +72,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "fairlead",
             Kind::Point(POSITION),
-            Means("`chock` is given instead"),
+            Unless("`chock` is given"),
             "Fairlead, forward and starboard of the body's origin.",
             &["[140, 5]"],
         ),
@@ -86,7 +86,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "chock",
             Kind::Text,
-            Means("`fairlead` is given instead"),
+            Unless("`fairlead` is given"),
             "A chock of the vessel that `from` is, instead of `fairlead` and `fairlead_height`.",
             &["\"head\""],
         ),
@@ -100,7 +100,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "bollard",
             Kind::Point(POSITION),
-            Means("`bitts` is given instead"),
+            Unless("`bitts` is given"),
             "Bollard, forward and starboard of that body's origin.",
             &["[170, 4]"],
         ),
@@ -114,7 +114,7 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "bitts",
             Kind::Text,
-            Means("`bollard` is given instead"),
+            Unless("`bollard` is given"),
             "Bitts of the vessel that `to` is, instead of `bollard` and `bollard_height`.",
             &["\"fore\""],
         ),
@@ -136,14 +136,14 @@ pub(super) static LINE: TableSpec = TableSpec {
         key(
             "length",
             Kind::Quantity(LENGTH),
-            Means("`pretension` is given"),
+            Unless("`pretension` is given"),
             "Unstretched length outboard, tail included.",
             &["\"45 m\""],
         ),
         key(
             "pretension",
             Kind::Quantity(FORCE),
-            Means("`length` is given"),
+            Unless("`length` is given"),
             "Tension with which it is made fast.",
             &["\"100 kN\""],
         ),

@@ -6,7 +6,7 @@ use fenderline_contact::Unloading;
 use serde_json::json;
 
 use crate::keys::STANDINGS;
-use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{CurveSpec, KeySpec, Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
@@ -163,7 +163,7 @@ static UNLOADING: TableSpec = TableSpec {
         key(
             "returned_energy",
             Kind::Quantity(RETURNED_ENERGY),
-            Means("`points` is given instead"),
+            Unless("`points` is given"),
             "Share of the absorbed energy that unloading from any deflection returns.",
             &["\"55 %\""],
         ),
@@ -174,7 +174,7 @@ static UNLOADING: TableSpec = TableSpec {
                 to: ("reaction", OF_RATED),
                 fewest: 2,
             }),
-            Means("`returned_energy` is given instead"),
+            Unless("`returned_energy` is given"),
             "Rows of deflection over height and reaction over rated reaction that a retreat comes down to, \
                   from [0, 0]; straight between them, nowhere above the curve. Beyond the last row the reaction \
                   comes down to the same share of the curve as there.",

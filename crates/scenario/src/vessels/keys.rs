@@ -13,7 +13,7 @@ use self::source::SOURCE;
 use self::stern::{PROPELLER, RUDDER};
 use crate::keys::quantities::{LENGTH, PLACE};
 use crate::keys::{AZIMUTH, STABILITY, THRUSTER, WINDAGE};
-use crate::spec::Absent::{Is, Means, Refused};
+use crate::spec::Absent::{Is, Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
@@ -70,28 +70,28 @@ static VESSEL: TableSpec = TableSpec {
         key(
             "volume",
             Kind::Quantity(Quantity { measure: &unit::VOLUME, low: 1e-6, high: 1e8 }),
-            Means("another key gives it"),
+            Unless("another key gives the displacement"),
             "Displaced volume.",
             &["\"312600 m^3\""],
         ),
         key(
             "displacement",
             Kind::Quantity(Quantity { measure: &unit::MASS, low: 1e-3, high: 1e11 }),
-            Means("another key gives it"),
+            Unless("another key gives the displacement"),
             "Displacement in sea water of 1025 kg/m³.",
             &["\"87800 t\""],
         ),
         key(
             "block_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 1.0 }),
-            Means("another key gives it"),
+            Unless("another key gives the displacement"),
             "Volume over length between perpendiculars, beam and draught.",
             &["0.71"],
         ),
         key(
             "mass_coefficient",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 10.0 }),
-            Means("another key gives it"),
+            Unless("another key gives the displacement"),
             "m': mass over ½ρL²d.",
             &["0.2708"],
         ),
@@ -127,7 +127,7 @@ static VESSEL: TableSpec = TableSpec {
         key(
             "froude",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1e-3, high: 1.0 }),
-            Means("`speed` is given instead"),
+            Means("`speed`, if it is known"),
             "The same as a Froude number, with g = 9.81 m/s².",
             &["0.26"],
         ),

@@ -176,7 +176,7 @@ impl Simulation {
         Ok(())
     }
 
-    /// Whether an order can be carried out as things stand now: not to a line that was let go, nor to a tug that a
+    /// Whether an order can be water_inertia out as things stand now: not to a line that was let go, nor to a tug that a
     /// station pilot uses. Orders that are planned ahead are not held to this.
     ///
     /// # Errors

@@ -16,7 +16,7 @@ use fenderline_results::{Verdict, most_used, utilisation, worst_first};
 pub(super) use boxes::{boxes, names};
 pub(super) use setup::setup_table;
 
-/// The result in a sentence or two, for the top of the page; nothing where the scenario has no fenders.
+/// The result in one or two sentences, for the top of the page; nothing without fenders.
 pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     let setups = &outcome.setup.fenders;
     if setups.is_empty() {
@@ -44,7 +44,7 @@ pub(super) fn headline(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// The whole section; nothing where the scenario has no fenders.
+/// The whole section; nothing without fenders.
 pub(super) fn section(outcome: &Outcome<'_>, recorder: &Recorder) -> Markup {
     if outcome.setup.fenders.is_empty() {
         return html! {};

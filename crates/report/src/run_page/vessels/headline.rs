@@ -1,4 +1,4 @@
-//! What of vessels, tugs, lines and providers stands at the top of the page.
+//! Vessels, tugs, lines and providers at the top of the page.
 
 use fenderline_contact::number::greater;
 
@@ -9,10 +9,10 @@ use crate::words::world_event_text;
 use fenderline_results::Outcome;
 use fenderline_results::{LineVerdict, Who};
 
-/// Events told by name.
+/// Most events listed.
 const EVENTS: usize = 12;
 
-/// The lines in a sentence, and who is aground; nothing where there are none.
+/// Ships aground, and the lines in one sentence.
 pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
     let (setup, world) = (outcome.setup, outcome.world);
     let aground = setup.world.vessels.iter().zip(&world.vessels);
@@ -40,7 +40,7 @@ pub(in crate::run_page) fn headline(outcome: &Outcome<'_>) -> Markup {
     }
 }
 
-/// The class that colours a verdict.
+/// The style class of a verdict.
 pub(super) fn class(verdict: LineVerdict) -> &'static str {
     match verdict {
         LineVerdict::Ok => "ok",
@@ -50,7 +50,7 @@ pub(super) fn class(verdict: LineVerdict) -> &'static str {
     }
 }
 
-/// What happened to vessels, tugs, lines and providers, in time.
+/// Events of vessels, tugs, lines and providers, in the order of time.
 pub(in crate::run_page) fn remarks(outcome: &Outcome<'_>) -> Markup {
     let events = &outcome.world.events;
     let all: u64 = events.counts().iter().map(|(_, count)| count).sum();

@@ -6,7 +6,7 @@ use serde_json::json;
 use super::{COEFFICIENT, ESTIMATED, POSITIVE, coefficients};
 use crate::choices::{Choice, Choices};
 use crate::keys::quantities::LENGTH;
-use crate::spec::Absent::{Means, Refused};
+use crate::spec::Absent::{Means, Refused, Unless};
 use crate::spec::{Kind, Quantity, TableSpec, key};
 use crate::units::measures as unit;
 
@@ -120,35 +120,35 @@ pub(super) static RUDDER: TableSpec = TableSpec {
         key(
             "area",
             Kind::Quantity(Quantity { measure: &unit::AREA, low: 1e-6, high: 1e4 }),
-            Means("`area_ratio` is given instead"),
+            Unless("`area_ratio` is given"),
             "Movable area.",
             &["\"60 m^2\""],
         ),
         key(
             "area_ratio",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 1.0, high: 1e3 }),
-            Means("`area` is given instead"),
+            Unless("`area` is given"),
             "Length times draught over the movable area.",
             &["54.86"],
         ),
         key(
             "span",
             Kind::Quantity(LENGTH),
-            Means("`propeller_to_span` and `aspect_ratio` are given instead"),
+            Unless("`propeller_to_span` and `aspect_ratio` are given"),
             "Span.",
             &["\"9 m\""],
         ),
         key(
             "propeller_to_span",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.01, high: 1.0 }),
-            Means("`span` is given instead"),
+            Unless("`span` is given"),
             "η: diameter of the propeller over span.",
             &["0.8"],
         ),
         key(
             "aspect_ratio",
             Kind::Quantity(Quantity { measure: &unit::PLAIN_NUMBER, low: 0.1, high: 20.0 }),
-            Means("`span` or `lift_gradient` is given instead"),
+            Unless("`span` or `lift_gradient` is given"),
             "Λ: span² over area.",
             &["1.8"],
         ),
