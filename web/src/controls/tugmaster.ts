@@ -1,4 +1,4 @@
-/** The tugmaster's own helm: of a tug that is a force, or of one that is a vessel with azimuth units. */
+/** The tugmaster's helm: of a vector tug, or of a tug that is a vessel with azimuth units. */
 import type { Page } from "../page";
 import { limits } from "../orders";
 import type {
@@ -26,7 +26,7 @@ function inPercent([least, most]: Pair): { least: number; most: number; powers: 
   return { least: least * 100, most: most * 100, powers: POWERS.filter(within) };
 }
 
-/** A tug that is a force: push or pull, how hard, and in which direction. */
+/** A vector tug: push or pull, with force and direction. */
 export class VectorHelm implements Group {
   readonly name = "Tug";
   readonly root: HTMLElement;
@@ -170,7 +170,7 @@ export class VectorHelm implements Group {
       this.now.order_n !== now.order_n ||
       this.now.order_direction_rad !== now.order_direction_rad;
     this.now = now;
-    // What is ordered may come from the pilot or from a rewind.
+    // The order may come from the pilot or from a rewind.
     if (changed) {
       this.order = now.order;
       this.inWords = false;
@@ -207,7 +207,7 @@ export class VectorHelm implements Group {
   }
 }
 
-/** A tug that is a vessel: her azimuth units, together or each for itself. */
+/** A tug that is a vessel: her azimuth units, together or separately. */
 export class AzimuthHelm implements Group {
   readonly name = "Tug";
   readonly root: HTMLElement;
@@ -268,7 +268,7 @@ export class AzimuthHelm implements Group {
       figure: h("span", { class: "ordered" }),
     }));
     const ship = hello.vessels[page.live.ship()];
-    // Her own pilot can take her to the ship's side and push there; an order to a unit takes it off.
+    // Her own pilot can take her to the ship's side and push there; an order to a unit disengages it.
     if (ship && ship !== info) this.work = new VesselTug(page, info, index, hello);
     this.root = h(
       "div",
@@ -312,7 +312,7 @@ export class AzimuthHelm implements Group {
       ),
     );
     const turn = (by: number) => () => this.units[0]?.ring.nudge(by);
-    // A key that is held repeats faster than ticks come: it counts on from what it last asked for.
+    // A held key repeats faster than ticks arrive: it continues from its last order.
     let asked = { powers: [] as number[], until_ms: 0 };
     const power = (by: number) => () => {
       const from =

@@ -20,7 +20,7 @@ import type { Group, KeyAction } from "./group";
 /** The powers that have a button, in percent: those within the server's limits of a share. */
 const powersWithin = ([least, most]: Pair) =>
   [25, 50, 75, 100].filter((p) => p >= least * 100 && p <= most * 100);
-/** What was ordered here is shown until frames can have it: for this many ticks, and at least this long. */
+/** An order from this page is displayed until frames can have it: for this number of ticks, and at least this long. */
 const ANSWERED = { ticks: 2, ms: 500 };
 /** A force below this is shown as none [N]. */
 const NO_FORCE_N = 1e3;
@@ -31,7 +31,7 @@ const LEADS: Record<Lead, { label: string; text: string; next: Lead }> = {
   aft: { label: "aft", text: "aft", next: "square" },
 };
 
-/** Which way a tug leads; a press changes it. */
+/** The direction in which a tug leads; a press changes it. */
 class LeadButton {
   value: Lead = "square";
   readonly root: HTMLButtonElement;
@@ -56,16 +56,16 @@ class LeadButton {
   }
 }
 
-/** What a card shows of its tug now. */
+/** The state of a tug on its card. */
 interface CardNow {
-  /** `null`: she is steered by hand. */
+  /** `null`: hand steering. */
   order: TugWord | null;
   power: number;
   place: Place | null;
   text: string;
 }
 
-/** One tug: what she is ordered, with what power, how she leads and where she works. */
+/** One tug: order, power, direction and position. */
 export abstract class TugCard {
   readonly root: HTMLElement;
   private readonly head = h("div", { class: "card-head" });
@@ -77,7 +77,7 @@ export abstract class TugCard {
   private percent = 25;
   private ordered: TugWord | null = null;
   private shownPower = NaN;
-  /** Somebody chose a place here that no order has had yet. */
+  /** A position was chosen here that no order has had yet. */
   private chosen = false;
   private sent = { tick: Infinity, at_ms: 0 };
   /** The word of the third button: a tug without a line stands off instead of pulling. */
@@ -143,7 +143,7 @@ export abstract class TugCard {
 
   protected abstract now(frame: Frame): CardNow | null;
 
-  /** Gives an order. A second press finds what the first one ordered, before any frame has it. */
+  /** Gives an order. A second press continues from the first one before any frame has it. */
   private say(order: TugWord): void {
     this.ordered = order;
     this.chosen = false;

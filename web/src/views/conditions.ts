@@ -13,7 +13,7 @@ const FAULTS: { fault: Fault; text: string }[] = [
   { fault: "blackout", text: "Blackout" },
 ];
 
-/** A flow of air or water: set as a whole, by "Set", so that a half-turned ring blows nobody away. */
+/** A flow of air or water. "Set" sends speed and direction together, so that a half-turned ring changes nothing yet. */
 class Flow {
   private readonly speed = h("output", { class: "wanted" });
   private readonly now = h("p", { class: "note" });
@@ -82,7 +82,7 @@ class Flow {
   }
 
   draw(mps: number, rad: number, full_mps: number): void {
-    // The knob is where it is from or goes to; the arrow goes with the flow.
+    // The knob is the direction of the order; the arrow points with the flow.
     this.ring.draw(this.name === "Wind" ? rad + Math.PI : rad, Math.min(1, mps / full_mps));
   }
 }

@@ -176,11 +176,11 @@ impl Simulation {
         Ok(())
     }
 
-    /// Whether an order can be water_inertia out as things stand now: not to a line that was let go, nor to a tug that a
-    /// station pilot uses. Orders that are planned ahead are not held to this.
+    /// Checks that an order can be carried out in the present state: not if its line was let go, or if a station pilot uses
+    /// the tug. This check does not apply to orders for a later time.
     ///
     /// # Errors
-    /// What stands in its way.
+    /// Why the order cannot be carried out.
     pub fn check_now(&self, action: &Action) -> Result<(), OrderError> {
         let is_there = |line: usize| {
             if !self.world.lines.get(line).is_some_and(|line| line.gone) {
