@@ -1,5 +1,5 @@
-//! `cargo xtask state-hashes [REVISION]`: a hash of all numbers that each scenario writes, compared with that of an older
-//! revision of the program. It shows that a change of names or structure changed no result.
+//! `cargo xtask state-hashes [REVISION]`: a hash of all numbers that each scenario writes, compared with that of an
+//! older revision of the program. It shows that a change of names or structure changed no result.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
